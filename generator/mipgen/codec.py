@@ -1,0 +1,357 @@
+"""Encodes and decodes packets by interpreting the model's operations.
+
+Slow and plain: the reference that examples and generated code are held against. Values have the
+form of the conformance protocol: numbers, lists, objects, floats as the hexadecimal of their bits.
+"""
+
+from __future__ import annotations
+
+import struct
+from dataclasses import dataclass
+from typing import Any
+
+from . import model as m
+
+Values = dict[str, Any]
+
+_FORMATS = {"u8": "B", "u16": "H", "u32": "I", "u64": "Q", "s8": "b", "s16": "h", "s32": "i", "s64": "q"}
+
+
+class CodecError(Exception):
+    """`kind` is the word that the conformance protocol uses."""
+
+    def __init__(self, kind: str, detail: str = "") -> None:
+        super().__init__(f"{kind}: {detail}" if detail else kind)
+        self.kind = kind
+
+
+# --------------------------------------------------------------------------- packets
+
+
+def checksum(data: bytes) -> bytes:
+    """
+    >>> checksum(bytes.fromhex("756501020201")).hex()
+    'e0c6'
+    """
+    a = b = 0
+    for byte in data:
+        a = (a + byte) & 0xFF
+        b = (b + a) & 0xFF
+    return bytes((a, b))
+
+
+def build(model: m.Model, set_number: int, fields: list[tuple[int, bytes]]) -> bytes:
+    payload = b"".join(bytes((len(data) + 2, descriptor)) + data for descriptor, data in fields)
+    if len(payload) > model.protocol.max_payload or any(len(d) > m.MAX_FIELD_DATA for _, d in fields):
+        raise CodecError("length", "the payload is longer than a packet holds")
+    head = bytes((*model.protocol.sync, set_number, len(payload))) + payload
+    return head + checksum(head)
+
+
+def split(model: m.Model, packet: bytes) -> list[tuple[int, bytes]]:
+    """The fields of a packet: (descriptor, data). Raises on anything that is not one whole packet."""
+    if packet[:2] != bytes(model.protocol.sync):
+        raise CodecError("sync", f"begins with {packet[:2].hex()}")
+    if len(packet) < 6 or len(packet) != packet[3] + 6 or packet[2] == 0:
+        raise CodecError("length", f"{len(packet)} bytes do not make a packet")
+    if checksum(packet[:-2]) != packet[-2:]:
+        raise CodecError("checksum", f"{packet[-2:].hex()} should be {checksum(packet[:-2]).hex()}")
+    payload, fields = packet[4:-2], []
+    while payload:
+        length = payload[0]
+        if length < 2 or length > len(payload):
+            raise CodecError("field_length", f"a field of length {length} in {len(payload)} bytes")
+        fields.append((payload[1], payload[2:length]))
+        payload = payload[length:]
+    return fields
+
+
+def choose(candidates: tuple[m.Field, ...], data: bytes) -> m.Field | None:
+    """The layout whose constants the data holds; the only one, if there is just one."""
+    if len(candidates) <= 1:
+        return candidates[0] if candidates else None
+    for f in candidates:
+        if all(data[at : at + op.size] == op.value.to_bytes(op.size, "big") for at, op in f.constants):
+            return f
+    return None
+
+
+# --------------------------------------------------------------------------- decoding
+
+
+@dataclass
+class _Reader:
+    data: bytes
+    at: int = 0
+
+    def take(self, size: int) -> bytes:
+        if size > len(self.data) - self.at:
+            raise CodecError("truncated", f"{size} bytes wanted, {len(self.data) - self.at} left")
+        self.at += size
+        return self.data[self.at - size : self.at]
+
+
+def decode(f: m.Field, data: bytes) -> tuple[Values, int]:
+    """The values of a field, and how many bytes are left over."""
+    reader, values = _Reader(data), Values()
+    required = f.required_count
+    for op in f.operations:
+        if isinstance(op, m.GroupOp):
+            if op.first == 1 and f.selector:
+                required = dict(f.required).get(values["function"], 0)
+            if not _read_group(op, required, reader, values):
+                break
+        else:
+            _read(op, reader, values)
+    return values, len(data) - reader.at
+
+
+def _read_group(op: m.GroupOp, required: int, reader: _Reader, values: Values) -> bool:
+    if op.last > required and reader.at == len(reader.data):
+        return False
+    mark, found = reader.at, dict(values)
+    try:
+        for inner in op.body:
+            _read(inner, reader, found)
+    except CodecError as error:
+        if op.last <= required or error.kind != "truncated":
+            raise
+        reader.at = mark
+        return False
+    if op.last > required and reader.at == mark:  # an empty union: as good as absent
+        return False
+    values.update(found)
+    return True
+
+
+def _read(op: m.Operation, reader: _Reader, values: Values) -> None:
+    match op:
+        case m.ConstantOp():
+            found = int.from_bytes(reader.take(op.size), "big")
+            if found != op.value:
+                raise CodecError("constant", f"{op.member} is {found}, not {op.value}")
+        case m.SwitchOp():
+            case_ = next((c for c in op.cases if c.tag.value == values[op.tag]), None)
+            inner = Values()
+            if case_ is not None and case_.operation is not None:
+                _read(case_.operation, reader, inner)
+            values[op.member] = inner
+        case m.GroupOp():
+            raise AssertionError("groups stand in fields only")
+        case _:
+            values[op.member] = _item(op, reader, values)
+
+
+def _item(op: m.Operation, reader: _Reader, values: Values) -> Any:
+    match op:
+        case m.ScalarOp() | m.CounterOp():
+            return _number(op.scalar, reader.take(op.size))
+        case m.BitsOp():
+            return list(reader.take(op.size))
+        case m.TextOp():
+            return reader.take(_count(op, 1, reader, values)).decode("latin-1")
+        case m.ArrayOp():
+            size = size_of(op.item)
+            count = _count(op, size, reader, values)
+            return [_item(op.item, reader, {}) for _ in range(count)]
+        case m.StructOp():
+            inner = Values()
+            for part in op.struct.operations:
+                _read(part, reader, inner)
+            return inner
+    raise AssertionError(op)
+
+
+def _count(op: m.TextOp | m.ArrayOp, size: int, reader: _Reader, values: Values) -> int:
+    left = len(reader.data) - reader.at
+    if op.count is not None:
+        return op.count
+    if op.counter is None:
+        return min(left // size, op.capacity)
+    count: int = values[op.counter]
+    if count * size > left:
+        raise CodecError("count", f"{op.counter} is {count}, but {left} bytes follow")
+    return count
+
+
+def size_of(op: m.Operation) -> int:
+    """Bytes of an operation whose size does not vary."""
+    match op:
+        case m.ScalarOp() | m.ConstantOp() | m.CounterOp() | m.BitsOp():
+            return op.size
+        case m.StructOp():
+            return op.struct.max_size
+        case m.TextOp():
+            return op.count or 0
+        case m.ArrayOp():
+            return (op.count or 0) * size_of(op.item)
+    raise AssertionError(op)
+
+
+def _number(scalar: m.Scalar, raw: bytes) -> int | str:
+    if scalar.kind == "float":
+        return "0x" + raw.hex()
+    return int.from_bytes(raw, "big", signed=scalar.kind == "signed")
+
+
+# --------------------------------------------------------------------------- encoding
+
+
+def encode(f: m.Field, values: Values) -> bytes:
+    """The shortest form that holds the given values."""
+    out = bytearray()
+    required = f.required_count
+    known = {p.name for p in f.parameters if p.constant is None}
+    for name in values:
+        if name not in known:
+            raise CodecError("unknown", f"{f.full_name} has no parameter {name}")
+    ended: str | None = None
+    for op in f.operations:
+        if isinstance(op, m.GroupOp):
+            if op.first == 1 and f.selector:
+                required = dict(f.required).get(values["function"], 0)
+            absent = [i.member for i in op.body if not isinstance(i, m.ConstantOp) and i.member not in values]  # type: ignore[union-attr]
+            if absent and op.last <= required:
+                raise CodecError("missing", absent[0])
+            if absent:
+                ended = ended or absent[0]
+            if ended is not None:
+                if any(not isinstance(i, m.GroupOp) and i.member in values for i in op.body):
+                    raise CodecError("missing", ended)
+                continue
+            for inner in op.body:
+                _write(inner, values, out)
+        else:
+            _write(op, values, out)
+    if len(out) > m.MAX_FIELD_DATA:
+        raise CodecError("length", f"{len(out)} bytes do not fit into a field")
+    return bytes(out)
+
+
+def _write(op: m.Operation, values: Values, out: bytearray) -> None:
+    match op:
+        case m.ConstantOp():
+            out += op.value.to_bytes(op.size, "big")
+        case m.GroupOp():
+            raise AssertionError("groups stand in fields only")
+        case _:
+            if op.member not in values:
+                raise CodecError("missing", op.member)
+            _put(op, values[op.member], values, out)
+
+
+def _put(op: m.Operation, value: Any, values: Values, out: bytearray) -> None:
+    match op:
+        case m.ScalarOp():
+            out += _bytes(op.scalar, value)
+        case m.CounterOp():
+            items = values.get(op.array)
+            if not isinstance(items, (list, str)) or len(items) != value:
+                raise CodecError("count", f"{op.member} is {value}")
+            out += _bytes(op.scalar, value)
+        case m.BitsOp():
+            if not isinstance(value, list) or len(value) != op.size:
+                raise CodecError("count", f"{op.member} needs {op.size} bytes")
+            for byte in value:
+                out += _bytes(m.SCALARS["u8"], byte)
+        case m.TextOp():
+            _check_count(op, value)
+            try:
+                out += value.encode("latin-1")
+            except UnicodeEncodeError as error:
+                raise CodecError("range", op.member) from error
+        case m.ArrayOp():
+            _check_count(op, value)
+            for item in value:
+                _put(op.item, item, {}, out)
+        case m.StructOp():
+            for part in op.struct.operations:
+                _write(part, value, out)
+        case m.SwitchOp():
+            case_ = next((c for c in op.cases if c.tag.value == values[op.tag]), None)
+            member = case_.operation if case_ is not None else None
+            wanted = [member.member] if member is not None and not isinstance(member, m.GroupOp) else []
+            if list(value) != wanted:
+                raise CodecError("tag", f"{op.tag} is {values[op.tag]}, but {op.member} holds {list(value)}")
+            if member is not None:
+                _write(member, value, out)
+
+
+def _check_count(op: m.TextOp | m.ArrayOp, value: Any) -> None:
+    if op.count is not None and len(value) != op.count or len(value) > op.capacity:
+        raise CodecError("count", f"{op.member} has {len(value)} elements")
+
+
+def _bytes(scalar: m.Scalar, value: Any) -> bytes:
+    if scalar.kind == "float":
+        raw = bytes.fromhex(value[2:]) if isinstance(value, str) else b""
+        if len(raw) != scalar.size:
+            raise CodecError("range", f"{value!r} is no {scalar.name}")
+        return raw
+    try:
+        return int(value).to_bytes(scalar.size, "big", signed=scalar.kind == "signed")
+    except OverflowError as error:
+        raise CodecError("range", f"{value} does not fit into {scalar.name}") from error
+
+
+# --------------------------------------------------------------------------- values written by people
+
+
+def canonical(op: m.Operation, value: Any, where: str) -> Any:
+    """A value as an example states it, in the form above. Raises ValueError with a remedy."""
+    match op:
+        case m.ScalarOp():
+            return _canonical_number(op, value, where)
+        case m.CounterOp() | m.ConstantOp():
+            return _canonical_number(m.ScalarOp(op.member, op.scalar, None, op.size), value, where)
+        case m.BitsOp():
+            return list(value) if isinstance(value, list) else list(bytes.fromhex(value))
+        case m.TextOp():
+            return str(value).ljust(op.count or 0)
+        case m.ArrayOp():
+            if not isinstance(value, list):
+                raise ValueError(f"{where} must be a list")
+            return [canonical(op.item, v, f"{where}[{i}]") for i, v in enumerate(value)]
+        case m.StructOp():
+            return canonical_record(op.struct.operations, value, where)
+        case m.SwitchOp():
+            members = tuple(c.operation for c in op.cases if c.operation is not None)
+            return canonical_record(members, value, where)
+    raise AssertionError(op)
+
+
+def canonical_record(operations: tuple[m.Operation, ...], values: Any, where: str) -> Values:
+    if not isinstance(values, dict):
+        raise ValueError(f"{where} must be a mapping of parameter names to values")
+    flat: dict[str, m.Operation] = {}
+    for op in operations:
+        for inner in op.body if isinstance(op, m.GroupOp) else (op,):
+            assert not isinstance(inner, m.GroupOp)
+            flat[inner.member] = inner
+    for name in values:
+        if name not in flat:
+            raise ValueError(f"{where} has no parameter '{name}'; known: {', '.join(flat) or 'none'}")
+    return {name: canonical(flat[name], v, f"{where}.{name}") for name, v in values.items()}
+
+
+def _canonical_number(op: m.ScalarOp, value: Any, where: str) -> int | str:
+    if op.scalar.kind == "float":
+        if isinstance(value, str) and len(value) == 2 + 2 * op.size and value.startswith("0x"):
+            return value.lower()
+        if isinstance(value, str) or isinstance(value, bool) or value is None:
+            raise ValueError(f"{where}: {value!r} is no number, nor the {2 * op.size} hexadecimal digits of its bits")
+        return "0x" + struct.pack(">f" if op.size == 4 else ">d", value).hex()
+    if isinstance(value, str) and isinstance(op.type, m.Enum):
+        known = op.type.by_name(value)
+        if known is None:
+            raise ValueError(f"{where}: '{op.type.name}' has no value '{value}'")
+        return known.value
+    if isinstance(value, list) and isinstance(op.type, m.Bitfield):
+        bits = {b.name: b for b in op.type.bits}
+        unknown = [n for n in value if n not in bits]
+        if unknown:
+            raise ValueError(f"{where}: '{op.type.name}' has no bit '{unknown[0]}'")
+        return sum(bits[n].mask for n in set(value))
+    if isinstance(value, (bool, int)):
+        return int(value)
+    raise ValueError(f"{where}: {value!r} is no whole number")

@@ -1,0 +1,1 @@
+"""One module per target language; `render.Target` says what it offers."""
