@@ -63,7 +63,7 @@ audit: $(VENV)/generator.stamp ## compare the specification with the manuals: ma
 
 .PHONY: test
 test: tools $(VENV)/development.stamp ## run all tests, in every language
-	@$(RUN) -m pytest -n $(JOBS) --dist loadgroup $(TESTS)
+	@$(RUN) -m pytest -n $(JOBS) $(TESTS)
 
 .PHONY: quick
 quick: $(VENV)/development.stamp ## run the tests of the generator alone

@@ -15,10 +15,14 @@ DATA_DESCRIPTORS = range(0x01, 0xD0)
 SHARED_DESCRIPTORS = range(0xD0, 0x100)
 
 
-def check(model: m.Model, problems: Problems) -> None:
-    for one in (set_numbers, descriptors, names, enumerations, bitfields, layouts, replies, devices,
-                printed_lengths, printed_bytes, references):  # fmt: skip
-        one(model, problems)
+def check_definitions(model: m.Model, problems: Problems) -> None:
+    for check in (set_numbers, descriptors, names, enumerations, bitfields, replies):
+        check(model, problems)
+
+
+def check_evidence(model: m.Model, problems: Problems) -> None:
+    for check in (printed_lengths, printed_bytes, references):
+        check(model, problems)
 
 
 # --------------------------------------------------------------------------- sets and names
@@ -28,7 +32,9 @@ def set_numbers(model: m.Model, problems: Problems) -> None:
     seen: dict[int, m.Set] = {}
     for s in model.sets:
         if s.number in seen:
-            problems.add(s.position, f"0x{s.number:02X} is the set '{seen[s.number].name}' already; give '{s.name}' its own")
+            problems.add(
+                s.position, f"0x{s.number:02X} is the set '{seen[s.number].name}' already; give '{s.name}' its own"
+            )
         seen[s.number] = s
 
 
@@ -93,50 +99,36 @@ def enumerations(model: m.Model, problems: Problems) -> None:
         seen: dict[int, str] = {}
         for v in t.values:
             if v.value >> (8 * t.scalar.size):
-                problems.add(t.position, f"'{t.name}': {v.name} = {v.value} does not fit into {t.scalar.name}")
+                problems.add(v.position, f"'{t.name}': {v.name} = {v.value} does not fit into {t.scalar.name}")
             if v.value in seen:
-                problems.add(t.position, f"'{t.name}': {seen[v.value]} and {v.name} are both {v.value}; drop one")
-            seen[v.value] = v.name
+                problems.add(v.position, f"'{t.name}': {seen[v.value]} and {v.name} are both {v.value}; drop one")
+            seen.setdefault(v.value, v.name)
 
 
 def bitfields(model: m.Model, problems: Problems) -> None:
     for t in _all_types(model):
         if not isinstance(t, m.Bitfield):
             continue
-        used = 0
+        used: list[m.Bits] = []
         for b in t.bits:
-            if not b.alias and used & b.mask:
-                problems.add(t.position, f"'{t.name}': {b.name} overlaps other bits; if that is meant, add alias: true")
+            other = next((o for o in used if o.mask & b.mask), None)
+            if other is not None and not b.alias:
+                problems.add(
+                    b.position, f"'{t.name}': {b.name} overlaps {other.name}; if that is meant, add alias: true"
+                )
             if not b.alias:
-                used |= b.mask
-            wide = [v for v in b.enum.values if v.value >> b.width] if b.enum else []
-            if wide:
-                problems.add(t.position, f"'{t.name}': {wide[0].name} = {wide[0].value} does not fit into the {b.width} bits of {b.name}")
+                used.append(b)
+            for v in b.enum.values if b.enum else ():
+                if v.value >> b.width:
+                    problems.add(
+                        b.position,
+                        f"'{t.name}': {v.name} = {v.value} of '{b.enum.name if b.enum else ''}' "
+                        f"does not fit into {b.name}, which holds 0 to {b.mask >> b.first}",
+                    )
+                    break
 
 
 # --------------------------------------------------------------------------- fields
-
-
-def layouts(model: m.Model, problems: Problems) -> None:
-    for f in model.fields:
-        if f.min_size > m.MAX_FIELD_DATA:
-            problems.add(f.position, f"'{f.name}': {f.min_size} bytes do not fit into the {m.MAX_FIELD_DATA} data bytes of a field")
-        for p in f.parameters:
-            _values_fit(p, problems)
-
-
-def _values_fit(p: m.Parameter, problems: Problems) -> None:
-    if not isinstance(p.element, m.Scalar) or p.element.kind not in ("unsigned", "signed"):
-        return
-    bits = 8 * p.element.size
-    low, high = (0, (1 << bits) - 1) if p.element.kind == "unsigned" else (-(1 << bits - 1), (1 << bits - 1) - 1)
-    for what, value in (("reserved", p.reserved), ("the range", p.minimum), ("the range", p.maximum)):
-        if value is not None and not low <= value <= high:
-            problems.add(p.position, f"'{p.name}': {value} ({what}) does not fit into {p.element.name}")
-    if isinstance(p.default, (int, float)) and not isinstance(p.default, bool) and p.length is None:
-        low, high = (p.minimum if p.minimum is not None else low), (p.maximum if p.maximum is not None else high)  # type: ignore[assignment]
-        if not low <= p.default <= high:
-            problems.add(p.position, f"'{p.name}': the default {p.default} lies outside of {low} to {high}")
 
 
 def replies(model: m.Model, problems: Problems) -> None:
@@ -151,37 +143,12 @@ def replies(model: m.Model, problems: Problems) -> None:
             problems.add(f.position, f"'{f.name}' has a response, but no function asks for it; add R to functions")
 
 
-# --------------------------------------------------------------------------- devices
-
-
-def devices(model: m.Model, problems: Problems) -> None:
-    seen: dict[str, m.Device] = {}
-    known = {t.name for t in _all_types(model)}
-    for d in model.devices:
-        for name in (d.id, d.name):
-            if name in seen and seen[name] is not d:
-                problems.add(d.position, f"there are two devices called '{name}'; rename one")
-            seen[name] = d
-        for name, _ in d.functions:
-            if name not in d.fields:
-                problems.add(d.position, f"functions: the device does not support '{name}'; add it to supports")
-        rated = {name for name, _ in d.base_rates}
-        for name in sorted({f.partition(".")[0] for f in d.fields}):
-            s = next(s for s in model.sets if s.name == name)
-            if s.kind == "data" and name not in rated:
-                problems.add(d.position, f"base_rates: the rate of '{name}' is missing (0 if data are sent as they come)")
-        for name, _ in d.readings:
-            if "." not in name and name not in known:
-                problems.add(d.position, f"readings: unknown type '{name}'{nearest(name, known)}")
-
-
 # --------------------------------------------------------------------------- evidence
 
 
 def printed_lengths(model: m.Model, problems: Problems) -> None:
     """A printed length either follows from the manual's own rule or has an erratum."""
     rules = {x.id: x.lengths for x in model.protocol.manuals}
-    claims = {c.subject: c for e in model.errata for c in e.claims if c.kind == "length"}
     claimed_by = {(e.manual, c.subject) for e in model.errata for c in e.claims if c.kind == "length"}
     differing = set()
     for f in (*model.fields, model.protocol.acknowledge):
@@ -193,11 +160,10 @@ def printed_lengths(model: m.Model, problems: Problems) -> None:
                 continue
             differing.add((source.manual, f.full_name))
             if (source.manual, f.full_name) not in claimed_by:
-                place = source.position if f.role != m.RESPONSE else f.position
                 problems.add(
-                    place,
-                    f"{source.manual} prints the length {source.length} for '{f.full_name}', "
-                    f"but its rule gives {expected}; correct it, or add an erratum that claims length: {f.full_name}",
+                    source.position,
+                    f"{source.manual} prints the length {source.length} for '{f.full_name}', but its rule gives "
+                    f"{expected}; correct it, or add an erratum that claims length: {f.full_name}",
                 )
     names_ = {f.full_name for f in model.fields} | {model.protocol.acknowledge.full_name}
     for e in model.errata:
@@ -207,8 +173,10 @@ def printed_lengths(model: m.Model, problems: Problems) -> None:
             if c.subject not in names_:
                 problems.add(c.position, f"unknown field '{c.subject}'{nearest(c.subject, names_)}")
             elif (e.manual, c.subject) not in differing:
-                problems.add(c.position, f"the length that {e.manual} prints for '{c.subject}' is right (or not given); drop the claim")
-    del claims
+                problems.add(
+                    c.position,
+                    f"the length that {e.manual} prints for '{c.subject}' is right (or not given); drop the claim",
+                )
 
 
 def computed_length(f: m.Field, rule: str) -> str:
@@ -252,8 +220,11 @@ def printed_bytes(model: m.Model, problems: Problems) -> None:
     by_id = {e.id: e for e in model.examples}
     differing = {e.id for e in model.examples if differences(e)}
     for name in sorted(differing - claimed):
-        e = by_id[name]
-        problems.add(e.position, f"the print of '{name}' is wrong ({'; '.join(differences(e))}); add an erratum that claims example: {name}")
+        what = "; ".join(differences(by_id[name]))
+        problems.add(
+            by_id[name].position,
+            f"the print of '{name}' is wrong ({what}); add an erratum that claims example: {name}",
+        )
     for e in model.errata:
         for c in e.claims:
             if c.kind != "example":

@@ -6,9 +6,9 @@ import argparse
 import sys
 from pathlib import Path
 
-from . import __version__, naming, render
+from . import __version__, audit, naming, render
 from .model import RESPONSE, Model
-from .problems import Problems, SpecError
+from .problems import Problems, SpecError, nearest
 from .resolve import load_model
 
 ROOT = Path(__file__).parents[2]
@@ -44,7 +44,31 @@ def _parser() -> argparse.ArgumentParser:
             command.add_argument(
                 "--target", action="append", choices=render.names(), dest="targets", help="may be given more than once"
             )
+    compare = commands.add_parser("audit", help="list what manuals contain and the specification does not")
+    compare.add_argument("--spec", type=Path, default=ROOT / "spec", help="folder of the specification")
+    compare.add_argument(
+        "--manual", action="append", required=True, metavar="ID=FILE", help="a manual as plain text; may be repeated"
+    )
+    compare.set_defaults(run=audit_manuals)
     return parser
+
+
+def audit_manuals(options: argparse.Namespace) -> int:
+    model = load_model(options.spec)
+    known = [x.id for x in model.protocol.manuals]
+    findings = []
+    for argument in options.manual:
+        manual, _, file = argument.partition("=")
+        if manual not in known:
+            print(f"mipgen: unknown manual '{manual}'{nearest(manual, known)}", file=sys.stderr)
+            return 2
+        if not Path(file).is_file():
+            print(f"mipgen: '{argument}': no such file; write --manual {manual}=FILE", file=sys.stderr)
+            return 2
+        findings += audit.audit(model, manual, Path(file))
+    print("".join(f"{f}\n" for f in findings), end="")
+    print(f"{len(findings)} findings")
+    return 1 if findings else 0
 
 
 def validate(options: argparse.Namespace) -> int:

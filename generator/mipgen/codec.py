@@ -6,6 +6,7 @@ form of the conformance protocol: numbers, lists, objects, floats as the hexadec
 
 from __future__ import annotations
 
+import re
 import struct
 from dataclasses import dataclass
 from typing import Any
@@ -41,8 +42,10 @@ def checksum(data: bytes) -> bytes:
 
 
 def build(model: m.Model, set_number: int, fields: list[tuple[int, bytes]]) -> bytes:
+    if any(len(data) > m.MAX_FIELD_DATA for _, data in fields):
+        raise CodecError("length", f"a field holds {m.MAX_FIELD_DATA} bytes of data")
     payload = b"".join(bytes((len(data) + 2, descriptor)) + data for descriptor, data in fields)
-    if len(payload) > model.protocol.max_payload or any(len(d) > m.MAX_FIELD_DATA for _, d in fields):
+    if len(payload) > model.protocol.max_payload:
         raise CodecError("length", "the payload is longer than a packet holds")
     head = bytes((*model.protocol.sync, set_number, len(payload))) + payload
     return head + checksum(head)
@@ -305,9 +308,11 @@ def canonical(op: m.Operation, value: Any, where: str) -> Any:
         case m.CounterOp() | m.ConstantOp():
             return _canonical_number(m.ScalarOp(op.member, op.scalar, None, op.size), value, where)
         case m.BitsOp():
-            return list(value) if isinstance(value, list) else list(bytes.fromhex(value))
+            return _canonical_bytes(op, value, where)
         case m.TextOp():
-            return str(value).ljust(op.count or 0)
+            if not isinstance(value, str):
+                raise ValueError(f"{where} must be text, in quotes")
+            return value.ljust(op.count or 0)
         case m.ArrayOp():
             if not isinstance(value, list):
                 raise ValueError(f"{where} must be a list")
@@ -334,13 +339,26 @@ def canonical_record(operations: tuple[m.Operation, ...], values: Any, where: st
     return {name: canonical(flat[name], v, f"{where}.{name}") for name, v in values.items()}
 
 
+def _canonical_bytes(op: m.BitsOp, value: Any, where: str) -> list[int]:
+    try:
+        found = list(bytes.fromhex(value) if isinstance(value, str) else bytes(list(value)))
+    except (TypeError, ValueError):
+        found = []
+    if len(found) != op.size:
+        raise ValueError(f"{where} must be {op.size} bytes: a list of numbers, or hexadecimal digits in quotes")
+    return found
+
+
 def _canonical_number(op: m.ScalarOp, value: Any, where: str) -> int | str:
     if op.scalar.kind == "float":
-        if isinstance(value, str) and len(value) == 2 + 2 * op.size and value.startswith("0x"):
+        if isinstance(value, str) and re.fullmatch(f"0x[0-9A-Fa-f]{{{2 * op.size}}}", value):
             return value.lower()
         if isinstance(value, str) or isinstance(value, bool) or value is None:
             raise ValueError(f"{where}: {value!r} is no number, nor the {2 * op.size} hexadecimal digits of its bits")
-        return "0x" + struct.pack(">f" if op.size == 4 else ">d", value).hex()
+        try:
+            return "0x" + struct.pack(">f" if op.size == 4 else ">d", value).hex()
+        except (OverflowError, struct.error) as error:
+            raise ValueError(f"{where}: {value!r} does not fit into a {op.scalar.name}") from error
     if isinstance(value, str) and isinstance(op.type, m.Enum):
         known = op.type.by_name(value)
         if known is None:
@@ -348,10 +366,13 @@ def _canonical_number(op: m.ScalarOp, value: Any, where: str) -> int | str:
         return known.value
     if isinstance(value, list) and isinstance(op.type, m.Bitfield):
         bits = {b.name: b for b in op.type.bits}
-        unknown = [n for n in value if n not in bits]
+        unknown = [n for n in value if not isinstance(n, str) or n not in bits]
         if unknown:
             raise ValueError(f"{where}: '{op.type.name}' has no bit '{unknown[0]}'")
-        return sum(bits[n].mask for n in set(value))
+        mask = 0
+        for n in value:
+            mask |= bits[n].mask
+        return mask
     if isinstance(value, (bool, int)):
         return int(value)
     raise ValueError(f"{where}: {value!r} is no whole number")

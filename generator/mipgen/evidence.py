@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
 
 from . import codec
 from . import model as m
-from .loader import Node
+from .nodes import Node
 from .problems import Problems, nearest
+
+#: Bytes as printed; None for one that the print leaves open.
+Octets = tuple[int | None, ...]
+
+#: What role a packet has by the role of its fields.
+ROLES = {m.COMMAND: "command", m.RESPONSE: "reply", m.DATA: "data"}
 
 
 def examples(roots: Iterable[Node], model: m.Model, problems: Problems) -> tuple[m.Example, ...]:
@@ -26,6 +31,14 @@ def examples(roots: Iterable[Node], model: m.Model, problems: Problems) -> tuple
     return tuple(sorted(found.values(), key=lambda e: e.id))
 
 
+class _Wrong(Exception):
+    """What keeps an example from being read, and where it stands."""
+
+    def __init__(self, place: m.Position, message: str) -> None:
+        super().__init__(message)
+        self.place = place
+
+
 @dataclass
 class _Example:
     node: Node
@@ -37,93 +50,150 @@ class _Example:
         manuals = [x.id for x in self.model.protocol.manuals]
         manual = node["manual"].value
         if manual not in manuals:
-            self.problem("manual", f"unknown manual '{manual}'{nearest(manual, manuals)}")
+            place = node["manual"].position
+            self.problems.add(place, f"unknown manual '{manual}'{nearest(manual, manuals)}")
         printed = node.scalar("string")
-        string = self.bytes("string") if printed is not None and _digits(printed) % 2 == 0 else None
-        table = self.bytes("table")
         try:
-            packet = self.packet(string, table)
+            table = self.octets("table")
+            packet = self.packet(table)
             fields = self.fields(packet)
-        except codec.CodecError as error:
-            self.problem("id", f"the example '{node['id'].value}' is not right: {error}")
-            return None
-        except ValueError as error:
-            self.problem("fields", str(error))
+        except _Wrong as wrong:
+            self.problems.add(wrong.place, str(wrong))
             return None
         return m.Example(
-            id=node["id"].value, manual=manual, section=node["section"].value, title=node["title"].value,
-            role=node["role"].value, string=printed, table=table,
-            packet=packet, fields=fields, note=node.scalar("note", ""),
-            synthetic=printed is None and table is None, position=node.position,
-        )  # fmt: skip
+            id=node["id"].value,
+            manual=manual,
+            section=node["section"].value,
+            title=node["title"].value,
+            role=node["role"].value,
+            string=printed,
+            table=table,
+            packet=packet,
+            fields=fields,
+            note=node.scalar("note", ""),
+            synthetic=printed is None and table is None,
+            position=node["id"].position,
+        )
 
-    def problem(self, key: str, message: str) -> None:
-        entry = self.node.get(key)
-        self.problems.add(entry.position if entry else self.node.position, message)
+    # ----------------------------------------------------------------------- bytes
 
-    def bytes(self, key: str) -> tuple[int | None, ...] | None:
+    def octets(self, key: str) -> Octets | None:
+        """The bytes that stand at a key; None for one that is left open."""
         text = self.node.scalar(key)
         if text is None:
             return None
         digits = "".join(text.split())
-        if len(digits) % 2:
-            raise_at = f"'{key}' has an odd number of digits"
-            self.problem(key, raise_at)
-            return None
+        if len(digits) % 2 or not digits:
+            what = "is empty" if not digits else f"has an odd number of digits, {len(digits)}"
+            raise _Wrong(self.node[key].position, f"'{key}' {what}; give two digits for each byte")
         pairs = [digits[i : i + 2] for i in range(0, len(digits), 2)]
         return tuple(None if "?" in p else int(p, 16) for p in pairs)
 
-    def packet(self, string: tuple[int | None, ...] | None, table: tuple[int | None, ...] | None) -> bytes:
+    def packet(self, table: Octets | None) -> bytes:
         """The right bytes: given, printed, or computed from the fields."""
-        given = self.bytes("packet") or self.bytes("bytes") or string or table
-        if given is None:
+        keys = [k for k in ("packet", "bytes", "string", "table") if k in self.node]
+        # A string with half a byte cannot be right; `checks.differences` asks for its erratum.
+        keys = [k for k in keys if k != "string" or _digits(self.node[k].value) % 2 == 0]
+        if not keys:
             return self.computed()
+        place = self.node[keys[0]].position
+        given = table if keys[0] == "table" else self.octets(keys[0])
+        assert given is not None
         if self.node["role"].value == "field":
-            if "set" not in self.node:
-                raise ValueError("an example of one field needs 'set'")
-            return codec.build(self.model, self.node["set"].value, [_as_field(given)])
-        if None in given[:-2]:
-            raise ValueError("the right bytes are open; give 'packet' with all bytes but the checksum")
-        if None in given:
-            head = bytes(x or 0 for x in given[:-2])
-            return head + codec.checksum(head)
-        return bytes(x or 0 for x in given)
+            field = _as_field(_known(given, place), place)
+            return self.built(self.number("an example of one field"), [field], place)
+        if given[-2:] == (None, None):
+            head = _known(given[:-2], place)
+            packet = head + codec.checksum(head)
+        else:
+            packet = _known(given, place)
+        if "set" in self.node and packet[2:3] != bytes([self.node["set"].value]):
+            raise _Wrong(self.node["set"].position, f"the packet belongs to the set 0x{packet[2:3].hex().upper()}")
+        return packet
+
+    def number(self, what: str) -> int:
+        """The descriptor set that an example without a packet names."""
+        if "set" not in self.node:
+            raise _Wrong(self.node["id"].position, f"{what} needs 'set', the number of its descriptor set")
+        found: int = self.node["set"].value
+        return found
 
     def computed(self) -> bytes:
-        if "set" not in self.node or "fields" not in self.node:
-            raise ValueError("an example without bytes needs 'set' and 'fields' with all values")
+        number = self.number("an example without bytes")
+        if not self.node.scalar("fields"):
+            raise _Wrong(self.node["id"].position, "an example without bytes needs 'fields' with all values")
         parts = []
         for entry in self.node["fields"]:
-            name, values, _ = self.entry(entry)
+            name, values = self.entry(entry)
             if name is None:
-                parts.append(_as_field(tuple(bytes.fromhex(values))))
+                parts.append(self.raw(values))
                 continue
-            field = self.named(name)
-            stated = codec.canonical_record(field.operations, _without_constants(field, values), name)
-            parts.append((field.descriptor, codec.encode(field, _with_counters(field.operations, stated))))
-        return codec.build(self.model, self.node["set"].value, parts)
+            field = self.named(name, entry)
+            stated = self.canonical(field, values)
+            try:
+                data = codec.encode(field, _with_counters(field.operations, stated))
+            except codec.CodecError as error:
+                raise _Wrong(values.position, f"'{name}' cannot be encoded: {error}") from error
+            parts.append((field.descriptor, data))
+        return self.built(number, parts, self.node.keys["fields"])
 
-    def entry(self, node: Node) -> tuple[str | None, Any, Node]:
+    def built(self, number: int, parts: list[tuple[int, bytes]], place: m.Position) -> bytes:
+        try:
+            return codec.build(self.model, number, parts)
+        except codec.CodecError as error:
+            raise _Wrong(place, f"the fields make no packet: {error}") from error
+
+    # ----------------------------------------------------------------------- fields
+
+    def entry(self, node: Node) -> tuple[str | None, Node]:
         """The name of a field of the example and its stated values; name None: raw bytes."""
         if isinstance(node.value, str):
-            return node.value, {}, node
-        name, values = next(iter(node.items()))
+            return node.value, Node({}, node.position)
+        if not node.value:
+            raise _Wrong(node.position, "a field is missing: give its name, its name and values, or raw bytes")
+        name, values = next(node.items())
         if name == "raw":
-            return None, str(values.value), values
-        return name, values.plain() or {}, values
+            return None, values
+        return name, values if values.value is not None else Node({}, values.position)
 
-    def named(self, name: str) -> m.Field:
+    def named(self, name: str, node: Node) -> m.Field:
         field = self.model.field(name)
         if field is None:
             known = [f.full_name for f in self.model.fields] + [self.model.protocol.acknowledge.full_name]
-            raise ValueError(f"unknown field '{name}'{nearest(name, known)}")
+            raise _Wrong(node.position, f"unknown field '{name}'{nearest(name, known)}")
         return field
 
+    def raw(self, node: Node) -> tuple[int, bytes]:
+        try:
+            data = bytes.fromhex(node.value)
+        except (TypeError, ValueError):
+            raise _Wrong(node.position, "raw must be bytes in hexadecimal, in quotes") from None
+        return _as_field(data, node.position)
+
+    def canonical(self, field: m.Field, node: Node) -> codec.Values:
+        """The stated values in the form that the conformance protocol has."""
+        values = node.plain()
+        if isinstance(values, dict):
+            # Constants may be stated, to read well; they are no values.
+            for p in field.parameters:
+                if p.constant is not None and values.pop(p.name, p.constant) != p.constant:
+                    raise _Wrong(node.value_at([p.name]), f"{field.full_name}.{p.name} is always {p.constant}")
+        try:
+            return codec.canonical_record(field.operations, values, field.full_name)
+        except ValueError as error:
+            raise _Wrong(node.position, str(error)) from error
+
     def fields(self, packet: bytes) -> tuple[m.ExampleField, ...]:
-        split = codec.split(self.model, packet)
+        whole = next((self.node[k].position for k in ("packet", "bytes", "string", "table") if k in self.node), None)
+        place = whole or self.node["id"].position
+        try:
+            split = codec.split(self.model, packet)
+        except codec.CodecError as error:
+            raise _Wrong(place, f"this is no packet: {error}") from error
         stated = list(self.node.get("fields") or ())
         if stated and len(stated) != len(split):
-            raise ValueError(f"{len(stated)} fields are listed, but the packet holds {len(split)}")
+            there, listed = (f"{n} field{'s' if n != 1 else ''}" for n in (len(split), len(stated)))
+            raise _Wrong(self.node.keys["fields"], f"{listed} listed, but the packet holds {there}")
         found = []
         for i, (descriptor, data) in enumerate(split):
             field = codec.choose(self.model.candidates(packet[2], descriptor), data)
@@ -131,52 +201,67 @@ class _Example:
             if field is None:
                 found.append(m.ExampleField(None, descriptor, data, None, 0, None))
                 continue
-            values, trailing = codec.decode(field, data)
-            if codec.encode(field, values) + data[len(data) - trailing :] != data:
-                raise codec.CodecError("bytes", f"{field.full_name} does not encode to its own bytes")
-            self.compare(field, values, says or {})
+            self.check_role(field, stated[i].position if stated else place)
+            values, trailing = self.decoded(field, data, stated[i].position if stated else place)
+            if says:
+                self.compare(field, values, says, stated[i])
             found.append(m.ExampleField(field.full_name, descriptor, data, values, trailing, says))
         return tuple(found)
 
-    def stated(self, node: Node, field: m.Field | None, descriptor: int, data: bytes) -> dict[str, object] | None:
-        name, values, place = self.entry(node)
-        if name is None:
-            if _as_field(tuple(bytes.fromhex(values))) != (descriptor, data):
-                raise ValueError(f"raw: the packet holds {len(data) + 2:02X} {descriptor:02X} {data.hex(' ').upper()}")
-            return None
-        named = self.named(name)
-        if field is None or field.full_name != named.full_name:
-            holds = field.full_name if field else f"the unknown descriptor 0x{descriptor:02X}"
-            raise ValueError(f"'{name}' is listed, but the packet holds {holds}")
-        return codec.canonical_record(named.operations, _without_constants(named, values), name)
+    def decoded(self, field: m.Field, data: bytes, place: m.Position) -> tuple[codec.Values, int]:
+        try:
+            values, trailing = codec.decode(field, data)
+            again = codec.encode(field, values) + data[len(data) - trailing :]
+        except codec.CodecError as error:
+            raise _Wrong(place, f"'{field.full_name}' does not decode: {error}") from error
+        if again != data:
+            raise _Wrong(place, f"'{field.full_name}' does not encode to its own bytes, but to {again.hex(' ')}")
+        return values, trailing
 
-    def compare(self, field: m.Field, values: dict[str, Any], stated: dict[str, Any]) -> None:
+    def check_role(self, field: m.Field, place: m.Position) -> None:
+        role = self.node["role"].value
+        if role != "field" and role != ROLES[field.role]:
+            message = f"the role is {role}, but '{field.full_name}' belongs to a packet of the role {ROLES[field.role]}"
+            raise _Wrong(place, message)
+
+    def stated(self, node: Node, field: m.Field | None, descriptor: int, data: bytes) -> codec.Values | None:
+        name, values = self.entry(node)
+        if name is None:
+            if self.raw(values) != (descriptor, data):
+                holds = bytes((len(data) + 2, descriptor)) + data
+                raise _Wrong(values.position, f"the packet holds {holds.hex(' ').upper()} here")
+            return None
+        named = self.named(name, node)
+        if field is None or field.full_name != named.full_name:
+            found = f"'{field.full_name}'" if field else f"the unknown descriptor 0x{descriptor:02X}"
+            raise _Wrong(node.position, f"'{name}' is listed, but the packet holds {found}")
+        return self.canonical(named, values)
+
+    def compare(self, field: m.Field, values: codec.Values, stated: codec.Values, node: Node) -> None:
         for name, value in stated.items():
             if values.get(name) != value:
-                raise ValueError(f"{field.full_name}.{name} is {values.get(name)!r} in the bytes, but {value!r} is stated")
+                message = f"{field.full_name}.{name} is {values.get(name)!r} in the bytes, but {value!r} is stated"
+                raise _Wrong(node.value_at([field.full_name, name]), message)
 
 
 def _digits(text: str) -> int:
     return len("".join(text.split()))
 
 
-def _as_field(raw: tuple[int | None, ...] | tuple[int, ...]) -> tuple[int, bytes]:
-    data = bytes(x or 0 for x in raw)
+def _known(octets: Octets, place: m.Position) -> bytes:
+    """The bytes, if none is open."""
+    if None in octets:
+        raise _Wrong(place, "the right bytes are open; give 'packet' with all bytes but the checksum")
+    return bytes(x or 0 for x in octets)
+
+
+def _as_field(data: bytes, place: m.Position) -> tuple[int, bytes]:
     if len(data) < 2 or data[0] != len(data):
-        raise ValueError(f"{data.hex(' ')} is no field: its first byte must be its length, {len(data)}")
+        raise _Wrong(place, f"{data.hex(' ')} is no field: its first byte must be its length, {len(data)}")
     return data[1], data[2:]
 
 
-def _without_constants(field: m.Field, values: dict[str, Any]) -> dict[str, Any]:
-    """Constants may be stated, to read well; they are no values."""
-    constants = {p.name: p.constant for p in field.parameters if p.constant is not None}
-    for name, value in values.items():
-        if name in constants and value != constants[name]:
-            raise ValueError(f"{field.full_name}.{name} is always {constants[name]}, not {value}")
-    return {k: v for k, v in values.items() if k not in constants}
-
-
-def _with_counters(operations: tuple[m.Operation, ...], values: dict[str, Any]) -> dict[str, Any]:
+def _with_counters(operations: tuple[m.Operation, ...], values: codec.Values) -> codec.Values:
     """Adds counters that the author left out."""
     found = dict(values)
     for op in operations:
@@ -199,9 +284,16 @@ def errata(roots: Iterable[Node], manuals: set[str], problems: Problems) -> tupl
             if name in found:
                 problems.add(node["id"].position, f"the erratum '{name}' stands twice; choose another id")
             found[name] = m.Erratum(
-                name, manual, node["section"].value, node["severity"].value, node["printed"].value,
-                node["right"].value, node["reason"].value, _claims(node), node.position,
-            )  # fmt: skip
+                id=name,
+                manual=manual,
+                section=node["section"].value,
+                severity=node["severity"].value,
+                printed=node["printed"].value,
+                right=node["right"].value,
+                reason=node["reason"].value,
+                claims=_claims(node),
+                position=node["id"].position,
+            )
     return tuple(sorted(found.values(), key=lambda e: e.id))
 
 

@@ -5,14 +5,15 @@ What the wire looks like is decided here: sizes, capacities, presence. Nothing d
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
+from . import meaning
 from . import model as m
-from .loader import Node
+from .nodes import Node
+from .operations import REST, open_ended, operation, size, with_capacity
 from .problems import Problems, nearest
-
-REST = "rest"
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,10 +59,11 @@ class Types:
         known = self.shared if owner is None else self.local.setdefault(owner, {})
         for name, node in types.items() if types else ():
             place = types.keys[name] if types else node.position
-            if name in known or name in self.shared or name in m.SCALARS:
+            taken = (*m.SCALARS, self.vocabulary.selector.name)
+            if name in known or name in self.shared or name in taken:
                 self.problems.add(place, f"the type '{name}' is defined already; choose another name")
             else:
-                known[name] = node
+                known[name] = Node(node.value, place, node.keys)
 
     def of(self, owner: str | None) -> tuple[m.Type, ...]:
         """All types of one owner, each after those that it uses."""
@@ -81,7 +83,7 @@ class Types:
         if (where, name) not in self._done:
             if name in self._open:
                 loop = " -> ".join([*self._open[self._open.index(name) :], name])
-                self.problems.add(node.position, f"the type contains itself: {loop}")
+                self.problems.add(position, f"the type contains itself: {loop}; a structure needs an end")
                 return None
             self._open.append(name)
             found = self._resolve(name, where, node)
@@ -100,17 +102,24 @@ class Types:
         for other in ("values", "bits", "elements"):
             if (other in node) != (other == part):
                 fault = "is missing in" if other == part else "does not belong into"
-                self.problems.add(node.position, f"'{other}' {fault} the {kinds[0]} '{name}'")
+                place = node.keys.get(other, node.position)
+                self.problems.add(place, f"'{other}' {fault} the {kinds[0]} '{name}'")
                 return None
         description = node.scalar("description", "")
         if kinds[0] == "vector":
             scalar = m.SCALARS[node["vector"].value]
-            return m.Vector(name, scalar, tuple(node["elements"].plain()), description)
+            elements = node["elements"].plain()
+            for i, entry in enumerate(node["elements"]):
+                if entry.value in elements[:i]:
+                    self.problems.add(
+                        entry.position, f"'{entry.value}' stands twice in the vector '{name}'; rename one"
+                    )
+            return m.Vector(name, scalar, tuple(elements), description)
         origin = (description, owner, sources(node, self.vocabulary, self.problems))
         if kinds[0] == "enum":
             return m.Enum(name, m.SCALARS[node["enum"].value], self._values(node), *origin, position=node.position)
         if kinds[0] == "struct":
-            record = self.record(list(node["struct"]), owner, "")
+            record = self.record(list(node["struct"]), owner, inside=True)
             return m.Struct(
                 name, record.parameters, record.operations, record.min_size, record.max_size, *origin,
                 position=node.position,
@@ -120,46 +129,64 @@ class Types:
         return m.Bitfield(name, base, size, self._bits(node, owner, size * 8), *origin, position=node.position)
 
     def _values(self, node: Node) -> tuple[m.EnumValue, ...]:
+        places = node["values"].keys
         return tuple(
-            m.EnumValue(name, v.value, "")
+            m.EnumValue(name, v.value, "", position=places[name])
             if isinstance(v.value, int)
-            else m.EnumValue(name, v["value"].value, v.scalar("description", ""), v.scalar("deprecated", False))
+            else m.EnumValue(
+                name,
+                v["value"].value,
+                v.scalar("description", ""),
+                v.scalar("deprecated", False),
+                position=places[name],
+            )
             for name, v in node["values"].items()
         )
 
     def _bits(self, node: Node, owner: str | None, width: int) -> tuple[m.Bits, ...]:
         found = []
         for name, entry in node["bits"].items():
-            whole = isinstance(entry.value, dict)
-            span = (entry.scalar("bits") or entry.scalar("bit")) if whole else entry.value
-            if whole and ("bit" in entry) == ("bits" in entry):
+            if isinstance(entry.value, dict) and ("bit" in entry) == ("bits" in entry):
                 self.problems.add(entry.position, f"'{name}' needs either bit: 3 or bits: 3-5")
                 continue
-            first, _, last = str(span if span is not None else 0).partition("-")
-            if not (first.isdigit() and (last.isdigit() or not last)):
-                self.problems.add(entry.position, f"'{name}': '{span}' is no bit; write 3 or 3-5")
+            span = entry.get("bits") or entry.get("bit") or entry
+            parts = re.fullmatch(r"([0-9]{1,4})(?:-([0-9]{1,4}))?", str(span.value))
+            if parts is None:
+                self.problems.add(span.position, f"'{name}': '{span.value}' is no bit; write 3 or 3-5")
                 continue
-            low, high = int(first), int(last or first)
+            low, high = int(parts[1]), int(parts[2] or parts[1])
             if high < low or high >= width:
-                self.problems.add(entry.position, f"'{name}': bits {span} do not lie in 0-{width - 1}")
+                wanted = "write the lower bit first" if high < low else f"they must lie in 0-{width - 1}"
+                self.problems.add(span.position, f"'{name}': bits {span.value}; {wanted}")
                 continue
-            enum = None
-            if whole and "enum" in entry:
-                enum = self.find(entry["enum"].value, owner, entry["enum"].position)
-                if enum is not None and not isinstance(enum, m.Enum):
-                    self.problems.add(entry["enum"].position, f"'{enum.name}' is no enumeration")
-                    enum = None
-            description = entry.scalar("description", "") if whole else ""
-            alias = entry.scalar("alias", False) if whole else False
-            found.append(m.Bits(name, low, high, description, alias, enum))
+            place = node["bits"].keys[name]
+            enum = self._enum_of(entry, owner)
+            found.append(
+                m.Bits(name, low, high, entry.scalar("description", ""), entry.scalar("alias", False), enum, place)
+            )
         return tuple(found)
+
+    def _enum_of(self, bits: Node, owner: str | None) -> m.Enum | None:
+        """The enumeration of a number inside a bitfield."""
+        entry = bits.get("enum")
+        if entry is None:
+            return None
+        found = self.find(entry.value, owner, entry.position)
+        if isinstance(found, m.Enum):
+            return found
+        if found is not None:
+            self.problems.add(entry.position, f"'{found.name}' is no enumeration")
+        return None
 
     # ----------------------------------------------------------------------- records
 
-    def record(self, nodes: Sequence[Node], owner: str | None, functions: str, plain: bool = False) -> Record:
+    def record(
+        self, nodes: Sequence[Node], owner: str | None, functions: str = "", plain: bool = False, inside: bool = False
+    ) -> Record:
         """The layout of these parameters. `functions`: letters of a command that has a selector.
-        `plain`: a response that repeats its command's parameters, where presence plays no part."""
-        build = _Build(self, owner, functions, plain)
+        `plain`: a response that repeats its command's parameters, where presence plays no part.
+        `inside`: a structure, whose parameters are always there."""
+        build = _Build(self, owner, functions, plain, inside)
         for node in nodes:
             build.add(node)
         return build.finish()
@@ -171,13 +198,20 @@ class _Build:
 
     types: Types
     owner: str | None
-    functions: str
-    plain: bool
+    functions: str = ""
+    plain: bool = False
+    inside: bool = False
+    before: int = 0  # bytes of the record around it, of a union's case
     nodes: list[Node] = field(default_factory=list)
     done: list[m.Parameter] = field(default_factory=list)
 
-    def problem(self, position: m.Position, message: str) -> None:
+    def problem(self, position: m.Position | None, message: str) -> None:
         self.types.problems.add(position, message)
+
+    @property
+    def least(self) -> int:
+        """The fewest bytes that all parameters so far take."""
+        return self.before + (1 if self.functions else 0) + sum(size(p.operation)[0] for p in self.done)
 
     def earlier(self, name: str) -> m.Parameter | None:
         return next((p for p in self.done if p.name == name), None)
@@ -189,7 +223,7 @@ class _Build:
         if self.earlier(name) or (self.functions and name == "function"):
             self.problem(node["name"].position, f"the parameter '{name}' stands twice; rename one")
             return
-        if self.done and _open_ended(self.done[-1].operation):
+        if self.done and open_ended(self.done[-1].operation):
             last = self.done[-1].name
             self.problem(node.position, f"'{name}' cannot follow '{last}', which reaches to the end of the field")
             return
@@ -212,7 +246,7 @@ class _Build:
         if not isinstance(tag.element, m.Enum) or tag.length is not None:
             self.problem(node["switch"].position, f"'{tag_name}' is no enumeration, so it cannot select a case")
             return None
-        cases = []
+        cases: list[m.Case] = []
         for label, case in node["cases"].items():
             value = tag.element.by_name(label)
             if value is None:
@@ -221,27 +255,37 @@ class _Build:
             elif not case.value:
                 cases.append(m.Case(value, None, None))
             else:
-                member = self.case(label, case)
-                if member is not None:
-                    cases.append(m.Case(value, member, member.operation))
+                member = self.case(label, case, node["cases"].keys[label])
+                if member is None:
+                    continue
+                if any(c.parameter and c.parameter.name == member.name for c in cases):
+                    self.problem(member.position, f"two cases of '{name}' are called '{member.name}'; rename one")
+                cases.append(m.Case(value, member, member.operation))
         missing = [v.name for v in tag.element.values if v.name not in node["cases"].value]
         if missing:
             self.problem(
-                node["cases"].position,
+                node.keys["cases"],
                 f"the union '{name}' has no case for {', '.join(missing)} of '{tag.element.name}'; "
                 "add one ({} if it is empty)",
             )
         op = m.SwitchOp(name, tag_name, tag.element, tuple(cases))
         return m.Parameter(name, None, None, op, tag=tag_name, cases=tuple(cases), position=node.position)
 
-    def case(self, label: str, node: Node) -> m.Parameter | None:
+    def case(self, label: str, node: Node, place: m.Position) -> m.Parameter | None:
+        """The one parameter of a union's case."""
         if "type" not in node:
-            self.problem(node.position, f"the case '{label}' needs a type, or to be empty: {{}}")
+            self.problem(place, f"the case '{label}' needs a type, or to be empty: {{}}")
             return None
-        named = Node({**node.value, "name": node.get("name") or Node(label, node.position)}, node.position)
-        alone = _Build(self.types, self.owner, "", True)
+        count = node.scalar("count")
+        if isinstance(count, str) and count != REST:
+            self.problem(
+                node["count"].position, f"the case '{label}' cannot be counted; use a structure with a counter"
+            )
+            return None
+        named = Node({**node.value, "name": node.get("name") or Node(label, place)}, place, node.keys)
+        alone = _Build(self.types, self.owner, plain=True, before=self.least)
         alone.add(named)
-        return alone.done[0] if alone.done else None
+        return next(iter(alone.finish().parameters), None)
 
     def value(self, node: Node) -> m.Parameter | None:
         name = node["name"].value
@@ -257,21 +301,23 @@ class _Build:
         if "const" in node:
             return self.constant(node, name, element)
         length = node.scalar("count")
+        if isinstance(length, int) and length < 1:
+            self.problem(node["count"].position, f"the count of '{name}' must be at least 1, not {length}")
+            return None
         if length is not None and isinstance(element, m.Struct) and not element.fixed:
-            self.problem(node.position, f"'{name}' is an array of '{type_name}', whose size varies; that cannot be read")
+            self.problem(node["count"].position, f"the size of '{type_name}' varies, so there can be no array of it")
+            return None
+        if length is not None and isinstance(element, m.Bitfield) and element.scalar is None:
+            self.problem(node["count"].position, f"'{type_name}' is an array of bytes, so there can be no array of it")
             return None
         if isinstance(length, str) and length != REST and not self.counter(node, name, length):
             return None
-        op = operation(name, element, length)
-        reserved = node.scalar("reserved")
-        if reserved is not None and not _whole(element):
-            self.problem(node.position, f"the reserved parameter '{name}' must be a whole number")
-        return m.Parameter(name, element, length, op, reserved=reserved, position=node.position)
+        return m.Parameter(name, element, length, operation(name, element, length), position=node.position)
 
     def constant(self, node: Node, name: str, element: m.Scalar | m.Type) -> m.Parameter | None:
         value = node["const"].value
         if not (isinstance(element, m.Scalar) and element.kind == "unsigned" and "count" not in node):
-            self.problem(node.position, f"the constant '{name}' must be one unsigned number")
+            self.problem(node.keys["const"], f"the constant '{name}' must be one unsigned number")
             return None
         if value >> (8 * element.size):
             self.problem(node["const"].position, f"{value} does not fit into {element.name}")
@@ -284,7 +330,7 @@ class _Build:
         for i, p in enumerate(self.done):
             if p.name == counter:
                 single = isinstance(p.element, m.Scalar) and p.element.kind == "unsigned" and p.length is None
-                if not single or p.constant is not None:
+                if not single or p.constant is not None or p.reserved is not None:
                     self.problem(place, f"'{counter}' cannot count '{name}': it is not one unsigned number")
                     return False
                 if p.counts:
@@ -301,63 +347,41 @@ class _Build:
     def meaning(self, node: Node, p: m.Parameter) -> m.Parameter:
         """Adds what the value means to how it is laid out."""
         words = self.types.vocabulary
-        unit = node.get("unit")
-        units = () if unit is None else tuple(unit.plain()) if isinstance(unit.value, list) else (unit.value,)
-        for symbol in units:
-            if symbol not in words.units:
-                assert unit is not None
-                self.problem(unit.position, f"unknown unit '{symbol}'{nearest(symbol, words.units)}")
-        width = len(p.element.elements) if isinstance(p.element, m.Vector) else p.length
-        if len(units) > 1 and len(units) != width:
-            self.problem(node["unit"].position, f"'{p.name}' has {len(units)} units; give one, or one for each element")
-        frame = node.scalar("frame")
-        if frame is not None and frame not in words.frames:
-            self.problem(node["frame"].position, f"unknown frame '{frame}'{nearest(frame, words.frames)}")
-        low, high = node["range"].plain() if "range" in node else (None, None)
-        if low is not None and high is not None and low > high:
-            self.problem(node["range"].position, f"the range of '{p.name}' is empty; write the smaller number first")
+        low, high = meaning.limits(node, p, self.problem)
+        p = replace(p, minimum=low, maximum=high, reserved=meaning.reserved(node, p, self.problem))
         return replace(
             p,
             description=node.scalar("description", ""),
-            units=units,
-            frame=frame,
-            minimum=low,
-            maximum=high,
-            default=self.default(node, p),
-            valid_when=self.valid(node),
+            units=meaning.units(node, p, words.units, self.problem),
+            frame=meaning.frame(node, words.frames, self.problem),
+            default=meaning.default(node, p, self.problem),
+            valid_when=node.scalar("valid"),  # judged in `finish`, because the flags usually stand last
             reading=self.reading(node, p),
             functions=self.presence(node, p),
-            optional=node.scalar("optional", False) and not self.plain,
+            optional=self.may_be_absent(node, p),
             deprecated=node.scalar("deprecated", False),
             notes=tuple(node["notes"].plain()) if "notes" in node else (),
         )
-
-    def default(self, node: Node, p: m.Parameter) -> object:
-        if "default" not in node:
-            return None
-        value: object = node["default"].plain()
-        if isinstance(p.element, m.Enum) and isinstance(value, str) and p.element.by_name(value) is None:
-            near = nearest(value, [v.name for v in p.element.values])
-            self.problem(node["default"].position, f"'{p.element.name}' has no value '{value}'{near}")
-        return value
-
-    def valid(self, node: Node) -> str | None:
-        """Checked in `finish`, because the flags usually stand last."""
-        found: str | None = node.scalar("valid")
-        return found
 
     def reading(self, node: Node, p: m.Parameter) -> m.Reading | None:
         if "read_as" not in node:
             return None
         spec = node["read_as"]
         by = spec["by"].value
+        if not isinstance(p.element, m.Scalar) or p.element.kind != "unsigned":
+            self.problem(
+                node.keys["read_as"], f"'{p.name}' is no unsigned number, so it cannot be read as another type"
+            )
+            return None
         if by == "device":
             choices = sorted(self.types.vocabulary.devices)
         else:
             sibling = self.earlier(by)
             if sibling is None or not isinstance(sibling.element, m.Enum):
                 near = nearest(by, ["device", *(q.name for q in self.done)])
-                self.problem(spec["by"].position, f"'{by}' is neither 'device' nor an enumeration before '{p.name}'{near}")
+                self.problem(
+                    spec["by"].position, f"'{by}' is neither 'device' nor an enumeration before '{p.name}'{near}"
+                )
                 return None
             choices = [v.name for v in sibling.element.values]
         found = []
@@ -369,8 +393,8 @@ class _Build:
                 continue
             if not isinstance(t, (m.Enum, m.Bitfield)):
                 self.problem(entry.position, f"'{t.name}' is neither an enumeration nor a bitfield")
-            elif _size(p.operation)[1] != (t.scalar.size if isinstance(t, m.Enum) else t.size):
-                self.problem(entry.position, f"'{t.name}' does not have the size of '{p.name}'")
+            elif (own := size(p.operation)[1]) != (width := t.scalar.size if isinstance(t, m.Enum) else t.size):
+                self.problem(entry.position, f"'{t.name}' is {8 * width} bits wide, but '{p.name}' is {8 * own}")
             else:
                 found.append((key, t))
         return m.Reading(by, tuple(found))
@@ -381,37 +405,63 @@ class _Build:
         letters, optional = node.scalar("for"), node.scalar("optional", False)
         if not self.functions:
             if letters is not None:
-                self.problem(node["for"].position, f"'{p.name}' has 'for', but its record has no functions; remove it")
+                self.problem(
+                    node.keys["for"], f"'{p.name}' has 'for', but no function selector comes before it; remove it"
+                )
             return None
         if (letters is None) == (not optional):
             known = "".join(self.functions)
-            self.problem(node.position, f"'{p.name}' must say for which functions it is required: for: {known}, or optional: true")
+            place = node.keys.get("for", node.position)
+            self.problem(
+                place, f"'{p.name}' must say for which functions it is required: for: {known}, or optional: true"
+            )
             return ""
         extra = [c for c in letters or "" if c not in self.functions]
         if extra:
-            self.problem(node["for"].position, f"'{p.name}' names the functions {''.join(extra)}, which the command does not have")
+            self.problem(
+                node["for"].position,
+                f"'{p.name}' is required for {''.join(extra)}, but the command takes {self.functions} only",
+            )
         letters = letters or ""
         return letters + "A" if "W" in letters and "A" in self.functions and "A" not in letters else letters
+
+    def may_be_absent(self, node: Node, p: m.Parameter) -> bool:
+        if self.inside and "optional" in node:
+            self.problem(
+                node.keys["optional"], f"'{p.name}' stands in a structure, where nothing is optional; remove it"
+            )
+        return "optional" in node and not self.plain and not self.inside
 
     # ------------------------------------------------------------------ the whole
 
     def finish(self) -> Record:
-        self.check_valid_bits()
+        for node, p in zip(self.nodes, self.done, strict=True):
+            if p.valid_when is not None:
+                meaning.valid_bit(node, p, self.done, self.problem)
+        self.check_size()
         capacities = self.capacities()
-        parameters = tuple(replace(p, operation=_with_capacity(p.operation, capacities)) for p in self.done)
+        parameters = tuple(replace(p, operation=with_capacity(p.operation, capacities)) for p in self.done)
         if self.functions:
             return self.with_selector(parameters)
         first = next((i for i, p in enumerate(parameters) if p.optional), len(parameters))
         for p in parameters[first:]:
             if not p.optional:
-                place = p.position or m.Position("<spec>", 1, 1)
-                self.problem(place, f"'{p.name}' is required but comes after an optional parameter; reorder them")
+                self.problem(p.position, f"'{p.name}' is required but comes after an optional parameter; reorder them")
+        for p in parameters[:first]:
+            if p.counts in [q.name for q in parameters[first:]]:
+                self.problem(
+                    p.position, f"'{p.name}' is required, but the array that it counts is optional; make both so"
+                )
         always = tuple(p.operation for p in parameters[:first])
         groups = self.groups(parameters[first:], first)
         return Record(
-            parameters, always + groups, sum(_size(o)[0] for o in always),
-            min(m.MAX_FIELD_DATA, sum(_size(p.operation)[1] for p in parameters)), (), first,
-        )  # fmt: skip
+            parameters,
+            always + groups,
+            sum(size(o)[0] for o in always),
+            min(m.MAX_FIELD_DATA, sum(size(p.operation)[1] for p in parameters)),
+            (),
+            first,
+        )
 
     def with_selector(self, parameters: tuple[m.Parameter, ...]) -> Record:
         words = self.types.vocabulary
@@ -424,14 +474,13 @@ class _Build:
             count = sum(needs)
             if not all(needs[:count]):
                 late = parameters[len(needs) - 1 - needs[::-1].index(True)]
-                place = late.position or m.Position("<spec>", 1, 1)
                 self.problem(
-                    place,
+                    late.position,
                     f"'{late.name}' is required for {function.name}, but a parameter before it is not; "
                     "what a function requires must come first",
                 )
             required.append((function.value, count))
-        whole = min(m.MAX_FIELD_DATA, 1 + sum(_size(p.operation)[1] for p in parameters))
+        whole = min(m.MAX_FIELD_DATA, 1 + sum(size(p.operation)[1] for p in parameters))
         return Record((selector, *parameters), (op, *self.groups(parameters, 0)), 1, whole, tuple(required), 0)
 
     def groups(self, parameters: Sequence[m.Parameter], before: int) -> tuple[m.Operation, ...]:
@@ -450,126 +499,40 @@ class _Build:
             members = parameters[i : end + 1]
             for p in members:
                 if p.functions != members[0].functions or p.optional != members[0].optional:
-                    place = p.position or m.Position("<spec>", 1, 1)
-                    self.problem(place, f"'{p.name}' and its counter must be required for the same functions")
+                    what = f"'{members[0].name}' up to '{members[-1].name}'"
+                    self.problem(p.position, f"a counter and its array come together: give {what} the same 'for'")
                     break
             found.append(m.GroupOp(before + i + 1, before + end + 1, tuple(p.operation for p in members)))
             i = end + 1
         return tuple(found)
 
-    def check_valid_bits(self) -> None:
-        names = {p.name: p for p in self.done}
-        for node, p in zip(self.nodes, self.done, strict=True):
-            if p.valid_when is None:
-                continue
-            flags, _, bit = p.valid_when.partition(".")
-            place = node["valid"].position
-            other = names.get(flags)
-            if other is None:
-                self.problem(place, f"there is no parameter '{flags}' beside '{p.name}'{nearest(flags, names)}")
-                continue
-            readable = [other.element, *(t for _, t in (other.reading.types if other.reading else ()))]
-            fields = [t for t in readable if isinstance(t, m.Bitfield)]
-            known = {b.name for t in fields for b in t.bits}
-            if bit not in known:
-                self.problem(place, f"'{flags}' has no bit '{bit}'{nearest(bit, known)}")
+    def check_size(self) -> None:
+        """Points at the parameter with which a field is too long even in its shortest form."""
+        used = self.before + (1 if self.functions else 0)
+        for p in self.done:
+            used += size(p.operation)[0]
+            if isinstance(p.element, m.Struct) and p.element.min_size > m.MAX_FIELD_DATA:
+                return  # said of the structure
+            if used > m.MAX_FIELD_DATA:
+                self.problem(
+                    p.position, f"up to '{p.name}' it is {used} bytes; a field has room for {m.MAX_FIELD_DATA}"
+                )
+                return
 
     def capacities(self) -> dict[str, int]:
         """How many items each array of open length can hold at most."""
-        least = (1 if self.functions else 0) + sum(_size(p.operation)[0] for p in self.done)
-        if least > m.MAX_FIELD_DATA:
-            place = self.nodes[0].position
-            self.problem(place, f"{least} bytes do not fit into the {m.MAX_FIELD_DATA} data bytes of a field")
         found = {}
         for p in self.done:
             if isinstance(p.length, str):
                 op = p.operation
                 assert isinstance(op, (m.ArrayOp, m.TextOp))
-                item = 1 if isinstance(op, m.TextOp) else _size(op.item)[1]
-                most = max(0, m.MAX_FIELD_DATA - least) // item
+                item = 1 if isinstance(op, m.TextOp) else size(op.item)[1]
+                most = max(0, m.MAX_FIELD_DATA - self.least) // max(1, item)
                 counter = self.earlier(p.length)
                 if counter is not None and isinstance(counter.element, m.Scalar):
                     most = min(most, (1 << (8 * counter.element.size)) - 1)
                 found[p.name] = most
         return found
-
-
-# --------------------------------------------------------------------------- helpers
-
-
-def operation(name: str, element: m.Scalar | m.Type, length: int | str | None) -> m.Operation:
-    """How one value, or `length` of them, are read and written."""
-    single = _single(name if length is None else "item", element)
-    if length is None:
-        return single
-    count = length if isinstance(length, int) else None
-    counter = length if isinstance(length, str) and length != REST else None
-    if isinstance(element, m.Scalar) and element.kind == "char":
-        return m.TextOp(name, count, counter, count or 0)
-    assert isinstance(single, (m.ScalarOp, m.StructOp, m.ArrayOp))
-    return m.ArrayOp(name, single, count, counter, count or 0)
-
-
-def _single(name: str, element: m.Scalar | m.Type) -> m.Operation:
-    match element:
-        case m.Scalar():
-            return m.ScalarOp(name, element, None, element.size)
-        case m.Enum():
-            return m.ScalarOp(name, element.scalar, element, element.scalar.size)
-        case m.Bitfield():
-            if element.scalar is None:
-                return m.BitsOp(name, element, element.size)
-            return m.ScalarOp(name, element.scalar, element, element.size)
-        case m.Vector():
-            item = m.ScalarOp("item", element.scalar, None, element.scalar.size)
-            count = len(element.elements)
-            return m.ArrayOp(name, item, count, None, count, element)
-        case m.Struct():
-            return m.StructOp(name, element)
-
-
-def _size(op: m.Operation | None) -> tuple[int, int]:
-    """The fewest and the most bytes of an operation."""
-    match op:
-        case None:
-            return 0, 0
-        case m.ScalarOp() | m.ConstantOp() | m.CounterOp() | m.BitsOp():
-            return op.size, op.size
-        case m.TextOp():
-            return op.count or 0, op.capacity
-        case m.ArrayOp():
-            item = _size(op.item)[1]
-            return (op.count or 0) * item, op.capacity * item
-        case m.StructOp():
-            return op.struct.min_size, op.struct.max_size
-        case m.SwitchOp():
-            sizes = [_size(c.operation) for c in op.cases] or [(0, 0)]
-            return 0, max(s[1] for s in sizes)
-        case m.GroupOp():
-            return 0, sum(_size(o)[1] for o in op.body)
-
-
-def _with_capacity(op: m.Operation, capacities: dict[str, int]) -> m.Operation:
-    if isinstance(op, (m.ArrayOp, m.TextOp)) and op.count is None:
-        return replace(op, capacity=capacities.get(op.member, 0))
-    return op
-
-
-def _open_ended(op: m.Operation) -> bool:
-    """Does it reach to the end of the field, or could it, for all that a reader knows?"""
-    match op:
-        case m.SwitchOp():
-            return True
-        case m.ArrayOp() | m.TextOp():
-            return op.count is None and op.counter is None
-        case m.StructOp():
-            return bool(op.struct.operations) and _open_ended(op.struct.operations[-1])
-        case _:
-            return False
-
-
-def _whole(element: m.Scalar | m.Type) -> bool:
-    return isinstance(element, m.Scalar) and element.kind in ("unsigned", "signed")
 
 
 def sources(node: Node, vocabulary: Vocabulary, problems: Problems) -> tuple[m.Source, ...]:
@@ -579,10 +542,7 @@ def sources(node: Node, vocabulary: Vocabulary, problems: Problems) -> tuple[m.S
         manual = entry["manual"].value
         if manual not in vocabulary.manuals:
             problems.add(entry["manual"].position, f"unknown manual '{manual}'{nearest(manual, vocabulary.manuals)}")
-        length = entry.scalar("length")
-        found.append(m.Source(manual, entry["section"].value, None if length is None else str(length), entry.position))
+        length = entry.get("length")
+        printed, place = (str(length.value), length.position) if length else (None, entry.position)
+        found.append(m.Source(manual, entry["section"].value, printed, place))
     return tuple(found)
-
-
-def names_of(parameters: Iterable[m.Parameter]) -> list[str]:
-    return [p.name for p in parameters]

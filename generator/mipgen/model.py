@@ -11,9 +11,11 @@ branch per `Operation.kind` and computes nothing.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Literal, Union
+from typing import Final, Literal, Union
 
-COMMAND, RESPONSE, DATA = "command", "response", "data"
+COMMAND: Final = "command"
+RESPONSE: Final = "response"
+DATA: Final = "data"
 Role = Literal["command", "response", "data"]
 
 #: A field is at most 255 bytes long and spends two of them on its length and its descriptor.
@@ -73,6 +75,7 @@ class EnumValue:
     value: int
     description: str
     deprecated: bool = False
+    position: Position | None = field(default=None, compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,6 +105,7 @@ class Bits:
     description: str
     alias: bool  # overlaps other bits on purpose
     enum: Enum | None = None
+    position: Position | None = field(default=None, compare=False)
 
     @property
     def width(self) -> int:

@@ -5,76 +5,83 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Literal
 
-from . import evidence, loader
+from . import checks, evidence, loader
 from . import model as m
 from .layout import Types, Vocabulary, sources
-from .loader import Document, Node
+from .nodes import Node
 from .problems import Problems, nearest
 
 SHARED_SET = 0xFF
 
+Kind = Literal["command", "data", "shared"]
+
+#: Keys of a field that suit one role only.
+COMMAND_KEYS = ("functions", "responses", "silent_when", "timeout")
+DATA_KEYS = ("max_rate",)
+
 
 def load_model(spec: Path) -> m.Model:
-    """Loads, resolves and checks a specification; raises SpecError with all that is wrong."""
-    from . import checks  # checks need the model, the model needs no checks
+    """Loads, resolves and checks a specification; raises SpecError with all that is wrong.
 
+    What the manuals print is judged only once the definitions are right: it would seem wrong otherwise.
+    """
     problems = Problems()
     documents = loader.load(spec, problems)
     problems.raise_if_any()
-    model = resolve(documents, problems)
-    if model is not None and not problems:
-        checks.check(model, problems)
+    roots = {kind: [d.root for d in documents if d.kind == kind] for kind in loader.LAYOUT}
+    types, model = definitions(roots, problems)
+    checks.check_definitions(model, problems)
+    sound = not problems
+    model = replace(model, devices=_Devices(model, types, problems).resolve(roots["device"]))
+    if sound:
+        manuals = types.vocabulary.manuals
+        examples = evidence.examples(roots["examples"], model, problems)
+        errata = evidence.errata(roots["errata"], manuals, problems)
+        model = replace(model, examples=examples, errata=errata)
+        checks.check_evidence(model, problems)
     problems.raise_if_any()
-    assert model is not None
     return model
 
 
-def resolve(documents: list[Document], problems: Problems) -> m.Model | None:
-    def of(kind: str) -> list[Node]:
-        return [d.root for d in documents if d.kind == kind]
-
-    root = of("protocol")[0]
-    functions = _functions(root["functions"])
+def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types, m.Model]:
+    """The protocol, the types and the sets."""
+    root = roots["protocol"][0]
+    functions = _functions(root["functions"], problems)
     words = Vocabulary(
         units=set(root["units"].value),
         frames=set(root["frames"].value),
         manuals=set(root["manuals"].value),
-        devices={d["device"].value for d in of("device")},
+        devices={d["device"].value for d in roots["device"]},
         functions=functions,
         selector=_selector(functions),
     )
     types = Types(words, problems)
-    for document in of("types"):
-        types.define(None, document["types"])
-    for document in of("set"):
-        types.define(document["name"].value, document.get("types"))
+    for node in roots["types"]:
+        types.define(None, node["types"])
+    for node in roots["set"]:
+        types.define(node["name"].value, node.get("types"))
     shared = types.of(None)
     protocol = _protocol(root, types, functions, problems)
-    if protocol is None:
-        return None
-    sets = _Sets(types, problems).resolve(of("set"))
-    model = m.Model(protocol, shared, sets, (), (), ())
-    devices = tuple(
-        d for node in of("device") if (d := _Devices(model, types, problems).resolve(node)) is not None
-    )
-    model = replace(model, devices=tuple(sorted(devices, key=lambda d: d.id)))
-    examples = evidence.examples(of("examples"), model, problems)
-    errata = evidence.errata(of("errata"), words.manuals, problems)
-    return replace(model, examples=examples, errata=errata)
+    sets = _Sets(types, problems).resolve(roots["set"])
+    return types, m.Model(protocol, shared, sets, (), (), ())
 
 
 # --------------------------------------------------------------------------- protocol
 
 
-def _functions(node: Node) -> tuple[m.Function, ...]:
-    found = [
-        m.Function(
-            name, n["letter"].value, n["value"].value, n.scalar("reply", True), n.scalar("responds", False),
-            n["description"].value,
-        )
-        for name, n in node.items()
-    ]  # fmt: skip
+def _functions(node: Node, problems: Problems) -> tuple[m.Function, ...]:
+    found: list[m.Function] = []
+    for name, n in node.items():
+        letter, value = n["letter"], n["value"]
+        for other in found:
+            if other.letter == letter.value:
+                problems.add(letter.position, f"'{other.name}' has the letter {letter.value} already; choose another")
+            if other.value == value.value:
+                problems.add(value.position, f"'{other.name}' has the value {value.value} already; choose another")
+        reply, responds = n.scalar("reply", True), n.scalar("responds", False)
+        found.append(m.Function(name, letter.value, value.value, reply, responds, n["description"].value))
     return tuple(sorted(found, key=lambda f: f.value))
 
 
@@ -83,13 +90,13 @@ def _selector(functions: Iterable[m.Function]) -> m.Enum:
     return m.Enum("function_selector", m.SCALARS["u8"], values, "What a settings command is asked to do.", None)
 
 
-def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], problems: Problems) -> m.Protocol | None:
+def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], problems: Problems) -> m.Protocol:
     node = root["acknowledge"]
-    record = types.record(list(node["parameters"]), None, "")
+    record = types.record(list(node["parameters"]), None)
     codes = [p.element for p in record.parameters if isinstance(p.element, m.Enum)]
     if len(codes) != 1:
-        problems.add(node.position, "the acknowledge field needs exactly one enumeration: the code")
-        return None
+        problems.add(node.keys["parameters"], "the acknowledge field needs exactly one enumeration: the code")
+        codes.append(types.vocabulary.selector)  # in its place, to go on and find what else is wrong
     acknowledge = m.Field(
         set=0, set_name="protocol", name=node["name"].value, descriptor=node["descriptor"].value, role=m.RESPONSE,
         title=node["title"].value, description=node["description"].value, parameters=record.parameters,
@@ -110,8 +117,7 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
         units=_words(root["units"]),
         frames=_words(root["frames"]),
         manuals=tuple(
-            m.Manual(i, n["title"].value, n["document"].value, n["lengths"].value)
-            for i, n in root["manuals"].items()
+            m.Manual(i, n["title"].value, n["document"].value, n["lengths"].value) for i, n in root["manuals"].items()
         ),
     )
 
@@ -141,12 +147,12 @@ class _Sets:
 
     def set(self, node: Node, others: dict[str, m.Set]) -> m.Set:
         number, name = node["set"].value, node["name"].value
-        kind = "command" if number < 0x80 else "shared" if number == SHARED_SET else "data"
+        kind: Kind = "command" if number < 0x80 else "shared" if number == SHARED_SET else "data"
         fields: list[m.Field] = []
         for entry in node.get("fields") or ():
             fields += self.field(entry, number, name, kind)
-        fields = self.share(node, fields)
-        fields += self.repeats(node, number, name, others)
+        self.check_shared(node, fields)
+        fields += self.repeats(node, number, name, kind, others)
         order = {m.COMMAND: 0, m.DATA: 0, m.RESPONSE: 1}
         fields.sort(key=lambda f: (order[f.role], f.descriptor))
         return m.Set(
@@ -154,17 +160,24 @@ class _Sets:
             sources(node, self.types.vocabulary, self.problems), node.position,
         )  # fmt: skip
 
-    def field(self, node: Node, number: int, set_name: str, kind: str) -> list[m.Field]:
+    def field(self, node: Node, number: int, set_name: str, kind: Kind) -> list[m.Field]:
         """A command with its responses, or a data field."""
         role: m.Role = m.COMMAND if kind == "command" else m.DATA
-        if (role in node) is False or (m.COMMAND in node) == (m.DATA in node):
-            self.problems.add(node.position, f"a field of the {kind} set 0x{number:02X} begins with '{role}: 0x..'")
+        wrong = m.DATA if role == m.COMMAND else m.COMMAND
+        if role not in node or wrong in node:
+            place = node.keys.get(wrong, node.position)
+            self.problems.add(place, f"a field of the {kind} set 0x{number:02X} begins with '{role}: 0x..'")
             return []
-        for key in ("functions", "responses", "silent_when") if role == m.DATA else ("max_rate",):
+        for key in COMMAND_KEYS if role == m.DATA else DATA_KEYS:
             if key in node:
-                self.problems.add(node.value[key].position, f"'{key}' does not belong to a {role} field; remove it")
-        letters = node.scalar("functions", "")
+                self.problems.add(node.keys[key], f"'{key}' does not belong to a {role} field; remove it")
+        letters = node.scalar("functions", "") if role == m.COMMAND else ""
         functions = self.types.vocabulary.letters(letters)
+        unknown = sorted(set(letters) - {f.letter for f in functions})
+        if unknown:
+            known = "".join(f.letter for f in self.types.vocabulary.functions)
+            self.problems.add(node["functions"].position, f"no function has the letter {unknown[0]}; known: {known}")
+            letters = "".join(c for c in letters if c not in unknown)
         record = self.types.record(list(node.get("parameters") or ()), set_name, letters)
         command = m.Field(
             set=number, set_name=set_name, name=node["name"].value, descriptor=node[role].value, role=role,
@@ -177,7 +190,7 @@ class _Sets:
             advanced=node.scalar("advanced", False), deprecated=node.scalar("deprecated"),
             notes=tuple(node["notes"].plain()) if "notes" in node else (), position=node.position,
         )  # fmt: skip
-        silent = self.conditions(node.get("silent_when"), command)
+        silent = self.conditions(node.get("silent_when") if role == m.COMMAND else None, command)
         responses = [r for entry in node.get("responses") or () if (r := self.response(entry, node, command))]
         names = []
         for entry in node.get("responses") or ():
@@ -186,7 +199,7 @@ class _Sets:
 
     def response(self, node: Node, owner: Node, command: m.Field) -> m.Field | None:
         if "same_as" in node:
-            for key in set(node.value) - {"same_as", "when"}:
+            for key in set(node.value) - {"same_as"}:
                 self.problems.add(node.keys[key], f"'{key}' does not go with same_as; remove it")
             return None
         if "response" not in node:
@@ -198,22 +211,27 @@ class _Sets:
             self.problems.add(listed.position, f"parameters: '{listed.value}' is neither a list nor as_command")
             return None
         nodes = list((owner.get("parameters") or ()) if plain else (listed or ()))
-        record = self.types.record(nodes, command.set_name, "", plain)
+        record = self.types.record(nodes, command.set_name, plain=plain)
         lengths = node.get("lengths")
         for manual in lengths.value if lengths else ():
             known = [s.manual for s in command.sources]
             if manual not in known:
                 assert lengths is not None
-                self.problems.add(lengths.keys[manual], f"the command cites no manual '{manual}'{nearest(manual, known)}")
+                self.problems.add(
+                    lengths.keys[manual], f"the command cites no manual '{manual}'{nearest(manual, known)}"
+                )
+        answers = f"Answers {command.title} (0x{command.set:02X},0x{command.descriptor:02X})."
         return m.Field(
             set=command.set, set_name=command.set_name, name=node.scalar("name", f"{command.name}_response"),
             descriptor=node["response"].value, role=m.RESPONSE,
             title=node.scalar("title", f"{command.title} response"),
-            description=node.scalar("description", f"Answers {command.title} (0x{command.set:02X},0x{command.descriptor:02X})."),
+            description=node.scalar("description", answers),
             parameters=record.parameters, operations=record.operations,
             min_size=record.min_size, max_size=record.max_size,
             sources=tuple(
-                replace(s, length=str(lengths[s.manual].value) if lengths and s.manual in lengths else None)
+                replace(s, length=str(lengths[s.manual].value), position=lengths[s.manual].position)
+                if lengths and s.manual in lengths
+                else replace(s, length=None)
                 for s in command.sources
             ),
             required_count=record.required_count, command=command.name,
@@ -241,11 +259,12 @@ class _Sets:
             elif isinstance(value, (bool, int)):
                 found.append(m.Condition(name, int(value), str(value).lower()))
             else:
-                self.problems.add(entry.position, f"'{name}' must be a number or a value name")
+                wanted = "a whole number, true, false, or the name of a value of its enumeration"
+                self.problems.add(entry.position, f"'{name}' must be {wanted}")
         return tuple(found)
 
-    def share(self, node: Node, fields: list[m.Field]) -> list[m.Field]:
-        """Checks that every same_as names a response of this set."""
+    def check_shared(self, node: Node, fields: list[m.Field]) -> None:
+        """Every same_as names a response of this set."""
         known = [f.name for f in fields if f.role == m.RESPONSE]
         for entry in node.get("fields") or ():
             for response in entry.get("responses") or ():
@@ -253,10 +272,14 @@ class _Sets:
                 if name is not None and name not in known:
                     place = response["same_as"].position
                     self.problems.add(place, f"no command of this set has the response '{name}'{nearest(name, known)}")
-        return fields
 
-    def repeats(self, node: Node, number: int, set_name: str, others: dict[str, m.Set]) -> list[m.Field]:
+    def repeats(self, node: Node, number: int, set_name: str, kind: Kind, others: dict[str, m.Set]) -> list[m.Field]:
         if "repeats" not in node:
+            return []
+        if kind == "command":
+            self.problems.add(
+                node.keys["repeats"], f"the command set 0x{number:02X} cannot repeat data fields; remove it"
+            )
             return []
         of = node["repeats"]["of"]
         origin = others.get(of.value)
@@ -264,19 +287,26 @@ class _Sets:
             self.problems.add(of.position, f"no set '{of.value}' to repeat{nearest(of.value, others)}")
             return []
         found = []
+        known = {f.name: f for f in origin.own_fields if f.role == m.DATA}
         for entry in node["repeats"]["fields"]:
             name = entry["name"].value
-            field = next((f for f in origin.own_fields if f.name == name and f.role == m.DATA), None)
+            field = known.get(name)
             if field is None:
-                near = nearest(name, [f.name for f in origin.own_fields])
+                near = nearest(name, known)
                 self.problems.add(entry["name"].position, f"the set '{of.value}' has no data field '{name}'{near}")
                 continue
+            title = entry.scalar("title", field.title)
+            cited = sources(entry, self.types.vocabulary, self.problems)
             found.append(
                 replace(
-                    field, set=number, set_name=set_name, definition=field.full_name,
-                    title=entry.scalar("title", field.title), position=entry.position,
-                    sources=sources(entry, self.types.vocabulary, self.problems),
-                )  # fmt: skip
+                    field,
+                    set=number,
+                    set_name=set_name,
+                    definition=field.full_name,
+                    title=title,
+                    sources=cited,
+                    position=entry.position,
+                )
             )
         return found
 
@@ -290,12 +320,25 @@ class _Devices:
     types: Types
     problems: Problems
 
-    def resolve(self, node: Node) -> m.Device:
+    def resolve(self, nodes: list[Node]) -> tuple[m.Device, ...]:
+        taken: set[str] = set()
+        for node in nodes:
+            for key in ("device", "name"):
+                name = node[key].value
+                if name in taken:
+                    self.problems.add(node[key].position, f"there are two devices called '{name}'; rename one")
+            taken |= {node["device"].value, node["name"].value}
+        return tuple(sorted((self.device(node) for node in nodes), key=lambda d: d.id))
+
+    def device(self, node: Node) -> m.Device:
         device_id = node["device"].value
         manuals = [x.id for x in self.model.protocol.manuals]
         if node["manual"].value not in manuals:
             manual = node["manual"].value
             self.problems.add(node["manual"].position, f"unknown manual '{manual}'{nearest(manual, manuals)}")
+        for key in ("limits", "notes"):
+            self.unique(key, node.get(key))
+        fields = self.supports(node["supports"])
         return m.Device(
             id=device_id,
             name=node["name"].value,
@@ -303,9 +346,9 @@ class _Devices:
             manual=node["manual"].value,
             description=node["description"].value,
             model_number=node.scalar("model_number"),
-            fields=self.supports(node["supports"]),
-            functions=self.functions(node.get("functions")),
-            base_rates=self.rates(node["base_rates"]),
+            fields=fields,
+            functions=self.functions(node.get("functions"), fields),
+            base_rates=self.rates(node["base_rates"], node.keys["base_rates"], fields),
             ports=tuple(
                 m.Port(p["name"].value, p.scalar("id"), tuple(p["baud_rates"].plain()), tuple(p["protocols"].plain()))
                 for p in node.get("ports") or ()
@@ -322,6 +365,14 @@ class _Devices:
             ack_codes=self.codes(node["ack_codes"]),
             position=node.position,
         )  # fmt: skip
+
+    def unique(self, key: str, entries: Node | None) -> None:
+        seen: set[str] = set()
+        for entry in entries or ():
+            name = entry["name"]
+            if name.value in seen:
+                self.problems.add(name.position, f"'{name.value}' stands twice in {key}; rename one")
+            seen.add(name.value)
 
     def supports(self, node: Node) -> tuple[str, ...]:
         found = []
@@ -341,7 +392,7 @@ class _Devices:
                 found.append(full)
         return tuple(found)
 
-    def functions(self, node: Node | None) -> tuple[tuple[str, str], ...]:
+    def functions(self, node: Node | None, supported: tuple[str, ...]) -> tuple[tuple[str, str], ...]:
         found = []
         for name, letters in node.items() if node else ():
             assert node is not None
@@ -350,18 +401,25 @@ class _Devices:
             if field is None or not field.functions:
                 self.problems.add(node.keys[name], f"no command '{name}' with functions{nearest(name, known)}")
                 continue
+            if name not in supported:
+                self.problems.add(node.keys[name], f"the device does not support '{name}'; add it to supports")
             extra = set(letters.value) - {f.letter for f in field.functions}
             if extra:
                 more = "".join(sorted(extra))
-                self.problems.add(letters.position, f"'{name}' is not defined with the functions {more}; add them there")
+                self.problems.add(
+                    letters.position, f"'{name}' is not defined with the functions {more}; add them there"
+                )
             found.append((name, letters.value))
         return tuple(found)
 
-    def rates(self, node: Node) -> tuple[tuple[str, float], ...]:
+    def rates(self, node: Node, place: m.Position, supported: tuple[str, ...]) -> tuple[tuple[str, float], ...]:
         known = [s.name for s in self.model.sets if s.kind == "data"]
         for name in node.value:
             if name not in known:
                 self.problems.add(node.keys[name], f"unknown data set '{name}'{nearest(name, known)}")
+        for name in sorted({full.partition(".")[0] for full in supported}):
+            if name in known and name not in node:
+                self.problems.add(place, f"the rate of '{name}' is missing (0 if its data are sent as they come)")
         return tuple((name, rate.value) for name, rate in node.items())
 
     def limit(self, node: Node) -> m.Limit:
@@ -378,7 +436,10 @@ class _Devices:
             for p in f.parameters:
                 if p.reading is not None and p.reading.by == "device":
                     found += [(f"{f.full_name}.{p.name}", t) for key, t in p.reading.types if key == device_id]
+        known = [*self.types.shared, *(name for types in self.types.local.values() for name in types)]
         for key, entry in node.items() if node else ():
+            if node and key not in known:
+                self.problems.add(node.keys[key], f"unknown type '{key}'{nearest(key, known)}")
             t = self.types.find(entry.value, None, entry.position)
             if isinstance(t, (m.Enum, m.Bitfield)):
                 found.append((key, t))
@@ -387,9 +448,9 @@ class _Devices:
         return tuple(found)
 
     def codes(self, node: Node) -> tuple[int, ...]:
-        known = {v.value for v in self.model.protocol.ack_code.values}
-        for code in node:
+        of = self.model.protocol.ack_code
+        known = {v.value for v in of.values}
+        for code in node if of is not self.model.protocol.function_selector else ():
             if code.value not in known:
-                name = self.model.protocol.ack_code.name
-                self.problems.add(code.position, f"{code.value} is no value of '{name}'; add it there")
+                self.problems.add(code.position, f"{code.value} is no value of '{of.name}'; add it there")
         return tuple(node.plain())

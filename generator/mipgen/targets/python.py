@@ -105,6 +105,8 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "reference": reference,
         "qualified": lambda t: qualified(t),
         "by_descriptor": by_descriptor,
+        "arguments": arguments,
+        "declared": declared,
     }
 
 
@@ -179,6 +181,17 @@ def hint(p: m.Parameter, record: m.Field | m.Struct) -> str:
     return f"{one} | None" if absent(record, p) and "None" not in one.split(" | ") else one
 
 
+def declared(name: str, kind: str, value: str | None, indent: int) -> str:
+    """`name: kind = value`, wrapped as the formatter wraps a long union."""
+    tail = f" = {value}" if value is not None else ""
+    flat = f"{name}: {kind}{tail}"
+    if len(flat) + indent <= WIDTH:
+        return flat
+    pad = " " * indent
+    inner = kind if len(kind) + indent + 4 <= WIDTH else kind.replace(" | ", f"\n{pad}    | ")
+    return f"{name}: (\n{pad}    {inner}\n{pad}){tail}"
+
+
 def default(p: m.Parameter, record: m.Field | m.Struct) -> str | None:
     """What a value is when the caller does not give it, as Python."""
     if absent(record, p) or p.element is None:
@@ -199,6 +212,12 @@ def keyword_only(p: m.Parameter, record: m.Field | m.Struct) -> bool:
     parameters = stored(record)
     rest = parameters[parameters.index(p) + 1 :]
     return default(p, record) is not None and any(default(q, record) is None for q in rest)
+
+
+def arguments(record: m.Field | m.Struct) -> list[str]:
+    """What a decoder hands to the constructor: by place, then by name."""
+    names = [(_member(p.name), keyword_only(p, record)) for p in stored(record)]
+    return [n for n, by_name in names if not by_name] + [f"{n}={n}" for n, by_name in names if by_name]
 
 
 def constructor(f: m.Function, field: m.Field) -> dict[str, Any]:
@@ -447,12 +466,17 @@ class Tree:
         pad = " " * indent
         tail = self.tail.lstrip(",")
         joined = ", ".join(i if isinstance(i, str) else i.flat() for i in self.items)
-        if len(joined) + indent + 4 <= WIDTH and self.tail != ",)":
+        if len(joined) + indent + 4 <= WIDTH and re.search(r"\w\($", self.head):  # only where it is a call
             return f"{self.head}\n{pad}    {joined}\n{pad}{tail}"
-        inner = "".join(
-            f"{pad}    {i if isinstance(i, str) else i.lay(indent + 4, 1)},\n" for i in self.items
-        )
+        inner = "".join(f"{pad}    {_item(i, indent + 4)},\n" for i in self.items)
         return f"{self.head}\n{inner}{pad}{tail}"
+
+
+def _item(item: str | Tree, indent: int) -> str:
+    if isinstance(item, Tree):
+        return item.lay(indent, 1)
+    fits = len(item) + indent + 1 <= WIDTH
+    return item if fits else item.replace(" | ", f"\n{' ' * indent}| ")
 
 
 def call(head: str, arguments: Sequence[str], indent: int, tail: str = ")") -> str:
@@ -466,7 +490,7 @@ def call(head: str, arguments: Sequence[str], indent: int, tail: str = ")") -> s
 _HOMES = {
     "dataclasses": ["dataclass", "field"],
     "enum": ["IntFlag"],
-    "typing": ["ClassVar", "TypeAlias"],
+    "typing": ["TypeAlias"],
     ".": ["codec", "types"],
     ".errors": ["EncodeError", "Truncated"],
     ".field": ["Command", "Data", "Field", "Response", "Structure"],
@@ -493,7 +517,7 @@ def with_imports(body: str, s: m.Set | None, model: m.Model) -> str:
                 listed = f"from {home} import (\n" + "".join(f"    {n},\n" for n in names) + ")"
                 lines.append(flat if len(flat) <= WIDTH else listed)
         lines.append("")
-    whole = "\n".join(["from __future__ import annotations", "", *lines]).rstrip()
+    whole = re.sub(r"\n{3,}", "\n\n", "\n".join(["from __future__ import annotations", "", *lines]).rstrip())
     gap = "\n\n\n" if re.match(r"\n*(class|def|@)", body) else "\n\n"
     whole += gap + body.lstrip("\n")
     return re.sub(r"\n{4,}", "\n\n\n", whole)

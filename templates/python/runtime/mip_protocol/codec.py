@@ -171,8 +171,17 @@ def read_structures(kind: type[S], data: bytes, at: int, count: int) -> tuple[tu
     return tuple(found), at
 
 
-def write_structures(values: Sequence[_Structure]) -> bytes:
-    return b"".join(v._write() for v in values)
+def structure(name: str, value: _Structure | None, kind: type[_Structure]) -> bytes:
+    """The bytes of a structure, if it is one of the right kind."""
+    if value is None:
+        raise EncodeError("missing", f"{name} is None")
+    if not isinstance(value, kind):
+        raise EncodeError("range", f"{name} is {value!r}, needs a {kind.__name__}")
+    return value._write()
+
+
+def write_structures(name: str, values: Sequence[Any], kind: type[_Structure]) -> bytes:
+    return b"".join(structure(name, v, kind) for v in values)
 
 
 def little(name: str, value: int, size: int) -> bytes:

@@ -144,7 +144,7 @@ impl<const N: usize> Wire for Text<N> {
 
 #[cfg(feature = "serde")]
 mod serde_text {
-    use super::{fmt, List, Text, VarText};
+    use super::{fmt, Text, VarText};
     use serde::{de, Deserialize, Deserializer, Serialize, Serializer};
 
     /// All characters, the padding too, so that the text comes back as it was.
@@ -191,8 +191,23 @@ mod serde_text {
 
     impl<'de, const N: usize> Deserialize<'de> for Text<N> {
         fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-            let List { .. } = &VarText::<N>::deserialize(deserializer)?.0;
-            unimplemented!()
+            let text = VarText::<N>::deserialize(deserializer)?;
+            let wrong = |_| de::Error::invalid_length(text.len(), &Visitor::<N>);
+            <[u8; N]>::try_from(text.0.as_slice()).map(Text).map_err(wrong)
         }
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<const N: usize> defmt::Format for Text<N> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{=[u8]:a}", self.0.as_slice());
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<const N: usize> defmt::Format for VarText<N> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{=[u8]:a}", self.0.as_slice());
     }
 }

@@ -1,0 +1,1024 @@
+"""Aiding commands (0x13).
+
+Measurements of external sensors for the navigation filter, and the frames of the sensors.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import IntFlag
+
+from . import codec, types
+from .errors import Truncated
+from .field import Command, Field, Response, Structure
+from .protocol import FunctionSelector
+
+
+class AidingFrameFormat(codec.OpenEnum):
+    """How the rotation of an aiding frame is given."""
+
+    EULER = 1
+    """Euler angles: roll, pitch, yaw."""
+    QUATERNION = 2
+    """Quaternion: w, x, y, z."""
+
+
+class AidingEchoMode(codec.OpenEnum):
+    """How the device answers aiding measurements."""
+
+    SUPPRESS_ACK = 0
+    """No acknowledge."""
+    STANDARD = 1
+    """Acknowledge as for any command."""
+    RESPONSE = 2
+    """The data come back in a response."""
+
+
+class Timebase(codec.OpenEnum):
+    """Clock of the time of a measurement."""
+
+    INTERNAL_REFERENCE = 1
+    """Internal reference clock of the device."""
+    EXTERNAL_TIME = 2
+    """External clock, with which the PPS synchronizes the device."""
+    TIME_OF_ARRIVAL = 3
+    """Latency relative to the arrival of the command."""
+
+
+_MEASUREMENT_TIME_0 = codec.Block("BBQ", "timebase", "reserved", "nanoseconds")
+
+
+@dataclass(slots=True)
+class MeasurementTime(Structure):
+    """When a measurement was taken."""
+
+    timebase: Timebase
+    """Clock of the time."""
+    reserved: int = field(default=1, kw_only=True)
+    nanoseconds: int
+    """Time by that clock. [ns]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MeasurementTime, int]:
+        v = _MEASUREMENT_TIME_0.read(raw, at)
+        at += 10
+        timebase = Timebase(v[0])
+        reserved = v[1]
+        nanoseconds = v[2]
+        return cls(timebase, nanoseconds, reserved=reserved), at
+
+    def _write(self) -> bytes:
+        out = _MEASUREMENT_TIME_0.write(self.timebase, self.reserved, self.nanoseconds)
+        return out
+
+
+class AxisFlags(IntFlag):
+    """Which axes of a measurement are valid; the others are ignored."""
+
+    X = 1 << 0
+    """First axis."""
+    Y = 1 << 1
+    """Second axis."""
+    Z = 1 << 2
+    """Third axis."""
+
+
+class LlhAxisFlags(IntFlag):
+    """Which coordinates of a position are valid; the others are ignored."""
+
+    LATITUDE = 1 << 0
+    """Latitude and its uncertainty."""
+    LONGITUDE = 1 << 1
+    """Longitude and its uncertainty."""
+    HEIGHT = 1 << 2
+    """Height and its uncertainty."""
+
+
+_FRAME_CONFIGURATION_RESPONSE_0 = codec.Block(
+    "BBBfff", "frame_id", "format", "tracking_enabled", "translation", "translation", "translation"
+)
+_FRAME_CONFIGURATION_RESPONSE_1 = codec.Block("fff", "rotation", "rotation", "rotation")
+_FRAME_CONFIGURATION_RESPONSE_2 = codec.Block(
+    "ffff", "rotation", "rotation", "rotation", "rotation"
+)
+
+
+@dataclass(slots=True)
+class FrameConfigurationResponse(Response):
+    """Frame configuration response (0x13,0x81).
+
+    Answers Frame configuration (0x13,0x01).
+
+    - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
+    - 3dm-cv7-gnss-ins: Aiding Frames
+    """
+
+    SET = 0x13
+    DESCRIPTOR = 0x81
+    NAME = "aiding.frame_configuration_response"
+    ROLE = "response"
+
+    frame_id: int
+    """Number of the frame. Range: 1 to 4."""
+    format: AidingFrameFormat
+    """How the rotation is given."""
+    tracking_enabled: bool
+    """Whether the filter estimates the errors of the frame."""
+    translation: types.Vector3f
+    """Origin of the frame in the vehicle. [m] Frame: vehicle."""
+    rotation: types.Vector3f | types.Quatf | None = None
+    """Rotation from the frame to the vehicle."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[FrameConfigurationResponse, int]:
+        rotation: types.Vector3f | types.Quatf | None = None
+        v = _FRAME_CONFIGURATION_RESPONSE_0.read(raw, at)
+        at += 15
+        frame_id = v[0]
+        format = AidingFrameFormat(v[1])
+        tracking_enabled = codec.truth(v[2])
+        translation = v[3:6]
+        if format == 1:
+            v = _FRAME_CONFIGURATION_RESPONSE_1.read(raw, at)
+            at += 12
+            rotation = v[0:3]
+        elif format == 2:
+            v = _FRAME_CONFIGURATION_RESPONSE_2.read(raw, at)
+            at += 16
+            rotation = v[0:4]
+        return cls(frame_id, format, tracking_enabled, translation, rotation), at
+
+    def _write(self) -> bytes:
+        out = _FRAME_CONFIGURATION_RESPONSE_0.write(
+            self.frame_id,
+            self.format,
+            self.tracking_enabled,
+            *codec.exactly("translation", self.translation, 3),
+        )
+        if self.format == 1:
+            if self.rotation is None or isinstance(self.rotation, Structure):
+                raise codec.mismatch("rotation", self.format)
+            out += _FRAME_CONFIGURATION_RESPONSE_1.write(
+                *codec.exactly("rotation", self.rotation, 3)
+            )
+        elif self.format == 2:
+            if self.rotation is None or isinstance(self.rotation, Structure):
+                raise codec.mismatch("rotation", self.format)
+            out += _FRAME_CONFIGURATION_RESPONSE_2.write(
+                *codec.exactly("rotation", self.rotation, 4)
+            )
+        elif self.rotation is not None:
+            raise codec.mismatch("rotation", self.format)
+        return codec.finished(out)
+
+
+_ECHO_CONTROL_RESPONSE_0 = codec.Block("B", "mode")
+
+
+@dataclass(slots=True)
+class EchoControlResponse(Response):
+    """Echo control response (0x13,0x9F).
+
+    Answers Echo control (0x13,0x1F).
+
+    - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
+    - 3dm-cv7-gnss-ins: Aiding Command Echo Control
+    """
+
+    SET = 0x13
+    DESCRIPTOR = 0x9F
+    NAME = "aiding.echo_control_response"
+    ROLE = "response"
+
+    mode: AidingEchoMode
+    """How they are answered."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EchoControlResponse, int]:
+        v = _ECHO_CONTROL_RESPONSE_0.read(raw, at)
+        at += 1
+        mode = AidingEchoMode(v[0])
+        return cls(mode), at
+
+    def _write(self) -> bytes:
+        out = _ECHO_CONTROL_RESPONSE_0.write(self.mode)
+        return codec.finished(out)
+
+
+_FRAME_CONFIGURATION_0 = codec.Block("B", "function")
+_FRAME_CONFIGURATION_1 = codec.Block("B", "frame_id")
+_FRAME_CONFIGURATION_2 = codec.Block("B", "format")
+_FRAME_CONFIGURATION_3 = codec.Block("B", "tracking_enabled")
+_FRAME_CONFIGURATION_4 = codec.Block("fff", "translation", "translation", "translation")
+_FRAME_CONFIGURATION_5 = codec.Block("fff", "rotation", "rotation", "rotation")
+_FRAME_CONFIGURATION_6 = codec.Block("ffff", "rotation", "rotation", "rotation", "rotation")
+_FRAME_CONFIGURATION_GROUPS = (
+    (1, ("frame_id",), False),
+    (2, ("format",), False),
+    (3, ("tracking_enabled",), False),
+    (4, ("translation",), False),
+    (5, ("rotation",), True),
+)
+
+
+@dataclass(slots=True)
+class FrameConfiguration(Command):
+    """Frame configuration (0x13,0x01).
+
+    Where and how an external sensor is mounted on the vehicle.
+    Aiding measurements name the frame by its number.
+    p_vehicle = R * p_frame + t, with the rotation R and the translation t.
+    The rotation does not matter for GNSS positions and velocities; set it to zero.
+    A read names the format that the answer shall have.
+
+    - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
+    - 3dm-cv7-gnss-ins: Aiding Frames
+    """
+
+    SET = 0x13
+    DESCRIPTOR = 0x01
+    NAME = "aiding.frame_configuration"
+    ROLE = "command"
+    RESPONSES = (FrameConfigurationResponse,)
+    REQUIRED = {1: 5, 2: 2, 3: 1, 4: 1, 5: 1}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    frame_id: int | None = None
+    """Number of the frame. Range: 1 to 4."""
+    format: AidingFrameFormat | None = None
+    """How the rotation is given."""
+    tracking_enabled: bool | None = None
+    """Whether the filter estimates the errors of the frame."""
+    translation: types.Vector3f | None = None
+    """Origin of the frame in the vehicle. [m] Frame: vehicle."""
+    rotation: types.Vector3f | types.Quatf | None = None
+    """Rotation from the frame to the vehicle."""
+
+    @classmethod
+    def write(
+        cls,
+        frame_id: int,
+        format: AidingFrameFormat,
+        tracking_enabled: bool,
+        translation: types.Vector3f,
+        rotation: types.Vector3f | types.Quatf | None,
+    ) -> FrameConfiguration:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE,
+            frame_id=frame_id,
+            format=format,
+            tracking_enabled=tracking_enabled,
+            translation=translation,
+            rotation=rotation,
+        )
+
+    @classmethod
+    def read(cls, frame_id: int, format: AidingFrameFormat) -> FrameConfiguration:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ, frame_id=frame_id, format=format)
+
+    @classmethod
+    def save(cls, frame_id: int) -> FrameConfiguration:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE, frame_id=frame_id)
+
+    @classmethod
+    def load(cls, frame_id: int) -> FrameConfiguration:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD, frame_id=frame_id)
+
+    @classmethod
+    def default(cls, frame_id: int) -> FrameConfiguration:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT, frame_id=frame_id)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[FrameConfiguration, int]:
+        frame_id: int | None = None
+        format: AidingFrameFormat | None = None
+        tracking_enabled: bool | None = None
+        translation: types.Vector3f | None = None
+        rotation: types.Vector3f | types.Quatf | None = None
+        v = _FRAME_CONFIGURATION_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _FRAME_CONFIGURATION_1.read(raw, at)
+            at += 1
+            frame_id = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _FRAME_CONFIGURATION_2.read(raw, at)
+            at += 1
+            format = AidingFrameFormat(v[0])
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _FRAME_CONFIGURATION_3.read(raw, at)
+            at += 1
+            tracking_enabled = codec.truth(v[0])
+            done, end = 3, at
+            if at == len(raw) and required < 4:
+                raise Truncated(1, 0)
+            v = _FRAME_CONFIGURATION_4.read(raw, at)
+            at += 12
+            translation = v[0:3]
+            done, end = 4, at
+            if at == len(raw) and required < 5:
+                raise Truncated(1, 0)
+            if format == 1:
+                v = _FRAME_CONFIGURATION_5.read(raw, at)
+                at += 12
+                rotation = v[0:3]
+            elif format == 2:
+                v = _FRAME_CONFIGURATION_6.read(raw, at)
+                at += 16
+                rotation = v[0:4]
+            done, end = 5, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, frame_id, format, tracking_enabled, translation, rotation), at
+
+    def _write(self) -> bytes:
+        out = _FRAME_CONFIGURATION_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _FRAME_CONFIGURATION_GROUPS)
+        if there >= 1:
+            out += _FRAME_CONFIGURATION_1.write(self.frame_id)
+        if there >= 2:
+            out += _FRAME_CONFIGURATION_2.write(self.format)
+        if there >= 3:
+            out += _FRAME_CONFIGURATION_3.write(self.tracking_enabled)
+        if there >= 4:
+            out += _FRAME_CONFIGURATION_4.write(*codec.exactly("translation", self.translation, 3))
+        if there >= 5:
+            if self.format == 1:
+                if self.rotation is None or isinstance(self.rotation, Structure):
+                    raise codec.mismatch("rotation", self.format)
+                out += _FRAME_CONFIGURATION_5.write(*codec.exactly("rotation", self.rotation, 3))
+            elif self.format == 2:
+                if self.rotation is None or isinstance(self.rotation, Structure):
+                    raise codec.mismatch("rotation", self.format)
+                out += _FRAME_CONFIGURATION_6.write(*codec.exactly("rotation", self.rotation, 4))
+            elif self.rotation is not None:
+                raise codec.mismatch("rotation", self.format)
+        return codec.finished(out)
+
+
+_ECHO_CONTROL_0 = codec.Block("B", "function")
+_ECHO_CONTROL_1 = codec.Block("B", "mode")
+_ECHO_CONTROL_GROUPS = ((1, ("mode",), False),)
+
+
+@dataclass(slots=True)
+class EchoControl(Command):
+    """Echo control (0x13,0x1F).
+
+    How the device answers aiding measurements.
+    The manual does not give the layout of the responses that carry the data back.
+
+    - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
+    - 3dm-cv7-gnss-ins: Aiding Command Echo Control
+    """
+
+    SET = 0x13
+    DESCRIPTOR = 0x1F
+    NAME = "aiding.echo_control"
+    ROLE = "command"
+    RESPONSES = (EchoControlResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    mode: AidingEchoMode | None = None
+    """How they are answered."""
+
+    @classmethod
+    def write(cls, mode: AidingEchoMode) -> EchoControl:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, mode=mode)
+
+    @classmethod
+    def read(cls) -> EchoControl:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> EchoControl:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> EchoControl:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> EchoControl:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EchoControl, int]:
+        mode: AidingEchoMode | None = None
+        v = _ECHO_CONTROL_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _ECHO_CONTROL_1.read(raw, at)
+            at += 1
+            mode = AidingEchoMode(v[0])
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, mode), at
+
+    def _write(self) -> bytes:
+        out = _ECHO_CONTROL_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _ECHO_CONTROL_GROUPS)
+        if there >= 1:
+            out += _ECHO_CONTROL_1.write(self.mode)
+        return codec.finished(out)
+
+
+_ECEF_POSITION_0 = codec.Block(
+    "BdddfffH",
+    "frame_id",
+    "position",
+    "position",
+    "position",
+    "uncertainty",
+    "uncertainty",
+    "uncertainty",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class EcefPosition(Command):
+    """ECEF position (0x13,0x21).
+
+    A measured position in Earth-fixed coordinates.
+    Use only one form of position: ECEF or LLH.
+    The uncertainty of a valid axis must be greater than 0.
+    The echo control (0x13,0x1F) decides how the device answers.
+
+    - 3dm-cv7-gnss-ins: ECEF Position (0x13,0x21)
+    - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Position
+    """
+
+    SET = 0x13
+    DESCRIPTOR = 0x21
+    NAME = "aiding.ecef_position"
+    ROLE = "command"
+
+    time: MeasurementTime
+    """When the measurement was taken."""
+    frame_id: int
+    """Frame of the sensor. Range: 1 to 4."""
+    position: types.Vector3d
+    """Position. [m] Frame: ecef."""
+    uncertainty: types.Vector3f
+    """Uncertainty of the position. [m] Frame: ecef."""
+    valid_flags: AxisFlags
+    """Which axes are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EcefPosition, int]:
+        time, at = MeasurementTime._read(raw, at)
+        v = _ECEF_POSITION_0.read(raw, at)
+        at += 39
+        frame_id = v[0]
+        position = v[1:4]
+        uncertainty = v[4:7]
+        valid_flags = AxisFlags(v[7])
+        return cls(time, frame_id, position, uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = codec.structure("time", self.time, MeasurementTime)
+        out += _ECEF_POSITION_0.write(
+            self.frame_id,
+            *codec.exactly("position", self.position, 3),
+            *codec.exactly("uncertainty", self.uncertainty, 3),
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_LLH_POSITION_0 = codec.Block(
+    "BdddfffH",
+    "frame_id",
+    "latitude",
+    "longitude",
+    "height",
+    "uncertainty",
+    "uncertainty",
+    "uncertainty",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class LlhPosition(Command):
+    """LLH position (0x13,0x22).
+
+    A measured position as latitude, longitude and height.
+    Use only one form of position: ECEF or LLH.
+    The uncertainty of a valid axis must be greater than 0.
+    The echo control (0x13,0x1F) decides how the device answers.
+
+    - 3dm-cv7-gnss-ins: LLH Position (0x13,0x22)
+    - 3dm-cv7-gnss-ins: Filter Aiding Measurements > LLH Position
+    """
+
+    SET = 0x13
+    DESCRIPTOR = 0x22
+    NAME = "aiding.llh_position"
+    ROLE = "command"
+
+    time: MeasurementTime
+    """When the measurement was taken."""
+    frame_id: int
+    """Frame of the sensor. Range: 1 to 4."""
+    latitude: float
+    """Latitude. [deg] Frame: llh. Valid if valid_flags.latitude."""
+    longitude: float
+    """Longitude. [deg] Frame: llh. Valid if valid_flags.longitude."""
+    height: float
+    """Height above the ellipsoid. [m] Frame: llh. Valid if valid_flags.height."""
+    uncertainty: types.Vector3f
+    """Uncertainty along north, east and down. [m] Frame: ned."""
+    valid_flags: LlhAxisFlags
+    """Which coordinates are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[LlhPosition, int]:
+        time, at = MeasurementTime._read(raw, at)
+        v = _LLH_POSITION_0.read(raw, at)
+        at += 39
+        frame_id = v[0]
+        latitude = v[1]
+        longitude = v[2]
+        height = v[3]
+        uncertainty = v[4:7]
+        valid_flags = LlhAxisFlags(v[7])
+        return cls(time, frame_id, latitude, longitude, height, uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = codec.structure("time", self.time, MeasurementTime)
+        out += _LLH_POSITION_0.write(
+            self.frame_id,
+            self.latitude,
+            self.longitude,
+            self.height,
+            *codec.exactly("uncertainty", self.uncertainty, 3),
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_HEIGHT_ABOVE_ELLIPSOID_0 = codec.Block("BffH", "frame_id", "height", "uncertainty", "valid_flags")
+
+
+@dataclass(slots=True)
+class HeightAboveEllipsoid(Command):
+    """Height above ellipsoid (0x13,0x23).
+
+    A measured height.
+    The echo control (0x13,0x1F) decides how the device answers.
+
+    - 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23)
+    """
+
+    SET = 0x13
+    DESCRIPTOR = 0x23
+    NAME = "aiding.height_above_ellipsoid"
+    ROLE = "command"
+
+    time: MeasurementTime
+    """When the measurement was taken."""
+    frame_id: int
+    """Frame of the sensor. Range: 1 to 4."""
+    height: float
+    """Height above the ellipsoid. [m] Frame: llh."""
+    uncertainty: float
+    """Uncertainty of the height. [m]"""
+    valid_flags: int
+    """Not 0: the measurement is valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[HeightAboveEllipsoid, int]:
+        time, at = MeasurementTime._read(raw, at)
+        v = _HEIGHT_ABOVE_ELLIPSOID_0.read(raw, at)
+        at += 11
+        frame_id = v[0]
+        height = v[1]
+        uncertainty = v[2]
+        valid_flags = v[3]
+        return cls(time, frame_id, height, uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = codec.structure("time", self.time, MeasurementTime)
+        out += _HEIGHT_ABOVE_ELLIPSOID_0.write(
+            self.frame_id, self.height, self.uncertainty, self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_ECEF_VELOCITY_0 = codec.Block(
+    "BffffffH",
+    "frame_id",
+    "velocity",
+    "velocity",
+    "velocity",
+    "uncertainty",
+    "uncertainty",
+    "uncertainty",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class EcefVelocity(Command):
+    """ECEF velocity (0x13,0x28).
+
+    A measured velocity in Earth-fixed coordinates.
+    Use only one form of velocity: ECEF or NED.
+    Not for a sensor that is fixed to the vehicle; that takes body_frame_velocity.
+    The uncertainty of a valid axis must be greater than 0.
+    The echo control (0x13,0x1F) decides how the device answers.
+
+    - 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28)
+    - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Velocity
+    """
+
+    SET = 0x13
+    DESCRIPTOR = 0x28
+    NAME = "aiding.ecef_velocity"
+    ROLE = "command"
+
+    time: MeasurementTime
+    """When the measurement was taken."""
+    frame_id: int
+    """Frame of the sensor. Range: 1 to 4."""
+    velocity: types.Vector3f
+    """Velocity. [m/s] Frame: ecef."""
+    uncertainty: types.Vector3f
+    """Uncertainty of the velocity. [m/s] Frame: ecef."""
+    valid_flags: AxisFlags
+    """Which axes are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocity, int]:
+        time, at = MeasurementTime._read(raw, at)
+        v = _ECEF_VELOCITY_0.read(raw, at)
+        at += 27
+        frame_id = v[0]
+        velocity = v[1:4]
+        uncertainty = v[4:7]
+        valid_flags = AxisFlags(v[7])
+        return cls(time, frame_id, velocity, uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = codec.structure("time", self.time, MeasurementTime)
+        out += _ECEF_VELOCITY_0.write(
+            self.frame_id,
+            *codec.exactly("velocity", self.velocity, 3),
+            *codec.exactly("uncertainty", self.uncertainty, 3),
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_NED_VELOCITY_0 = codec.Block(
+    "BffffffH",
+    "frame_id",
+    "velocity",
+    "velocity",
+    "velocity",
+    "uncertainty",
+    "uncertainty",
+    "uncertainty",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class NedVelocity(Command):
+    """NED velocity (0x13,0x29).
+
+    A measured velocity in the local level frame.
+    Use only one form of velocity: ECEF or NED.
+    Not for a sensor that is fixed to the vehicle; that takes body_frame_velocity.
+    The uncertainty of a valid axis must be greater than 0.
+    The echo control (0x13,0x1F) decides how the device answers.
+
+    - 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29)
+    - 3dm-cv7-gnss-ins: Filter Aiding Measurements > NED Velocity
+    """
+
+    SET = 0x13
+    DESCRIPTOR = 0x29
+    NAME = "aiding.ned_velocity"
+    ROLE = "command"
+
+    time: MeasurementTime
+    """When the measurement was taken."""
+    frame_id: int
+    """Frame of the sensor. Range: 1 to 4."""
+    velocity: types.Vector3f
+    """Velocity. [m/s] Frame: ned."""
+    uncertainty: types.Vector3f
+    """Uncertainty of the velocity. [m/s] Frame: ned."""
+    valid_flags: AxisFlags
+    """Which axes are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[NedVelocity, int]:
+        time, at = MeasurementTime._read(raw, at)
+        v = _NED_VELOCITY_0.read(raw, at)
+        at += 27
+        frame_id = v[0]
+        velocity = v[1:4]
+        uncertainty = v[4:7]
+        valid_flags = AxisFlags(v[7])
+        return cls(time, frame_id, velocity, uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = codec.structure("time", self.time, MeasurementTime)
+        out += _NED_VELOCITY_0.write(
+            self.frame_id,
+            *codec.exactly("velocity", self.velocity, 3),
+            *codec.exactly("uncertainty", self.uncertainty, 3),
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_BODY_FRAME_VELOCITY_0 = codec.Block(
+    "BffffffH",
+    "frame_id",
+    "velocity",
+    "velocity",
+    "velocity",
+    "uncertainty",
+    "uncertainty",
+    "uncertainty",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class BodyFrameVelocity(Command):
+    """Body frame velocity (0x13,0x2A).
+
+    A measured velocity of the vehicle in the frame of the sensor.
+    An uncertainty of a valid axis that is not greater than 0 is refused as an invalid parameter.
+    The device takes up to four sensors of this kind.
+    A wheeled vehicle constraint is a velocity of 0 with y valid only, sent at least once in a
+    second.
+    A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold of the
+    user.
+    The echo control (0x13,0x1F) decides how the device answers.
+
+    - 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)
+    - 3dm-cv7-gnss-ins: Filter Aiding Measurements > Body Frame Velocity
+    - 3dm-cv7-gnss-ins: Filter Kinematic Constraints
+    """
+
+    SET = 0x13
+    DESCRIPTOR = 0x2A
+    NAME = "aiding.body_frame_velocity"
+    ROLE = "command"
+
+    time: MeasurementTime
+    """When the measurement was taken."""
+    frame_id: int
+    """Frame of the sensor. Range: 1 to 4."""
+    velocity: types.Vector3f
+    """Velocity in the frame of the sensor. [m/s]"""
+    uncertainty: types.Vector3f
+    """Standard deviation of the velocity. [m/s]"""
+    valid_flags: AxisFlags
+    """Which axes are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[BodyFrameVelocity, int]:
+        time, at = MeasurementTime._read(raw, at)
+        v = _BODY_FRAME_VELOCITY_0.read(raw, at)
+        at += 27
+        frame_id = v[0]
+        velocity = v[1:4]
+        uncertainty = v[4:7]
+        valid_flags = AxisFlags(v[7])
+        return cls(time, frame_id, velocity, uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = codec.structure("time", self.time, MeasurementTime)
+        out += _BODY_FRAME_VELOCITY_0.write(
+            self.frame_id,
+            *codec.exactly("velocity", self.velocity, 3),
+            *codec.exactly("uncertainty", self.uncertainty, 3),
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_TRUE_HEADING_0 = codec.Block("BffH", "frame_id", "heading", "uncertainty", "valid_flags")
+
+
+@dataclass(slots=True)
+class TrueHeading(Command):
+    """True heading (0x13,0x31).
+
+    A measured heading relative to true north.
+    The uncertainty of a valid measurement must be greater than 0.
+    The echo control (0x13,0x1F) decides how the device answers.
+
+    - 3dm-cv7-gnss-ins: True Heading (0x13,0x31)
+    - 3dm-cv7-gnss-ins: Filter Aiding Measurements > True Heading
+    """
+
+    SET = 0x13
+    DESCRIPTOR = 0x31
+    NAME = "aiding.true_heading"
+    ROLE = "command"
+
+    time: MeasurementTime
+    """When the measurement was taken."""
+    frame_id: int
+    """Frame of the sensor. Range: 1 to 4."""
+    heading: float
+    """Heading. [rad] Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    uncertainty: float
+    """Uncertainty of the heading. [rad]"""
+    valid_flags: int
+    """Not 0: the measurement is valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[TrueHeading, int]:
+        time, at = MeasurementTime._read(raw, at)
+        v = _TRUE_HEADING_0.read(raw, at)
+        at += 11
+        frame_id = v[0]
+        heading = v[1]
+        uncertainty = v[2]
+        valid_flags = v[3]
+        return cls(time, frame_id, heading, uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = codec.structure("time", self.time, MeasurementTime)
+        out += _TRUE_HEADING_0.write(
+            self.frame_id, self.heading, self.uncertainty, self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_MAGNETIC_FIELD_0 = codec.Block(
+    "BffffffH",
+    "frame_id",
+    "magnetic_field",
+    "magnetic_field",
+    "magnetic_field",
+    "uncertainty",
+    "uncertainty",
+    "uncertainty",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class MagneticField(Command):
+    """Magnetic field (0x13,0x32).
+
+    A magnetic field measured by an external magnetometer.
+    The magnetometer must be calibrated.
+    The uncertainty of a valid axis must be greater than 0.
+    The echo control (0x13,0x1F) decides how the device answers.
+
+    - 3dm-cv7-gnss-ins: Magnetic Field (0x13,0x32)
+    - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Magnetometer
+    """
+
+    SET = 0x13
+    DESCRIPTOR = 0x32
+    NAME = "aiding.magnetic_field"
+    ROLE = "command"
+
+    time: MeasurementTime
+    """When the measurement was taken."""
+    frame_id: int
+    """Frame of the sensor. Range: 1 to 4."""
+    magnetic_field: types.Vector3f
+    """Magnetic field in the frame of the sensor. [gauss]"""
+    uncertainty: types.Vector3f
+    """Standard deviation of the magnetic field. [gauss]"""
+    valid_flags: AxisFlags
+    """Which axes are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagneticField, int]:
+        time, at = MeasurementTime._read(raw, at)
+        v = _MAGNETIC_FIELD_0.read(raw, at)
+        at += 27
+        frame_id = v[0]
+        magnetic_field = v[1:4]
+        uncertainty = v[4:7]
+        valid_flags = AxisFlags(v[7])
+        return cls(time, frame_id, magnetic_field, uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = codec.structure("time", self.time, MeasurementTime)
+        out += _MAGNETIC_FIELD_0.write(
+            self.frame_id,
+            *codec.exactly("magnetic_field", self.magnetic_field, 3),
+            *codec.exactly("uncertainty", self.uncertainty, 3),
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_PRESSURE_0 = codec.Block("BffH", "frame_id", "pressure", "uncertainty", "valid_flags")
+
+
+@dataclass(slots=True)
+class Pressure(Command):
+    """Pressure (0x13,0x33).
+
+    A static air pressure measured by an external sensor.
+    The uncertainty of a valid measurement must be greater than 0.
+    The echo control (0x13,0x1F) decides how the device answers.
+
+    - 3dm-cv7-gnss-ins: Pressure (0x13,0x33)
+    - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Pressure
+    """
+
+    SET = 0x13
+    DESCRIPTOR = 0x33
+    NAME = "aiding.pressure"
+    ROLE = "command"
+
+    time: MeasurementTime
+    """When the measurement was taken."""
+    frame_id: int
+    """Frame of the sensor. Range: 1 to 4."""
+    pressure: float
+    """Air pressure. [mbar]"""
+    uncertainty: float
+    """Standard deviation of the pressure. [mbar]"""
+    valid_flags: int
+    """Not 0: the measurement is valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Pressure, int]:
+        time, at = MeasurementTime._read(raw, at)
+        v = _PRESSURE_0.read(raw, at)
+        at += 11
+        frame_id = v[0]
+        pressure = v[1]
+        uncertainty = v[2]
+        valid_flags = v[3]
+        return cls(time, frame_id, pressure, uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = codec.structure("time", self.time, MeasurementTime)
+        out += _PRESSURE_0.write(self.frame_id, self.pressure, self.uncertainty, self.valid_flags)
+        return codec.finished(out)
+
+
+FrameConfigurationResponse.COMMANDS = (FrameConfiguration,)
+EchoControlResponse.COMMANDS = (EchoControl,)
+
+
+#: The types of each descriptor; several where constants in the data tell layouts apart.
+FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0x01: (FrameConfiguration,),
+    0x1F: (EchoControl,),
+    0x21: (EcefPosition,),
+    0x22: (LlhPosition,),
+    0x23: (HeightAboveEllipsoid,),
+    0x28: (EcefVelocity,),
+    0x29: (NedVelocity,),
+    0x2A: (BodyFrameVelocity,),
+    0x31: (TrueHeading,),
+    0x32: (MagneticField,),
+    0x33: (Pressure,),
+    0x81: (FrameConfigurationResponse,),
+    0x9F: (EchoControlResponse,),
+}

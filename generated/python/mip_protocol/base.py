@@ -1,0 +1,812 @@
+"""Base (0x01).
+
+Commands common to all devices: identity, supported descriptors, idle and resume, self test, reset.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from . import codec, types
+from .errors import Truncated
+from .field import Command, Field, Response, Structure
+from .protocol import FunctionSelector
+
+_BASE_DEVICE_INFO_0 = codec.Block("H", "firmware_version")
+
+
+@dataclass(slots=True)
+class BaseDeviceInfo(Structure):
+    """Identity of a device. The strings are padded with spaces."""
+
+    firmware_version: int
+    """Firmware version as one decimal number: 1202 stands for 1.2.02."""
+    model_name: str
+    """Name of the model."""
+    model_number: str
+    """Part number of the model."""
+    serial_number: str
+    """Serial number."""
+    lot_number: str
+    """Lot number; reserved and blank on some devices."""
+    device_options: str
+    """Options of the unit, such as its sensor ranges."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[BaseDeviceInfo, int]:
+        v = _BASE_DEVICE_INFO_0.read(raw, at)
+        at += 2
+        firmware_version = v[0]
+        model_name = codec.take(raw, at, 16).decode("latin-1")
+        at += 16
+        model_number = codec.take(raw, at, 16).decode("latin-1")
+        at += 16
+        serial_number = codec.take(raw, at, 16).decode("latin-1")
+        at += 16
+        lot_number = codec.take(raw, at, 16).decode("latin-1")
+        at += 16
+        device_options = codec.take(raw, at, 16).decode("latin-1")
+        at += 16
+        return cls(
+            firmware_version, model_name, model_number, serial_number, lot_number, device_options
+        ), at
+
+    def _write(self) -> bytes:
+        out = _BASE_DEVICE_INFO_0.write(self.firmware_version)
+        codec.exactly("model_name", self.model_name, 16)
+        out += codec.text("model_name", self.model_name)
+        codec.exactly("model_number", self.model_number, 16)
+        out += codec.text("model_number", self.model_number)
+        codec.exactly("serial_number", self.serial_number, 16)
+        out += codec.text("serial_number", self.serial_number)
+        codec.exactly("lot_number", self.lot_number, 16)
+        out += codec.text("lot_number", self.lot_number)
+        codec.exactly("device_options", self.device_options, 16)
+        out += codec.text("device_options", self.device_options)
+        return out
+
+
+class GpsTimeField(codec.OpenEnum):
+    """The part of the GPS time that a value holds."""
+
+    WEEK_NUMBER = 1
+    """Week number."""
+    TIME_OF_WEEK = 2
+    """Time of week in whole seconds."""
+
+
+@dataclass(slots=True)
+class GetDeviceInformationResponse(Response):
+    """Get device information response (0x01,0x81).
+
+    Answers Get device information (0x01,0x03).
+
+    - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
+    - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x81
+    NAME = "base.get_device_information_response"
+    ROLE = "response"
+
+    device_info: BaseDeviceInfo
+    """Identity of the device."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInformationResponse, int]:
+        device_info, at = BaseDeviceInfo._read(raw, at)
+        return cls(device_info), at
+
+    def _write(self) -> bytes:
+        out = codec.structure("device_info", self.device_info, BaseDeviceInfo)
+        return codec.finished(out)
+
+
+@dataclass(slots=True)
+class GetDeviceDescriptorsResponse(Response):
+    """Get device descriptors response (0x01,0x82).
+
+    Answers Get device descriptors (0x01,0x04).
+
+    - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
+    - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x82
+    NAME = "base.get_device_descriptors_response"
+    ROLE = "response"
+
+    descriptors: tuple[int, ...]
+    """Supported descriptors: the descriptor set in the high byte, the field descriptor in the
+    low byte.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceDescriptorsResponse, int]:
+        n = codec.remaining(raw, at, 2)
+        descriptors = codec.read_numbers("H", raw, at, n)
+        at += n * 2
+        return cls(descriptors), at
+
+    def _write(self) -> bytes:
+        out = codec.write_numbers("H", codec.at_most("descriptors", self.descriptors, 126))
+        return codec.finished(out)
+
+
+_BUILT_IN_TEST_RESPONSE_0 = codec.Block("I", "result")
+
+
+@dataclass(slots=True)
+class BuiltInTestResponse(Response):
+    """Built-in test response (0x01,0x83).
+
+    Answers Built-in test (0x01,0x05).
+
+    - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
+    - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x83
+    NAME = "base.built_in_test_response"
+    ROLE = "response"
+    READINGS = {
+        "result": (
+            "device",
+            {"3dm-gx5-15": types.Gx5BuiltInTest, "3dm-cv7-gnss-ins": types.Cv7BuiltInTest},
+        ),
+    }
+
+    result: int
+    """Failure flags, defined by each device. Zero means that every test passed."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[BuiltInTestResponse, int]:
+        v = _BUILT_IN_TEST_RESPONSE_0.read(raw, at)
+        at += 4
+        result = v[0]
+        return cls(result), at
+
+    def _write(self) -> bytes:
+        out = _BUILT_IN_TEST_RESPONSE_0.write(self.result)
+        return codec.finished(out)
+
+
+_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_0 = codec.Block("I", "week_number")
+
+
+@dataclass(slots=True)
+class GpsTimeUpdateWeekNumberResponse(Response):
+    """GPS time update, week number (0x01,0x84).
+
+    The current week number.
+
+    - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
+    - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x84
+    NAME = "base.gps_time_update_week_number_response"
+    ROLE = "response"
+
+    week_number: int
+    """GPS week number. [week]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateWeekNumberResponse, int]:
+        v = _GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_0.read(raw, at)
+        at += 4
+        week_number = v[0]
+        return cls(week_number), at
+
+    def _write(self) -> bytes:
+        out = _GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_0.write(self.week_number)
+        return codec.finished(out)
+
+
+_GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_0 = codec.Block("I", "time_of_week")
+
+
+@dataclass(slots=True)
+class GpsTimeUpdateTimeOfWeekResponse(Response):
+    """GPS time update, time of week (0x01,0x85).
+
+    The current time of week.
+
+    - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
+    - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x85
+    NAME = "base.gps_time_update_time_of_week_response"
+    ROLE = "response"
+
+    time_of_week: int
+    """GPS time of week in whole seconds. [s]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateTimeOfWeekResponse, int]:
+        v = _GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_0.read(raw, at)
+        at += 4
+        time_of_week = v[0]
+        return cls(time_of_week), at
+
+    def _write(self) -> bytes:
+        out = _GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_0.write(self.time_of_week)
+        return codec.finished(out)
+
+
+@dataclass(slots=True)
+class GetDeviceDescriptorsExtendedResponse(Response):
+    """Get device descriptors (extended) response (0x01,0x86).
+
+    Answers Get device descriptors (extended) (0x01,0x07).
+
+    - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
+    - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x86
+    NAME = "base.get_device_descriptors_extended_response"
+    ROLE = "response"
+
+    descriptors: tuple[int, ...]
+    """Supported descriptors: the descriptor set in the high byte, the field descriptor in the
+    low byte.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceDescriptorsExtendedResponse, int]:
+        n = codec.remaining(raw, at, 2)
+        descriptors = codec.read_numbers("H", raw, at, n)
+        at += n * 2
+        return cls(descriptors), at
+
+    def _write(self) -> bytes:
+        out = codec.write_numbers("H", codec.at_most("descriptors", self.descriptors, 126))
+        return codec.finished(out)
+
+
+_CONTINUOUS_BUILT_IN_TEST_RESPONSE_0 = codec.Block(
+    "BBBBBBBBBBBBBBBB",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+)
+
+
+@dataclass(slots=True)
+class ContinuousBuiltInTestResponse(Response):
+    """Continuous built-in test response (0x01,0x88).
+
+    Answers Continuous built-in test (0x01,0x08).
+
+    - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x88
+    NAME = "base.continuous_built_in_test_response"
+    ROLE = "response"
+    READINGS = {
+        "result": (
+            "device",
+            {"3dm-cv7-gnss-ins": types.Cv7ContinuousBuiltInTest},
+        ),
+    }
+
+    result: tuple[int, ...]
+    """Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
+    byte.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ContinuousBuiltInTestResponse, int]:
+        v = _CONTINUOUS_BUILT_IN_TEST_RESPONSE_0.read(raw, at)
+        at += 16
+        result = v[0:16]
+        return cls(result), at
+
+    def _write(self) -> bytes:
+        out = _CONTINUOUS_BUILT_IN_TEST_RESPONSE_0.write(*codec.exactly("result", self.result, 16))
+        return codec.finished(out)
+
+
+_COMM_PORT_SPEED_RESPONSE_0 = codec.Block("BI", "port", "baud")
+
+
+@dataclass(slots=True)
+class CommPortSpeedResponse(Response):
+    """Comm port speed response (0x01,0x89).
+
+    Answers Comm port speed (0x01,0x09).
+
+    - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x89
+    NAME = "base.comm_port_speed_response"
+    ROLE = "response"
+
+    port: int
+    """Port id of the device; 0 means all ports, and is for save, load and default only."""
+    baud: int
+    """Baud rate; one that the port supports. [Bd]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[CommPortSpeedResponse, int]:
+        v = _COMM_PORT_SPEED_RESPONSE_0.read(raw, at)
+        at += 5
+        port = v[0]
+        baud = v[1]
+        return cls(port, baud), at
+
+    def _write(self) -> bytes:
+        out = _COMM_PORT_SPEED_RESPONSE_0.write(self.port, self.baud)
+        return codec.finished(out)
+
+
+@dataclass(slots=True)
+class Ping(Command):
+    """Ping (0x01,0x01).
+
+    Asks whether a device is there and answers commands.
+    A device that is not in a normal operating mode may refuse the command.
+
+    - 3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)
+    - 3dm-cv7-gnss-ins: Ping (0x01,0x01)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x01
+    NAME = "base.ping"
+    ROLE = "command"
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Ping, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+@dataclass(slots=True)
+class SetToIdle(Command):
+    """Set to idle (0x01,0x02).
+
+    Stops all data streams, and wakes a sleeping device, so that it can be set up.
+    The resume command restores the previous mode.
+    While idle the device sends no NMEA sentences either.
+
+    - 3dm-gx5-15: 4.1.2 Set To Idle (0x01, 0x02)
+    - 3dm-cv7-gnss-ins: Set to idle (0x01,0x02)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x02
+    NAME = "base.set_to_idle"
+    ROLE = "command"
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SetToIdle, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+@dataclass(slots=True)
+class GetDeviceInformation(Command):
+    """Get device information (0x01,0x03).
+
+    Gets the firmware version and the identity strings of the device.
+
+    - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
+    - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x03
+    NAME = "base.get_device_information"
+    ROLE = "command"
+    RESPONSES = (GetDeviceInformationResponse,)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInformation, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+@dataclass(slots=True)
+class GetDeviceDescriptors(Command):
+    """Get device descriptors (0x01,0x04).
+
+    Gets the command and data descriptors that the device supports.
+    When the list contains (0x01,0x07), more descriptors come from the extended command.
+
+    - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
+    - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x04
+    NAME = "base.get_device_descriptors"
+    ROLE = "command"
+    RESPONSES = (GetDeviceDescriptorsResponse,)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceDescriptors, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+@dataclass(slots=True)
+class BuiltInTest(Command):
+    """Built-in test (0x01,0x05).
+
+    Runs the self test of the device and gets its result.
+    The test interrupts normal operation for up to several seconds; no data is available meanwhile.
+    The device must be at rest; acceleration, rotation or vibration cause false failures.
+    The continuous built-in test, where there is one, tells more about a failure.
+
+    - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
+    - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x05
+    NAME = "base.built_in_test"
+    ROLE = "command"
+    RESPONSES = (BuiltInTestResponse,)
+    TIMEOUT = 10.0
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[BuiltInTest, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+@dataclass(slots=True)
+class Resume(Command):
+    """Resume (0x01,0x06).
+
+    Ends idle mode and returns the device to the mode that it was in before.
+    If the device was not idle, it enters its default mode (3DM-GX5-15).
+
+    - 3dm-gx5-15: 4.1.6 Resume (0x01, 0x06)
+    - 3dm-cv7-gnss-ins: Resume (0x01,0x06)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x06
+    NAME = "base.resume"
+    ROLE = "command"
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Resume, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+@dataclass(slots=True)
+class GetDeviceDescriptorsExtended(Command):
+    """Get device descriptors (extended) (0x01,0x07).
+
+    Gets the supported descriptors that did not fit into the reply of get device descriptors.
+    Only supported if get device descriptors lists (0x01,0x07).
+
+    - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
+    - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x07
+    NAME = "base.get_device_descriptors_extended"
+    ROLE = "command"
+    RESPONSES = (GetDeviceDescriptorsExtendedResponse,)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceDescriptorsExtended, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+@dataclass(slots=True)
+class ContinuousBuiltInTest(Command):
+    """Continuous built-in test (0x01,0x08).
+
+    Gets the flags of the tests that run all the time. It does not interrupt operation.
+    It is less thorough than the built-in test command.
+    Each flag stays set until it is reported by this command, apart from the copy of the streamed
+    field.
+    The self-test flags change only when the built-in test command runs.
+
+    - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x08
+    NAME = "base.continuous_built_in_test"
+    ROLE = "command"
+    RESPONSES = (ContinuousBuiltInTestResponse,)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ContinuousBuiltInTest, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+_COMM_PORT_SPEED_0 = codec.Block("B", "function")
+_COMM_PORT_SPEED_1 = codec.Block("B", "port")
+_COMM_PORT_SPEED_2 = codec.Block("I", "baud")
+_COMM_PORT_SPEED_GROUPS = ((1, ("port",), False), (2, ("baud",), False))
+
+
+@dataclass(slots=True)
+class CommPortSpeed(Command):
+    """Comm port speed (0x01,0x09).
+
+    Baud rate of one communication port.
+    The change waits until pending data is sent and received, at most 250 ms.
+    Send it alone in a packet while the device is idle, and wait 250 ms before going on.
+    Commands and data during the change may be lost or come at either rate.
+
+    - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x09
+    NAME = "base.comm_port_speed"
+    ROLE = "command"
+    RESPONSES = (CommPortSpeedResponse,)
+    REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    port: int | None = None
+    """Port id of the device; 0 means all ports, and is for save, load and default only."""
+    baud: int | None = None
+    """Baud rate; one that the port supports. [Bd]"""
+
+    @classmethod
+    def write(cls, port: int, baud: int) -> CommPortSpeed:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, port=port, baud=baud)
+
+    @classmethod
+    def read(cls, port: int) -> CommPortSpeed:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ, port=port)
+
+    @classmethod
+    def save(cls, port: int) -> CommPortSpeed:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE, port=port)
+
+    @classmethod
+    def load(cls, port: int) -> CommPortSpeed:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD, port=port)
+
+    @classmethod
+    def default(cls, port: int) -> CommPortSpeed:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT, port=port)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[CommPortSpeed, int]:
+        port: int | None = None
+        baud: int | None = None
+        v = _COMM_PORT_SPEED_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _COMM_PORT_SPEED_1.read(raw, at)
+            at += 1
+            port = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _COMM_PORT_SPEED_2.read(raw, at)
+            at += 4
+            baud = v[0]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, port, baud), at
+
+    def _write(self) -> bytes:
+        out = _COMM_PORT_SPEED_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _COMM_PORT_SPEED_GROUPS)
+        if there >= 1:
+            out += _COMM_PORT_SPEED_1.write(self.port)
+        if there >= 2:
+            out += _COMM_PORT_SPEED_2.write(self.baud)
+        return codec.finished(out)
+
+
+_GPS_TIME_UPDATE_0 = codec.Block("B", "function")
+_GPS_TIME_UPDATE_1 = codec.Block("B", "field_id")
+_GPS_TIME_UPDATE_2 = codec.Block("I", "value")
+_GPS_TIME_UPDATE_GROUPS = ((1, ("field_id",), False), (2, ("value",), False))
+
+
+@dataclass(slots=True)
+class GpsTimeUpdate(Command):
+    """GPS time update (0x01,0x72).
+
+    Sets the week number or the time of week of the external (GPS) time.
+    Send it once for the time of week and once for the week number after the PPS is locked.
+    The PPS supplies the fraction of the second; send the whole second that began at its last edge.
+    Send it within 250 ms after the rising edge of the PPS.
+    The 3DM-GX5-15 wants it once per second; the 3DM-CV7-GNSS/INS at least once.
+
+    - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
+    - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x72
+    NAME = "base.gps_time_update"
+    ROLE = "command"
+    RESPONSES = (GpsTimeUpdateWeekNumberResponse, GpsTimeUpdateTimeOfWeekResponse)
+    REQUIRED = {1: 2, 2: 1, 6: 2}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    field_id: GpsTimeField | None = None
+    """What the value is."""
+    value: int | None = None
+    """Week number since 6 January 1980, or whole seconds of the week, as field_id says."""
+
+    @classmethod
+    def write(cls, field_id: GpsTimeField, value: int) -> GpsTimeUpdate:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, field_id=field_id, value=value)
+
+    @classmethod
+    def read(cls, field_id: GpsTimeField) -> GpsTimeUpdate:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ, field_id=field_id)
+
+    @classmethod
+    def apply(cls, field_id: GpsTimeField, value: int) -> GpsTimeUpdate:
+        """Apply the new setting and send no acknowledge (5-series devices)."""
+        return cls(FunctionSelector.APPLY, field_id=field_id, value=value)
+
+    @property
+    def answered(self) -> bool:
+        return not (self.function == 6)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdate, int]:
+        field_id: GpsTimeField | None = None
+        value: int | None = None
+        v = _GPS_TIME_UPDATE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _GPS_TIME_UPDATE_1.read(raw, at)
+            at += 1
+            field_id = GpsTimeField(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _GPS_TIME_UPDATE_2.read(raw, at)
+            at += 4
+            value = v[0]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, field_id, value), at
+
+    def _write(self) -> bytes:
+        out = _GPS_TIME_UPDATE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _GPS_TIME_UPDATE_GROUPS)
+        if there >= 1:
+            out += _GPS_TIME_UPDATE_1.write(self.field_id)
+        if there >= 2:
+            out += _GPS_TIME_UPDATE_2.write(self.value)
+        return codec.finished(out)
+
+
+@dataclass(slots=True)
+class ResetDevice(Command):
+    """Reset device (0x01,0x7E).
+
+    Acknowledges the command, then resets the device at once.
+
+    - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
+    - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x7E
+    NAME = "base.reset_device"
+    ROLE = "command"
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ResetDevice, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+GetDeviceInformationResponse.COMMANDS = (GetDeviceInformation,)
+GetDeviceDescriptorsResponse.COMMANDS = (GetDeviceDescriptors,)
+BuiltInTestResponse.COMMANDS = (BuiltInTest,)
+GpsTimeUpdateWeekNumberResponse.COMMANDS = (GpsTimeUpdate,)
+GpsTimeUpdateTimeOfWeekResponse.COMMANDS = (GpsTimeUpdate,)
+GetDeviceDescriptorsExtendedResponse.COMMANDS = (GetDeviceDescriptorsExtended,)
+ContinuousBuiltInTestResponse.COMMANDS = (ContinuousBuiltInTest,)
+CommPortSpeedResponse.COMMANDS = (CommPortSpeed,)
+
+
+#: The types of each descriptor; several where constants in the data tell layouts apart.
+FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0x01: (Ping,),
+    0x02: (SetToIdle,),
+    0x03: (GetDeviceInformation,),
+    0x04: (GetDeviceDescriptors,),
+    0x05: (BuiltInTest,),
+    0x06: (Resume,),
+    0x07: (GetDeviceDescriptorsExtended,),
+    0x08: (ContinuousBuiltInTest,),
+    0x09: (CommPortSpeed,),
+    0x72: (GpsTimeUpdate,),
+    0x7E: (ResetDevice,),
+    0x81: (GetDeviceInformationResponse,),
+    0x82: (GetDeviceDescriptorsResponse,),
+    0x83: (BuiltInTestResponse,),
+    0x84: (GpsTimeUpdateWeekNumberResponse,),
+    0x85: (GpsTimeUpdateTimeOfWeekResponse,),
+    0x86: (GetDeviceDescriptorsExtendedResponse,),
+    0x88: (ContinuousBuiltInTestResponse,),
+    0x89: (CommPortSpeedResponse,),
+}

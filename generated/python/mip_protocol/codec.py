@@ -1,0 +1,263 @@
+"""What the generated codecs are made of."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Sequence
+from enum import IntEnum
+from functools import lru_cache
+from typing import Any, Protocol, TypeVar
+
+from .errors import DecodeError, EncodeError, Truncated
+
+E = TypeVar("E", bound="OpenEnum")
+S = TypeVar("S", bound="_Structure")
+Groups = tuple[tuple[int, tuple[str, ...], bool], ...]
+
+
+class _Structure(Protocol):
+    """What `field.Structure` offers."""
+
+    @classmethod
+    def _read(cls: type[S], data: bytes, at: int) -> tuple[S, int]: ...
+
+    def _write(self) -> bytes: ...
+
+
+class OpenEnum(IntEnum):
+    """An enumeration that takes values that it has no name for: newer devices send such."""
+
+    @classmethod
+    def _missing_(cls: type[E], value: object) -> E | None:
+        if not isinstance(value, int):
+            return None
+        member = int.__new__(cls, value)
+        member._name_ = f"UNKNOWN_{value}"
+        member._value_ = value
+        return member
+
+
+class Block:
+    """A run of numbers with a fixed layout, read and written at once.
+
+    Floats keep their bits, those of signalling NaNs too: Python's own conversion between four
+    and eight bytes would change them.
+    """
+
+    __slots__ = ("_codec", "_names", "_singles", "size")
+
+    def __init__(self, layout: str, *names: str) -> None:
+        self._codec = struct.Struct(">" + layout)
+        self._names = names
+        self.size = self._codec.size
+        self._singles = _singles(layout)
+
+    def read(self, data: bytes, at: int) -> tuple[Any, ...]:
+        try:
+            values = self._codec.unpack_from(data, at)
+        except struct.error:
+            raise Truncated(self.size, len(data) - at) from None
+        if self._singles:
+            total = 0.0
+            for index, _ in self._singles:
+                total += values[index]
+            if total != total:
+                return self._read_exactly(values, data, at)
+        return values
+
+    def _read_exactly(self, values: tuple[Any, ...], data: bytes, at: int) -> tuple[Any, ...]:
+        exact = list(values)
+        for index, offset in self._singles:
+            start = at + offset
+            exact[index] = single_from_bits(int.from_bytes(data[start : start + 4], "big"))
+        return tuple(exact)
+
+    def write(self, *values: Any) -> bytes:
+        try:
+            packed = self._codec.pack(*values)
+        except (struct.error, OverflowError, TypeError) as error:
+            raise self._complaint(values, error) from None
+        for index, offset in self._singles:
+            if values[index] != values[index]:
+                bits = single_to_bits(values[index]).to_bytes(4, "big")
+                packed = packed[:offset] + bits + packed[offset + 4 :]
+        return packed
+
+    def _complaint(self, values: Sequence[Any], error: Exception) -> EncodeError:
+        for name, value in zip(self._names, values):
+            if value is None:
+                return EncodeError("missing", f"{name} is None")
+        return EncodeError("range", f"{', '.join(dict.fromkeys(self._names))}: {error}")
+
+
+def _singles(layout: str) -> tuple[tuple[int, int], ...]:
+    """Index and offset of each four-byte float."""
+    found, offset = [], 0
+    for index, letter in enumerate(layout):
+        if letter == "f":
+            found.append((index, offset))
+        offset += struct.calcsize(">" + letter)
+    return tuple(found)
+
+
+def single_from_bits(bits: int) -> float:
+    """The float of a four-byte pattern; a NaN keeps its payload."""
+    if bits & 0x7F800000 == 0x7F800000 and bits & 0x007FFFFF:
+        wide = (bits >> 31) << 63 | 0x7FF << 52 | (bits & 0x007FFFFF) << 29
+        value: float = struct.unpack(">d", wide.to_bytes(8, "big"))[0]
+    else:
+        value = struct.unpack(">f", bits.to_bytes(4, "big"))[0]
+    return value
+
+
+def single_to_bits(value: float) -> int:
+    """The four-byte pattern of a float."""
+    if value != value:
+        wide = int.from_bytes(struct.pack(">d", value), "big")
+        return (wide >> 63) << 31 | 0xFF << 23 | ((wide >> 29) & 0x007FFFFF or 0x00400000)
+    return int.from_bytes(struct.pack(">f", value), "big")
+
+
+def truth(value: int) -> bool:
+    """A byte as a bool. Bytes other than 0 and 1 stay the numbers that they are."""
+    return bool(value) if value < 2 else value  # type: ignore[return-value]
+
+
+def take(data: bytes, at: int, size: int) -> bytes:
+    if size > len(data) - at:
+        raise Truncated(size, len(data) - at)
+    return data[at : at + size]
+
+
+def counted(data: bytes, at: int, count: int, size: int) -> int:
+    """`count`, if as many elements of `size` bytes follow."""
+    if count * size > len(data) - at:
+        raise DecodeError("count", f"{count} elements counted, {len(data) - at} bytes follow")
+    return count
+
+
+def remaining(data: bytes, at: int, size: int) -> int:
+    """How many elements of `size` bytes follow."""
+    return (len(data) - at) // size
+
+
+@lru_cache(maxsize=256)
+def _array(letter: str, count: int) -> Block:
+    return Block(letter * count, *["element"] * count)
+
+
+def read_numbers(letter: str, data: bytes, at: int, count: int) -> tuple[Any, ...]:
+    return _array(letter, count).read(data, at)
+
+
+def write_numbers(letter: str, values: Sequence[Any]) -> bytes:
+    return _array(letter, len(values)).write(*values)
+
+
+def read_vectors(letter: str, width: int, data: bytes, at: int, count: int) -> tuple[Any, ...]:
+    values = _array(letter, width * count).read(data, at)
+    return tuple(values[i : i + width] for i in range(0, width * count, width))
+
+
+def write_vectors(letter: str, width: int, values: Sequence[Sequence[Any]]) -> bytes:
+    return b"".join(write_numbers(letter, exactly("element", v, width)) for v in values)
+
+
+def read_structures(kind: type[S], data: bytes, at: int, count: int) -> tuple[tuple[S, ...], int]:
+    found = []
+    for _ in range(count):
+        value, at = kind._read(data, at)
+        found.append(value)
+    return tuple(found), at
+
+
+def structure(name: str, value: _Structure | None, kind: type[_Structure]) -> bytes:
+    """The bytes of a structure, if it is one of the right kind."""
+    if value is None:
+        raise EncodeError("missing", f"{name} is None")
+    if not isinstance(value, kind):
+        raise EncodeError("range", f"{name} is {value!r}, needs a {kind.__name__}")
+    return value._write()
+
+
+def write_structures(name: str, values: Sequence[Any], kind: type[_Structure]) -> bytes:
+    return b"".join(structure(name, v, kind) for v in values)
+
+
+def little(name: str, value: int, size: int) -> bytes:
+    """A bitfield in bytes, least significant byte first."""
+    if value is None:
+        raise EncodeError("missing", f"{name} is None")
+    try:
+        return int(value).to_bytes(size, "little")
+    except OverflowError:
+        raise EncodeError("range", f"{name}: {value} does not fit into {size} bytes") from None
+
+
+def constant(found: int, wanted: int) -> None:
+    if found != wanted:
+        raise DecodeError("constant", f"{found} should be {wanted}")
+
+
+def exactly(name: str, value: Any, count: int) -> Sequence[Any]:
+    """`value`, if it has as many elements as it must have."""
+    if len(sized(name, value)) != count:
+        raise EncodeError("count", f"{name} has {len(value)} elements, needs {count}")
+    return sized(name, value)
+
+
+def at_most(name: str, value: Any, capacity: int) -> Sequence[Any]:
+    """`value`, if it has no more elements than a field can hold."""
+    if len(sized(name, value)) > capacity:
+        raise EncodeError("count", f"{name} has {len(value)} elements, a field holds {capacity}")
+    return sized(name, value)
+
+
+def sized(name: str, value: Any) -> Sequence[Any]:
+    """`value`, if it is a sequence."""
+    if value is None:
+        raise EncodeError("missing", f"{name} is None")
+    if not isinstance(value, Sequence):
+        raise EncodeError("count", f"{name} is {value!r}, needs a sequence")
+    return value
+
+
+def text(name: str, value: Any) -> bytes:
+    """Characters, one byte each."""
+    if not isinstance(value, str):
+        raise EncodeError("range", f"{name} is {value!r}, needs a str")
+    try:
+        return value.encode("latin-1")
+    except UnicodeEncodeError:
+        raise EncodeError("range", f"{name}: characters must be one byte each") from None
+
+
+def mismatch(name: str, tag: object) -> EncodeError:
+    return EncodeError("tag", f"{name} is not the member that {tag!r} selects")
+
+
+def present(value: object, required: int, groups: Groups) -> int:
+    """How many parameters are there: those up to the first group with a None.
+
+    A group is the number of its last parameter, its names, and whether it is a union, which
+    may be None where it is required: then it is empty.
+    """
+    last, ended = 0, ""
+    for number, names, union in groups:
+        empty = union and number <= required
+        absent = [] if empty else [name for name in names if getattr(value, name) is None]
+        if absent and (number <= required or len(absent) < len(names)):
+            raise EncodeError("missing", f"{absent[0]} is None")
+        if absent:
+            ended = ended or absent[0]
+        elif ended:
+            raise EncodeError("missing", f"{ended} is None, but {names[0]} is not")
+        else:
+            last = number
+    return last
+
+
+def finished(data: bytes) -> bytes:
+    if len(data) > 253:
+        raise EncodeError("length", f"{len(data)} bytes, a field holds 253")
+    return data

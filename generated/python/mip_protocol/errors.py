@@ -1,0 +1,40 @@
+"""What can go wrong. All of it is a `MipError`, which is a `ValueError`."""
+
+from __future__ import annotations
+
+
+class MipError(ValueError):
+    """`kind` is one word that says what is wrong."""
+
+    kind: str = "error"
+
+
+class DecodeError(MipError):
+    """Bytes that are not what they should be."""
+
+    def __init__(self, kind: str, detail: str) -> None:
+        super().__init__(f"{kind}: {detail}")
+        self.kind = kind
+
+
+class Truncated(DecodeError):
+    """The data end too early."""
+
+    def __init__(self, wanted: int, left: int) -> None:
+        super().__init__("truncated", f"{wanted} bytes wanted, {left} left")
+
+
+class PacketError(DecodeError):
+    """Not a packet (`sync`, `length`, `checksum`), or a malformed field in it (`field_length`)."""
+
+
+class EncodeError(MipError):
+    """A value that cannot be sent.
+
+    `missing`: a required value is None. `range`: a number does not fit. `count`: a wrong number of
+    elements. `tag`: a union's member is not the one that its tag selects. `length`: too long.
+    """
+
+    def __init__(self, kind: str, detail: str) -> None:
+        super().__init__(f"{kind}: {detail}")
+        self.kind = kind

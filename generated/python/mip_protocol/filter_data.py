@@ -1,0 +1,1894 @@
+"""Filter data (0x82).
+
+Estimates of the navigation filter and its status.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntFlag
+
+from . import codec, types
+from .errors import EncodeError
+from .field import Data, Field
+
+
+class ValidFlags(IntFlag):
+    """Whether the values of a field may be used."""
+
+    VALID = 1 << 0
+    """All values of the field are valid."""
+
+
+class Gx5FilterState(codec.OpenEnum):
+    """State of the filter of a 5-series device."""
+
+    STARTUP = 0
+    """The device starts."""
+    INIT = 1
+    """Initialization; the status flags tell what is missing."""
+    RUN_SOLUTION_VALID = 2
+    """Running with a valid solution."""
+    RUN_SOLUTION_ERROR = 3
+    """Running with an error; the status flags tell which."""
+
+
+class Cv7FilterState(codec.OpenEnum):
+    """Mode of the filter of a 3DM-CV7."""
+
+    INIT = 1
+    """Initialization; initial conditions are missing or the filter waits for a command."""
+    VERT_GYRO = 2
+    """Vertical gyro: pitch and roll, and heading relative to the initial one."""
+    AHRS = 3
+    """Pitch, roll and absolute heading."""
+    FULL_NAV = 4
+    """Full navigation: position, velocity and attitude."""
+
+
+class Gx5DynamicsMode(codec.OpenEnum):
+    """Motion for which the filter of a 5-series device is set up."""
+
+    PORTABLE = 1
+    """Carried by hand."""
+    AUTOMOTIVE = 2
+    """Ground vehicle."""
+    AIRBORNE = 3
+    """Aircraft."""
+
+
+class Cv7DynamicsMode(codec.OpenEnum):
+    """Dynamics mode of a 7-series device; there is only one."""
+
+    DEFAULT = 1
+    """The only mode."""
+
+
+class Gx5StatusFlags(IntFlag):
+    """Problems of the filter of a 5-series device. The `init` bits count in filter state `init`,
+    the others while the filter runs.
+    """
+
+    RUN_IMU_UNAVAILABLE = 1 << 0
+    """No inertial data."""
+    RUN_GPS_UNAVAILABLE = 1 << 1
+    """No GNSS data, on models with GNSS."""
+    RUN_MATRIX_SINGULARITY = 1 << 3
+    """A matrix of the computation is singular."""
+    RUN_POSITION_COVARIANCE_WARNING = 1 << 4
+    """A position covariance is above its normal limit."""
+    RUN_VELOCITY_COVARIANCE_WARNING = 1 << 5
+    """A velocity covariance is above its normal limit."""
+    RUN_ATTITUDE_COVARIANCE_WARNING = 1 << 6
+    """An attitude covariance is above its normal limit."""
+    RUN_NAN_IN_SOLUTION_WARNING = 1 << 7
+    """The solution holds values that are not numbers."""
+    RUN_GYRO_BIAS_EST_HIGH_WARNING = 1 << 8
+    """The estimated gyroscope bias is high."""
+    RUN_ACCEL_BIAS_EST_HIGH_WARNING = 1 << 9
+    """The estimated accelerometer bias is high."""
+    RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING = 1 << 10
+    """The estimated gyroscope scale factor is high."""
+    RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING = 1 << 11
+    """The estimated accelerometer scale factor is high."""
+    RUN_MAG_BIAS_EST_HIGH_WARNING = 1 << 12
+    """The estimated magnetometer bias is high."""
+    RUN_ANT_OFFSET_CORRECTION_EST_HIGH_WARNING = 1 << 13
+    """The estimated correction of the antenna offset is high; on models with GNSS."""
+    RUN_MAG_HARD_IRON_EST_HIGH_WARNING = 1 << 14
+    """The estimated hard-iron offset is high."""
+    RUN_MAG_SOFT_IRON_EST_HIGH_WARNING = 1 << 15
+    """The estimated soft-iron correction is high."""
+    INIT_NO_ATTITUDE = 1 << 12
+    """The attitude is not initialized."""
+    INIT_NO_POSITION_VELOCITY = 1 << 13
+    """Position and velocity are not initialized."""
+
+
+class FilterCondition(codec.OpenEnum):
+    """How settled the estimates of the filter are."""
+
+    STABLE = 1
+    """Estimates have settled and agree with the aiding measurements."""
+    CONVERGING = 2
+    """Estimates have not settled yet."""
+    UNSTABLE = 3
+    """Estimates are unstable or recovering."""
+
+
+class Cv7StatusFlags(IntFlag):
+    """Condition and warnings of the filter of a 3DM-CV7."""
+
+    FILTER_CONDITION = 0x3
+    """How settled the estimates are."""
+    ROLL_PITCH_WARNING = 1 << 2
+    """Roll and pitch are doubtful; check the mounting transformation."""
+    HEADING_WARNING = 1 << 3
+    """The heading is doubtful; check the heading source."""
+    POSITION_WARNING = 1 << 4
+    """The position is doubtful; check the GNSS reception and antennas."""
+    VELOCITY_WARNING = 1 << 5
+    """The velocity is doubtful; check the GNSS reception and antennas."""
+    IMU_BIAS_WARNING = 1 << 6
+    """The sensor biases are doubtful; capture the gyroscope bias."""
+    GNSS_CLK_WARNING = 1 << 7
+    """The GNSS clock is doubtful; navigation goes on."""
+    ANTENNA_LEVER_ARM_WARNING = 1 << 8
+    """The antenna offsets are probably wrong."""
+    MOUNTING_TRANSFORM_WARNING = 1 << 9
+    """The mounting transformation is probably wrong."""
+    TIME_SYNC_WARNING = 1 << 10
+    """No pulse per second is found, or the time of an external heading is too old."""
+    SOLUTION_ERROR = 0xF000
+    """Not 0 if the solution holds values that are not numbers; reset the filter."""
+
+    @property
+    def filter_condition(self) -> FilterCondition:
+        """Bits 0 to 1 as a number."""
+        return FilterCondition((self >> 0) & 0x3)
+
+    def with_filter_condition(self, value: int) -> Cv7StatusFlags:
+        """The same with bits 0 to 1 set to a number."""
+        if not 0 <= value <= 0x3:
+            raise EncodeError("range", f"filter_condition: {value} does not fit into 2 bits")
+        return Cv7StatusFlags(self & ~Cv7StatusFlags.FILTER_CONDITION | value << 0)
+
+    @property
+    def solution_error(self) -> int:
+        """Bits 12 to 15 as a number."""
+        return int((self >> 12) & 0xF)
+
+    def with_solution_error(self, value: int) -> Cv7StatusFlags:
+        """The same with bits 12 to 15 set to a number."""
+        if not 0 <= value <= 0xF:
+            raise EncodeError("range", f"solution_error: {value} does not fit into 4 bits")
+        return Cv7StatusFlags(self & ~Cv7StatusFlags.SOLUTION_ERROR | value << 12)
+
+
+class HeadingSourceFlags(IntFlag):
+    """Sources of heading updates; 0 if heading updates are disabled."""
+
+    EXTERNAL = 1 << 2
+    """Heading messages that the user sends."""
+
+
+class GnssAidingStatus(IntFlag):
+    """How the filter uses one GNSS receiver."""
+
+    TIGHT_COUPLING = 1 << 0
+    """Raw ranges of the receiver are used."""
+    DIFFERENTIAL = 1 << 1
+    """RTK corrections are used."""
+    INTEGER_FIX = 1 << 2
+    """There is an RTK integer fix, which gives the best position."""
+    GPS_L1 = 1 << 3
+    """GPS L1 is used."""
+    GPS_L2 = 1 << 4
+    """GPS L2 is used."""
+    GPS_L5 = 1 << 5
+    """GPS L5 is used; not on every model."""
+    GLO_L1 = 1 << 6
+    """GLONASS L1 is used."""
+    GLO_L2 = 1 << 7
+    """GLONASS L2 is used."""
+    GAL_E1 = 1 << 8
+    """Galileo E1 is used."""
+    GAL_E5 = 1 << 9
+    """Galileo E5 is used."""
+    GAL_E6 = 1 << 10
+    """Galileo E6 is used."""
+    BEI_B1 = 1 << 11
+    """BeiDou B1 is used; not on every model."""
+    BEI_B2 = 1 << 12
+    """BeiDou B2 is used; not on every model."""
+    BEI_B3 = 1 << 13
+    """BeiDou B3 is used; not on every model."""
+    NO_FIX = 1 << 14
+    """The receiver has no position fix."""
+    CONFIG_ERROR = 1 << 15
+    """The antenna offset of the receiver is probably wrong."""
+
+
+class AidingMeasurementType(codec.OpenEnum):
+    """Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
+    `aiding` that give the measurement.
+    """
+
+    GNSS = 1
+    """GNSS position and velocity."""
+    DUAL_ANTENNA = 2
+    """GNSS heading of two antennas."""
+    HEADING = 3
+    """Heading."""
+    PRESSURE = 4
+    """Pressure altitude."""
+    MAGNETOMETER = 5
+    """Magnetometer."""
+    SPEED = 6
+    """Speed or odometer."""
+    AIDING_POS_ECEF = 33
+    """ECEF position by command."""
+    AIDING_POS_LLH = 34
+    """Latitude, longitude and height by command."""
+    AIDING_HEIGHT_ABOVE_ELLIPSOID = 35
+    """Height above the ellipsoid by command."""
+    AIDING_VEL_ECEF = 40
+    """ECEF velocity by command."""
+    AIDING_VEL_NED = 41
+    """NED velocity by command."""
+    AIDING_VEL_BODY_FRAME = 42
+    """Body frame velocity by command."""
+    AIDING_HEADING_TRUE = 49
+    """True heading by command."""
+    AIDING_MAGNETIC_FIELD = 50
+    """Magnetic field by command."""
+    AIDING_PRESSURE = 51
+    """Pressure by command."""
+
+
+class AidingMeasurementIndicator(IntFlag):
+    """What the filter did with an aiding measurement."""
+
+    ENABLED = 1 << 0
+    """The measurement is enabled."""
+    USED = 1 << 1
+    """The filter used it."""
+    RESIDUAL_HIGH_WARNING = 1 << 2
+    """It disagrees with the estimate."""
+    SAMPLE_TIME_WARNING = 1 << 3
+    """Its time is doubtful."""
+    CONFIGURATION_ERROR = 1 << 4
+    """Its configuration is wrong."""
+    MAX_NUM_MEAS_EXCEEDED = 1 << 5
+    """There are more measurements than the filter can take."""
+
+
+class DualAntennaFixType(codec.OpenEnum):
+    """Kind of the heading solution of two antennas."""
+
+    FIX_NONE = 0
+    """No solution."""
+    FIX_DA_FLOAT = 1
+    """Solution with float ambiguities."""
+    FIX_DA_FIXED = 2
+    """Solution with fixed ambiguities."""
+
+
+class DualAntennaStatusFlags(IntFlag):
+    """What the heading solution of two antennas has to work with."""
+
+    RCV_1_DATA_VALID = 1 << 0
+    """Data of receiver 1 are valid."""
+    RCV_2_DATA_VALID = 1 << 1
+    """Data of receiver 2 are valid."""
+    ANTENNA_OFFSETS_VALID = 1 << 2
+    """The antenna offsets are valid."""
+
+
+_LLH_POSITION_0 = codec.Block("dddH", "latitude", "longitude", "ellipsoid_height", "valid_flags")
+
+
+@dataclass(slots=True)
+class LlhPosition(Data):
+    """LLH position (0x82,0x01).
+
+    Estimated position.
+
+    - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x01
+    NAME = "filter_data.llh_position"
+    ROLE = "data"
+
+    latitude: float
+    """Latitude. [deg] Frame: llh. Valid if valid_flags.valid."""
+    longitude: float
+    """Longitude. [deg] Frame: llh. Valid if valid_flags.valid."""
+    ellipsoid_height: float
+    """Height above the ellipsoid. [m] Frame: llh. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[LlhPosition, int]:
+        v = _LLH_POSITION_0.read(raw, at)
+        at += 26
+        latitude = v[0]
+        longitude = v[1]
+        ellipsoid_height = v[2]
+        valid_flags = ValidFlags(v[3])
+        return cls(latitude, longitude, ellipsoid_height, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _LLH_POSITION_0.write(
+            self.latitude, self.longitude, self.ellipsoid_height, self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_VELOCITY_NED_0 = codec.Block("fffH", "north", "east", "down", "valid_flags")
+
+
+@dataclass(slots=True)
+class VelocityNed(Data):
+    """NED velocity (0x82,0x02).
+
+    Estimated velocity.
+
+    - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x02
+    NAME = "filter_data.velocity_ned"
+    ROLE = "data"
+
+    north: float
+    """Velocity north. [m/s] Frame: ned. Valid if valid_flags.valid."""
+    east: float
+    """Velocity east. [m/s] Frame: ned. Valid if valid_flags.valid."""
+    down: float
+    """Velocity down. [m/s] Frame: ned. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[VelocityNed, int]:
+        v = _VELOCITY_NED_0.read(raw, at)
+        at += 14
+        north = v[0]
+        east = v[1]
+        down = v[2]
+        valid_flags = ValidFlags(v[3])
+        return cls(north, east, down, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _VELOCITY_NED_0.write(self.north, self.east, self.down, self.valid_flags)
+        return codec.finished(out)
+
+
+_ATTITUDE_QUATERNION_0 = codec.Block("ffffH", "q", "q", "q", "q", "valid_flags")
+
+
+@dataclass(slots=True)
+class AttitudeQuaternion(Data):
+    """Attitude quaternion (0x82,0x03).
+
+    Estimated orientation of the vehicle frame in the NED frame as a quaternion.
+    The 3DM-GX5 manual defines it by v_vehicle = q * v_ned * inverse(q).
+
+    - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
+    - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x03
+    NAME = "filter_data.attitude_quaternion"
+    ROLE = "data"
+
+    q: types.Quatf
+    """Quaternion, scalar part first. [1] Frame: ned. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AttitudeQuaternion, int]:
+        v = _ATTITUDE_QUATERNION_0.read(raw, at)
+        at += 18
+        q = v[0:4]
+        valid_flags = ValidFlags(v[4])
+        return cls(q, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ATTITUDE_QUATERNION_0.write(*codec.exactly("q", self.q, 4), self.valid_flags)
+        return codec.finished(out)
+
+
+_ATTITUDE_DCM_0 = codec.Block(
+    "fffffffffH", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class AttitudeDcm(Data):
+    """Attitude direction cosine matrix (0x82,0x04).
+
+    Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
+    The matrix turns NED vectors into vehicle vectors: v_vehicle = dcm * v_ned.
+
+    - 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04)
+    - 3dm-gx5-15: 5.2.7 Orientation, Matrix (0x82, 0x04)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x04
+    NAME = "filter_data.attitude_dcm"
+    ROLE = "data"
+
+    dcm: types.Matrix3f
+    """Rotation matrix in row-major order. [1] Frame: ned. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AttitudeDcm, int]:
+        v = _ATTITUDE_DCM_0.read(raw, at)
+        at += 38
+        dcm = v[0:9]
+        valid_flags = ValidFlags(v[9])
+        return cls(dcm, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ATTITUDE_DCM_0.write(*codec.exactly("dcm", self.dcm, 9), self.valid_flags)
+        return codec.finished(out)
+
+
+_EULER_ANGLES_0 = codec.Block("fffH", "roll", "pitch", "yaw", "valid_flags")
+
+
+@dataclass(slots=True)
+class EulerAngles(Data):
+    """Euler angles (0x82,0x05).
+
+    Estimated orientation of the vehicle frame in the NED frame as Euler angles.
+    The rotations apply in the order yaw, pitch, roll (3-2-1).
+
+    - 3dm-cv7-gnss-ins: Euler Angles (0x82,0x05)
+    - 3dm-gx5-15: 5.2.5 Orientation, Euler Angles (0x82, 0x05)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x05
+    NAME = "filter_data.euler_angles"
+    ROLE = "data"
+
+    roll: float
+    """Roll. [rad] Frame: ned. Valid if valid_flags.valid."""
+    pitch: float
+    """Pitch. [rad] Frame: ned. Valid if valid_flags.valid."""
+    yaw: float
+    """Yaw. [rad] Frame: ned. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EulerAngles, int]:
+        v = _EULER_ANGLES_0.read(raw, at)
+        at += 14
+        roll = v[0]
+        pitch = v[1]
+        yaw = v[2]
+        valid_flags = ValidFlags(v[3])
+        return cls(roll, pitch, yaw, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _EULER_ANGLES_0.write(self.roll, self.pitch, self.yaw, self.valid_flags)
+        return codec.finished(out)
+
+
+_GYRO_BIAS_0 = codec.Block("fffH", "bias", "bias", "bias", "valid_flags")
+
+
+@dataclass(slots=True)
+class GyroBias(Data):
+    """Gyroscope bias (0x82,0x06).
+
+    Estimated bias of the gyroscope.
+
+    - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
+    - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x06
+    NAME = "filter_data.gyro_bias"
+    ROLE = "data"
+
+    bias: types.Vector3f
+    """Bias. [rad/s] Frame: sensor. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroBias, int]:
+        v = _GYRO_BIAS_0.read(raw, at)
+        at += 14
+        bias = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(bias, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GYRO_BIAS_0.write(*codec.exactly("bias", self.bias, 3), self.valid_flags)
+        return codec.finished(out)
+
+
+_ACCEL_BIAS_0 = codec.Block("fffH", "bias", "bias", "bias", "valid_flags")
+
+
+@dataclass(slots=True)
+class AccelBias(Data):
+    """Accelerometer bias (0x82,0x07).
+
+    Estimated bias of the accelerometer.
+
+    - 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x07
+    NAME = "filter_data.accel_bias"
+    ROLE = "data"
+
+    bias: types.Vector3f
+    """Bias. [m/s^2] Frame: sensor. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelBias, int]:
+        v = _ACCEL_BIAS_0.read(raw, at)
+        at += 14
+        bias = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(bias, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ACCEL_BIAS_0.write(*codec.exactly("bias", self.bias, 3), self.valid_flags)
+        return codec.finished(out)
+
+
+_LLH_POSITION_UNCERTAINTY_0 = codec.Block("fffH", "north", "east", "down", "valid_flags")
+
+
+@dataclass(slots=True)
+class LlhPositionUncertainty(Data):
+    """Position uncertainty (0x82,0x08).
+
+    Standard deviation of the estimated position, in the NED frame.
+
+    - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x08
+    NAME = "filter_data.llh_position_uncertainty"
+    ROLE = "data"
+
+    north: float
+    """Standard deviation north. [m] Frame: ned. Valid if valid_flags.valid."""
+    east: float
+    """Standard deviation east. [m] Frame: ned. Valid if valid_flags.valid."""
+    down: float
+    """Standard deviation down. [m] Frame: ned. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[LlhPositionUncertainty, int]:
+        v = _LLH_POSITION_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        north = v[0]
+        east = v[1]
+        down = v[2]
+        valid_flags = ValidFlags(v[3])
+        return cls(north, east, down, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _LLH_POSITION_UNCERTAINTY_0.write(self.north, self.east, self.down, self.valid_flags)
+        return codec.finished(out)
+
+
+_NED_VELOCITY_UNCERTAINTY_0 = codec.Block("fffH", "north", "east", "down", "valid_flags")
+
+
+@dataclass(slots=True)
+class NedVelocityUncertainty(Data):
+    """NED velocity uncertainty (0x82,0x09).
+
+    Standard deviation of the estimated velocity.
+
+    - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x09
+    NAME = "filter_data.ned_velocity_uncertainty"
+    ROLE = "data"
+
+    north: float
+    """Standard deviation north. [m/s] Frame: ned. Valid if valid_flags.valid."""
+    east: float
+    """Standard deviation east. [m/s] Frame: ned. Valid if valid_flags.valid."""
+    down: float
+    """Standard deviation down. [m/s] Frame: ned. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[NedVelocityUncertainty, int]:
+        v = _NED_VELOCITY_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        north = v[0]
+        east = v[1]
+        down = v[2]
+        valid_flags = ValidFlags(v[3])
+        return cls(north, east, down, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _NED_VELOCITY_UNCERTAINTY_0.write(self.north, self.east, self.down, self.valid_flags)
+        return codec.finished(out)
+
+
+_EULER_ANGLES_UNCERTAINTY_0 = codec.Block("fffH", "roll", "pitch", "yaw", "valid_flags")
+
+
+@dataclass(slots=True)
+class EulerAnglesUncertainty(Data):
+    """Euler angles uncertainty (0x82,0x0A).
+
+    Standard deviation of the estimated Euler angles.
+    3DM-GX5: derived from the quaternion, worse the steeper the pitch, and not valid beyond 70
+    degrees of pitch up or down.
+
+    - 3dm-cv7-gnss-ins: Euler Angles Uncertainty (0x82,0x0A)
+    - 3dm-gx5-15: 5.2.6 Attitude Uncertainty, Euler Angles (0x82, 0x0A)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x0A
+    NAME = "filter_data.euler_angles_uncertainty"
+    ROLE = "data"
+
+    roll: float
+    """Standard deviation of roll. [rad] Valid if valid_flags.valid."""
+    pitch: float
+    """Standard deviation of pitch. [rad] Valid if valid_flags.valid."""
+    yaw: float
+    """Standard deviation of yaw. [rad] Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EulerAnglesUncertainty, int]:
+        v = _EULER_ANGLES_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        roll = v[0]
+        pitch = v[1]
+        yaw = v[2]
+        valid_flags = ValidFlags(v[3])
+        return cls(roll, pitch, yaw, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _EULER_ANGLES_UNCERTAINTY_0.write(self.roll, self.pitch, self.yaw, self.valid_flags)
+        return codec.finished(out)
+
+
+_GYRO_BIAS_UNCERTAINTY_0 = codec.Block(
+    "fffH", "bias_uncert", "bias_uncert", "bias_uncert", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class GyroBiasUncertainty(Data):
+    """Gyroscope bias uncertainty (0x82,0x0B).
+
+    Standard deviation of the estimated gyroscope bias.
+
+    - 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B)
+    - 3dm-gx5-15: 5.2.10 Gyro Bias Uncertainty (0x82, 0x0B)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x0B
+    NAME = "filter_data.gyro_bias_uncertainty"
+    ROLE = "data"
+
+    bias_uncert: types.Vector3f
+    """Standard deviation per axis. [rad/s] Frame: sensor. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasUncertainty, int]:
+        v = _GYRO_BIAS_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        bias_uncert = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(bias_uncert, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GYRO_BIAS_UNCERTAINTY_0.write(
+            *codec.exactly("bias_uncert", self.bias_uncert, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_ACCEL_BIAS_UNCERTAINTY_0 = codec.Block(
+    "fffH", "bias_uncert", "bias_uncert", "bias_uncert", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class AccelBiasUncertainty(Data):
+    """Accelerometer bias uncertainty (0x82,0x0C).
+
+    Standard deviation of the estimated accelerometer bias.
+
+    - 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x0C
+    NAME = "filter_data.accel_bias_uncertainty"
+    ROLE = "data"
+
+    bias_uncert: types.Vector3f
+    """Standard deviation per axis. [m/s^2] Frame: sensor. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasUncertainty, int]:
+        v = _ACCEL_BIAS_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        bias_uncert = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(bias_uncert, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ACCEL_BIAS_UNCERTAINTY_0.write(
+            *codec.exactly("bias_uncert", self.bias_uncert, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_LINEAR_ACCEL_0 = codec.Block("fffH", "accel", "accel", "accel", "valid_flags")
+
+
+@dataclass(slots=True)
+class LinearAccel(Data):
+    """Linear acceleration (0x82,0x0D).
+
+    Compensated acceleration less the estimated gravity.
+
+    - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
+    - 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x0D
+    NAME = "filter_data.linear_accel"
+    ROLE = "data"
+
+    accel: types.Vector3f
+    """Linear acceleration. [m/s^2] Frame: vehicle. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[LinearAccel, int]:
+        v = _LINEAR_ACCEL_0.read(raw, at)
+        at += 14
+        accel = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(accel, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _LINEAR_ACCEL_0.write(*codec.exactly("accel", self.accel, 3), self.valid_flags)
+        return codec.finished(out)
+
+
+_COMP_ANGULAR_RATE_0 = codec.Block("fffH", "gyro", "gyro", "gyro", "valid_flags")
+
+
+@dataclass(slots=True)
+class CompAngularRate(Data):
+    """Compensated angular rate (0x82,0x0E).
+
+    Angular rate without the estimated bias.
+
+    - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
+    - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x0E
+    NAME = "filter_data.comp_angular_rate"
+    ROLE = "data"
+
+    gyro: types.Vector3f
+    """Angular rate. [rad/s] Frame: vehicle. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[CompAngularRate, int]:
+        v = _COMP_ANGULAR_RATE_0.read(raw, at)
+        at += 14
+        gyro = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(gyro, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _COMP_ANGULAR_RATE_0.write(*codec.exactly("gyro", self.gyro, 3), self.valid_flags)
+        return codec.finished(out)
+
+
+_WGS84_LOCAL_GRAVITY_MAGNITUDE_0 = codec.Block("fH", "gravity_magnitude", "valid_flags")
+
+
+@dataclass(slots=True)
+class Wgs84LocalGravityMagnitude(Data):
+    """WGS84 local gravity magnitude (0x82,0x0F).
+
+    Magnitude of gravity at the position of the device by the WGS84 model.
+    The model holds up to an altitude of 20 km.
+
+    - 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x0F
+    NAME = "filter_data.wgs84_local_gravity_magnitude"
+    ROLE = "data"
+
+    gravity_magnitude: float
+    """Magnitude of gravity. [m/s^2] Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Wgs84LocalGravityMagnitude, int]:
+        v = _WGS84_LOCAL_GRAVITY_MAGNITUDE_0.read(raw, at)
+        at += 6
+        gravity_magnitude = v[0]
+        valid_flags = ValidFlags(v[1])
+        return cls(gravity_magnitude, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _WGS84_LOCAL_GRAVITY_MAGNITUDE_0.write(self.gravity_magnitude, self.valid_flags)
+        return codec.finished(out)
+
+
+_STATUS_0 = codec.Block("HHH", "filter_state", "dynamics_mode", "status_flags")
+
+
+@dataclass(slots=True)
+class Status(Data):
+    """Filter status (0x82,0x10).
+
+    State, dynamics mode, condition and warnings of the filter.
+    The meaning of all three values depends on the device.
+    3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).
+    5-series: bits 12 and 13 of the flags mean other things in state `init` than while the filter
+    runs.
+
+    - 3dm-cv7-gnss-ins: Status (0x82,0x10)
+    - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x10
+    NAME = "filter_data.status"
+    ROLE = "data"
+    READINGS = {
+        "filter_state": (
+            "device",
+            {"3dm-gx5-15": Gx5FilterState, "3dm-cv7-gnss-ins": Cv7FilterState},
+        ),
+        "dynamics_mode": (
+            "device",
+            {"3dm-gx5-15": Gx5DynamicsMode, "3dm-cv7-gnss-ins": Cv7DynamicsMode},
+        ),
+        "status_flags": (
+            "device",
+            {"3dm-gx5-15": Gx5StatusFlags, "3dm-cv7-gnss-ins": Cv7StatusFlags},
+        ),
+    }
+
+    filter_state: int
+    """State of the filter."""
+    dynamics_mode: int
+    """Motion for which the filter is set up."""
+    status_flags: int
+    """Condition and warnings."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Status, int]:
+        v = _STATUS_0.read(raw, at)
+        at += 6
+        filter_state = v[0]
+        dynamics_mode = v[1]
+        status_flags = v[2]
+        return cls(filter_state, dynamics_mode, status_flags), at
+
+    def _write(self) -> bytes:
+        out = _STATUS_0.write(self.filter_state, self.dynamics_mode, self.status_flags)
+        return codec.finished(out)
+
+
+_TIMESTAMP_0 = codec.Block("dHH", "tow", "week_number", "valid_flags")
+
+
+@dataclass(slots=True)
+class Timestamp(Data):
+    """Filter timestamp (0x82,0x11).
+
+    GPS time of the filter data.
+    Without PPS the internal clock drives the time, and the time jumps when the PPS comes back.
+    Without synchronization to a receiver or an external clock it is the internal system time.
+    3DM-CV7: the field may be withdrawn; `shared.gps_timestamp` is better.
+
+    - 3dm-cv7-gnss-ins: Timestamp (0x82,0x11)
+    - 3dm-gx5-15: 5.2.2 GPS Timestamp (0x82, 0x11)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x11
+    NAME = "filter_data.timestamp"
+    ROLE = "data"
+
+    tow: float
+    """GPS time of week. [s] Valid if valid_flags.valid."""
+    week_number: int
+    """GPS week, counted from 1980. [week] Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Timestamp, int]:
+        v = _TIMESTAMP_0.read(raw, at)
+        at += 12
+        tow = v[0]
+        week_number = v[1]
+        valid_flags = ValidFlags(v[2])
+        return cls(tow, week_number, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _TIMESTAMP_0.write(self.tow, self.week_number, self.valid_flags)
+        return codec.finished(out)
+
+
+_QUATERNION_ATTITUDE_UNCERTAINTY_0 = codec.Block("ffffH", "q", "q", "q", "q", "valid_flags")
+
+
+@dataclass(slots=True)
+class QuaternionAttitudeUncertainty(Data):
+    """Quaternion uncertainty (0x82,0x12).
+
+    Standard deviation of the elements of the estimated attitude quaternion.
+
+    - 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12)
+    - 3dm-gx5-15: 5.2.4 Attitude Uncertainty, Quaternion Elements (0x82, 0x12)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x12
+    NAME = "filter_data.quaternion_attitude_uncertainty"
+    ROLE = "data"
+
+    q: types.Quatf
+    """Standard deviation per element. [1] Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[QuaternionAttitudeUncertainty, int]:
+        v = _QUATERNION_ATTITUDE_UNCERTAINTY_0.read(raw, at)
+        at += 18
+        q = v[0:4]
+        valid_flags = ValidFlags(v[4])
+        return cls(q, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _QUATERNION_ATTITUDE_UNCERTAINTY_0.write(
+            *codec.exactly("q", self.q, 4), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_GRAVITY_VECTOR_0 = codec.Block("fffH", "gravity", "gravity", "gravity", "valid_flags")
+
+
+@dataclass(slots=True)
+class GravityVector(Data):
+    """Gravity vector (0x82,0x13).
+
+    Estimated gravity.
+
+    - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
+    - 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x13
+    NAME = "filter_data.gravity_vector"
+    ROLE = "data"
+
+    gravity: types.Vector3f
+    """Gravity. [m/s^2] Frame: vehicle. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GravityVector, int]:
+        v = _GRAVITY_VECTOR_0.read(raw, at)
+        at += 14
+        gravity = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(gravity, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GRAVITY_VECTOR_0.write(*codec.exactly("gravity", self.gravity, 3), self.valid_flags)
+        return codec.finished(out)
+
+
+_HEADING_UPDATE_SOURCE_STATE_0 = codec.Block(
+    "ffHH", "heading", "heading_uncertainty", "source", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class HeadingUpdateSourceState(Data):
+    """Heading update source state (0x82,0x14).
+
+    The last heading that updated the filter and where it came from.
+    The valid bit means that the source gave data within the last 2 seconds.
+
+    - 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x14
+    NAME = "filter_data.heading_update_source_state"
+    ROLE = "data"
+
+    heading: float
+    """Heading of the sensor frame relative to true north. [rad] Valid if valid_flags.valid."""
+    heading_uncertainty: float
+    """Standard deviation of the heading. [rad] Valid if valid_flags.valid."""
+    source: HeadingSourceFlags
+    """Sources of the heading."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[HeadingUpdateSourceState, int]:
+        v = _HEADING_UPDATE_SOURCE_STATE_0.read(raw, at)
+        at += 12
+        heading = v[0]
+        heading_uncertainty = v[1]
+        source = HeadingSourceFlags(v[2])
+        valid_flags = ValidFlags(v[3])
+        return cls(heading, heading_uncertainty, source, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _HEADING_UPDATE_SOURCE_STATE_0.write(
+            self.heading, self.heading_uncertainty, self.source, self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_MAGNETIC_MODEL_0 = codec.Block(
+    "fffffH",
+    "intensity_north",
+    "intensity_east",
+    "intensity_down",
+    "inclination",
+    "declination",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class MagneticModel(Data):
+    """Magnetic model (0x82,0x15).
+
+    Magnetic field at the position of the device by the World Magnetic Model.
+    It is valid only with a valid GNSS position.
+
+    - 3dm-cv7-gnss-ins: Magnetic Model (0x82,0x15)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x15
+    NAME = "filter_data.magnetic_model"
+    ROLE = "data"
+
+    intensity_north: float
+    """Intensity north. [gauss] Frame: ned. Valid if valid_flags.valid."""
+    intensity_east: float
+    """Intensity east. [gauss] Frame: ned. Valid if valid_flags.valid."""
+    intensity_down: float
+    """Intensity down. [gauss] Frame: ned. Valid if valid_flags.valid."""
+    inclination: float
+    """Inclination. [rad] Valid if valid_flags.valid."""
+    declination: float
+    """Declination. [rad] Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagneticModel, int]:
+        v = _MAGNETIC_MODEL_0.read(raw, at)
+        at += 22
+        intensity_north = v[0]
+        intensity_east = v[1]
+        intensity_down = v[2]
+        inclination = v[3]
+        declination = v[4]
+        valid_flags = ValidFlags(v[5])
+        return cls(
+            intensity_north, intensity_east, intensity_down, inclination, declination, valid_flags
+        ), at
+
+    def _write(self) -> bytes:
+        out = _MAGNETIC_MODEL_0.write(
+            self.intensity_north,
+            self.intensity_east,
+            self.intensity_down,
+            self.inclination,
+            self.declination,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_COMPENSATED_ACCELERATION_0 = codec.Block("fffH", "accel", "accel", "accel", "valid_flags")
+
+
+@dataclass(slots=True)
+class CompensatedAcceleration(Data):
+    """Compensated acceleration (0x82,0x1C).
+
+    Acceleration without the estimated bias; gravity is still in it.
+
+    - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
+    - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x1C
+    NAME = "filter_data.compensated_acceleration"
+    ROLE = "data"
+
+    accel: types.Vector3f
+    """Acceleration. [m/s^2] Frame: vehicle. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[CompensatedAcceleration, int]:
+        v = _COMPENSATED_ACCELERATION_0.read(raw, at)
+        at += 14
+        accel = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(accel, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _COMPENSATED_ACCELERATION_0.write(
+            *codec.exactly("accel", self.accel, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_PRESSURE_ALTITUDE_0 = codec.Block("fH", "pressure_altitude", "valid_flags")
+
+
+@dataclass(slots=True)
+class PressureAltitude(Data):
+    """Pressure altitude (0x82,0x21).
+
+    Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
+    It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.
+
+    - 3dm-cv7-gnss-ins: Pressure Altitude (0x82,0x21)
+    - 3dm-gx5-15: 5.2.13 Pressure Altitude (0x82, 0x21)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x21
+    NAME = "filter_data.pressure_altitude"
+    ROLE = "data"
+
+    pressure_altitude: float
+    """Altitude. [m] Range: … to 84852. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitude, int]:
+        v = _PRESSURE_ALTITUDE_0.read(raw, at)
+        at += 6
+        pressure_altitude = v[0]
+        valid_flags = ValidFlags(v[1])
+        return cls(pressure_altitude, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _PRESSURE_ALTITUDE_0.write(self.pressure_altitude, self.valid_flags)
+        return codec.finished(out)
+
+
+_MULTI_ANTENNA_OFFSET_CORRECTION_0 = codec.Block(
+    "BfffH", "receiver_id", "offset", "offset", "offset", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class MultiAntennaOffsetCorrection(Data):
+    """Multi-antenna offset correction (0x82,0x34).
+
+    Estimated error of the offset of one GNSS antenna.
+    The filter adds it to the stored offset.
+
+    - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction (0x82,0x34)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x34
+    NAME = "filter_data.multi_antenna_offset_correction"
+    ROLE = "data"
+
+    receiver_id: int
+    """Receiver that the antenna belongs to."""
+    offset: types.Vector3f
+    """Correction of the offset. [m] Frame: vehicle. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffsetCorrection, int]:
+        v = _MULTI_ANTENNA_OFFSET_CORRECTION_0.read(raw, at)
+        at += 15
+        receiver_id = v[0]
+        offset = v[1:4]
+        valid_flags = ValidFlags(v[4])
+        return cls(receiver_id, offset, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MULTI_ANTENNA_OFFSET_CORRECTION_0.write(
+            self.receiver_id, *codec.exactly("offset", self.offset, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0 = codec.Block(
+    "BfffH", "receiver_id", "offset_uncert", "offset_uncert", "offset_uncert", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class MultiAntennaOffsetCorrectionUncertainty(Data):
+    """Multi-antenna offset correction uncertainty (0x82,0x35).
+
+    Standard deviation of the estimated error of the offset of one GNSS antenna.
+
+    - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x35
+    NAME = "filter_data.multi_antenna_offset_correction_uncertainty"
+    ROLE = "data"
+
+    receiver_id: int
+    """Receiver that the antenna belongs to."""
+    offset_uncert: types.Vector3f
+    """Standard deviation per axis. [m] Frame: vehicle. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffsetCorrectionUncertainty, int]:
+        v = _MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.read(raw, at)
+        at += 15
+        receiver_id = v[0]
+        offset_uncert = v[1:4]
+        valid_flags = ValidFlags(v[4])
+        return cls(receiver_id, offset_uncert, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.write(
+            self.receiver_id,
+            *codec.exactly("offset_uncert", self.offset_uncert, 3),
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_ECEF_POSITION_UNCERTAINTY_0 = codec.Block(
+    "fffH", "pos_uncertainty", "pos_uncertainty", "pos_uncertainty", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class EcefPositionUncertainty(Data):
+    """ECEF position uncertainty (0x82,0x36).
+
+    Standard deviation of the estimated position.
+
+    - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x36
+    NAME = "filter_data.ecef_position_uncertainty"
+    ROLE = "data"
+
+    pos_uncertainty: types.Vector3f
+    """Standard deviation per axis. [m] Frame: ecef. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EcefPositionUncertainty, int]:
+        v = _ECEF_POSITION_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        pos_uncertainty = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(pos_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ECEF_POSITION_UNCERTAINTY_0.write(
+            *codec.exactly("pos_uncertainty", self.pos_uncertainty, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_ECEF_VELOCITY_UNCERTAINTY_0 = codec.Block(
+    "fffH", "vel_uncertainty", "vel_uncertainty", "vel_uncertainty", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class EcefVelocityUncertainty(Data):
+    """ECEF velocity uncertainty (0x82,0x37).
+
+    Standard deviation of the estimated velocity.
+
+    - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x37
+    NAME = "filter_data.ecef_velocity_uncertainty"
+    ROLE = "data"
+
+    vel_uncertainty: types.Vector3f
+    """Standard deviation per axis. [m/s] Frame: ecef. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocityUncertainty, int]:
+        v = _ECEF_VELOCITY_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        vel_uncertainty = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(vel_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ECEF_VELOCITY_UNCERTAINTY_0.write(
+            *codec.exactly("vel_uncertainty", self.vel_uncertainty, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_ECEF_POSITION_0 = codec.Block(
+    "dddH", "position_ecef", "position_ecef", "position_ecef", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class EcefPosition(Data):
+    """ECEF position (0x82,0x40).
+
+    Estimated position.
+
+    - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x40
+    NAME = "filter_data.ecef_position"
+    ROLE = "data"
+
+    position_ecef: types.Vector3d
+    """Position. [m] Frame: ecef. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EcefPosition, int]:
+        v = _ECEF_POSITION_0.read(raw, at)
+        at += 26
+        position_ecef = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(position_ecef, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ECEF_POSITION_0.write(
+            *codec.exactly("position_ecef", self.position_ecef, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_ECEF_VELOCITY_0 = codec.Block(
+    "fffH", "velocity_ecef", "velocity_ecef", "velocity_ecef", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class EcefVelocity(Data):
+    """ECEF velocity (0x82,0x41).
+
+    Estimated velocity.
+
+    - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x41
+    NAME = "filter_data.ecef_velocity"
+    ROLE = "data"
+
+    velocity_ecef: types.Vector3f
+    """Velocity. [m/s] Frame: ecef. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocity, int]:
+        v = _ECEF_VELOCITY_0.read(raw, at)
+        at += 14
+        velocity_ecef = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(velocity_ecef, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ECEF_VELOCITY_0.write(
+            *codec.exactly("velocity_ecef", self.velocity_ecef, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_NED_RELATIVE_POSITION_0 = codec.Block(
+    "dddH", "relative_position", "relative_position", "relative_position", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class NedRelativePosition(Data):
+    """NED relative position (0x82,0x42).
+
+    Estimated position relative to the point that `filter.relative_position_configuration` sets.
+
+    - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x42
+    NAME = "filter_data.ned_relative_position"
+    ROLE = "data"
+
+    relative_position: types.Vector3d
+    """Relative position. [m] Frame: ned. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[NedRelativePosition, int]:
+        v = _NED_RELATIVE_POSITION_0.read(raw, at)
+        at += 26
+        relative_position = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(relative_position, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _NED_RELATIVE_POSITION_0.write(
+            *codec.exactly("relative_position", self.relative_position, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_GNSS_POSITION_AIDING_STATUS_0 = codec.Block(
+    "BfHBBBBBBBB",
+    "receiver_id",
+    "time_of_week",
+    "status",
+    "reserved",
+    "reserved",
+    "reserved",
+    "reserved",
+    "reserved",
+    "reserved",
+    "reserved",
+    "reserved",
+)
+
+
+@dataclass(slots=True)
+class GnssPositionAidingStatus(Data):
+    """GNSS position aiding status (0x82,0x43).
+
+    How the filter uses the position measurements of one GNSS receiver.
+    Single precision resolves the time of week to 0.0625 s at the end of the week.
+
+    - 3dm-cv7-gnss-ins: GNSS Position Aiding Status (0x82,0x43)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x43
+    NAME = "filter_data.gnss_position_aiding_status"
+    ROLE = "data"
+
+    receiver_id: int
+    """Number of the receiver."""
+    time_of_week: float
+    """GPS time of week of the last measurement. [s]"""
+    status: GnssAidingStatus
+    """How the measurements are used."""
+    reserved: tuple[int, ...] = (0,) * 8
+    """Reserved."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssPositionAidingStatus, int]:
+        v = _GNSS_POSITION_AIDING_STATUS_0.read(raw, at)
+        at += 15
+        receiver_id = v[0]
+        time_of_week = v[1]
+        status = GnssAidingStatus(v[2])
+        reserved = v[3:11]
+        return cls(receiver_id, time_of_week, status, reserved), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_POSITION_AIDING_STATUS_0.write(
+            self.receiver_id,
+            self.time_of_week,
+            self.status,
+            *codec.exactly("reserved", self.reserved, 8),
+        )
+        return codec.finished(out)
+
+
+_AIDING_MEASUREMENT_SUMMARY_0 = codec.Block("fBBB", "time_of_week", "source", "type", "indicator")
+
+
+@dataclass(slots=True)
+class AidingMeasurementSummary(Data):
+    """Aiding measurement summary (0x82,0x46).
+
+    What the filter did with one kind of aiding measurement in the last measurement interval.
+    Single precision resolves the time of week to 0.0625 s at the end of the week.
+
+    - 3dm-cv7-gnss-ins: Aiding Measurement Summary (0x82,0x46)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x46
+    NAME = "filter_data.aiding_measurement_summary"
+    ROLE = "data"
+
+    time_of_week: float
+    """GPS time of week at the end of the interval. [s]"""
+    source: int
+    """Number of the source of the measurement."""
+    type: AidingMeasurementType
+    """Kind of measurement."""
+    indicator: AidingMeasurementIndicator
+    """What the filter did with it."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementSummary, int]:
+        v = _AIDING_MEASUREMENT_SUMMARY_0.read(raw, at)
+        at += 7
+        time_of_week = v[0]
+        source = v[1]
+        type = AidingMeasurementType(v[2])
+        indicator = AidingMeasurementIndicator(v[3])
+        return cls(time_of_week, source, type, indicator), at
+
+    def _write(self) -> bytes:
+        out = _AIDING_MEASUREMENT_SUMMARY_0.write(
+            self.time_of_week, self.source, self.type, self.indicator
+        )
+        return codec.finished(out)
+
+
+_ODOMETER_SCALE_FACTOR_ERROR_0 = codec.Block("fH", "scale_factor_error", "valid_flags")
+
+
+@dataclass(slots=True)
+class OdometerScaleFactorError(Data):
+    """Odometer scale factor error (0x82,0x47).
+
+    Estimated relative error of the odometer scale factor.
+    Estimated scale factor = configured scale factor * (1 + error).
+
+    - 3dm-cv7-gnss-ins: Odometer Scale Factor Error (0x82,0x47)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x47
+    NAME = "filter_data.odometer_scale_factor_error"
+    ROLE = "data"
+
+    scale_factor_error: float
+    """Relative error. [1] Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[OdometerScaleFactorError, int]:
+        v = _ODOMETER_SCALE_FACTOR_ERROR_0.read(raw, at)
+        at += 6
+        scale_factor_error = v[0]
+        valid_flags = ValidFlags(v[1])
+        return cls(scale_factor_error, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ODOMETER_SCALE_FACTOR_ERROR_0.write(self.scale_factor_error, self.valid_flags)
+        return codec.finished(out)
+
+
+_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_0 = codec.Block(
+    "fH", "scale_factor_error_uncertainty", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class OdometerScaleFactorErrorUncertainty(Data):
+    """Odometer scale factor error uncertainty (0x82,0x48).
+
+    Uncertainty of the estimated error of the odometer scale factor.
+
+    - 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x48
+    NAME = "filter_data.odometer_scale_factor_error_uncertainty"
+    ROLE = "data"
+
+    scale_factor_error_uncertainty: float
+    """Uncertainty of the relative error. [1] Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[OdometerScaleFactorErrorUncertainty, int]:
+        v = _ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_0.read(raw, at)
+        at += 6
+        scale_factor_error_uncertainty = v[0]
+        valid_flags = ValidFlags(v[1])
+        return cls(scale_factor_error_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_0.write(
+            self.scale_factor_error_uncertainty, self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_GNSS_DUAL_ANTENNA_STATUS_0 = codec.Block(
+    "fffBHH", "time_of_week", "heading", "heading_unc", "fix_type", "status_flags", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class GnssDualAntennaStatus(Data):
+    """GNSS dual antenna status (0x82,0x49).
+
+    Heading that two GNSS antennas give.
+    Single precision resolves the time of week to 0.0625 s at the end of the week.
+
+    - 3dm-cv7-gnss-ins: GNSS Dual Antenna Status (0x82,0x49)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x49
+    NAME = "filter_data.gnss_dual_antenna_status"
+    ROLE = "data"
+
+    time_of_week: float
+    """GPS time of week of the last measurement. [s] Valid if valid_flags.valid."""
+    heading: float
+    """Heading. [rad] Valid if valid_flags.valid."""
+    heading_unc: float
+    """Uncertainty of the heading. [rad] Valid if valid_flags.valid."""
+    fix_type: DualAntennaFixType
+    """Kind of solution."""
+    status_flags: DualAntennaStatusFlags
+    """What the solution has to work with."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssDualAntennaStatus, int]:
+        v = _GNSS_DUAL_ANTENNA_STATUS_0.read(raw, at)
+        at += 17
+        time_of_week = v[0]
+        heading = v[1]
+        heading_unc = v[2]
+        fix_type = DualAntennaFixType(v[3])
+        status_flags = DualAntennaStatusFlags(v[4])
+        valid_flags = ValidFlags(v[5])
+        return cls(time_of_week, heading, heading_unc, fix_type, status_flags, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_DUAL_ANTENNA_STATUS_0.write(
+            self.time_of_week,
+            self.heading,
+            self.heading_unc,
+            self.fix_type,
+            self.status_flags,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_AIDING_FRAME_CONFIGURATION_ERROR_0 = codec.Block(
+    "Bfffffff",
+    "frame_id",
+    "translation",
+    "translation",
+    "translation",
+    "attitude",
+    "attitude",
+    "attitude",
+    "attitude",
+)
+
+
+@dataclass(slots=True)
+class AidingFrameConfigurationError(Data):
+    """Aiding frame configuration error (0x82,0x50).
+
+    Estimated error of a frame that `aiding.frame_configuration` defines; it is corrected for.
+
+    - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x50
+    NAME = "filter_data.aiding_frame_configuration_error"
+    ROLE = "data"
+
+    frame_id: int
+    """Number of the frame."""
+    translation: types.Vector3f
+    """Error of the translation. [m]"""
+    attitude: types.Quatf
+    """Error of the rotation. [1]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AidingFrameConfigurationError, int]:
+        v = _AIDING_FRAME_CONFIGURATION_ERROR_0.read(raw, at)
+        at += 29
+        frame_id = v[0]
+        translation = v[1:4]
+        attitude = v[4:8]
+        return cls(frame_id, translation, attitude), at
+
+    def _write(self) -> bytes:
+        out = _AIDING_FRAME_CONFIGURATION_ERROR_0.write(
+            self.frame_id,
+            *codec.exactly("translation", self.translation, 3),
+            *codec.exactly("attitude", self.attitude, 4),
+        )
+        return codec.finished(out)
+
+
+_AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_0 = codec.Block(
+    "Bffffff",
+    "frame_id",
+    "translation_unc",
+    "translation_unc",
+    "translation_unc",
+    "attitude_unc",
+    "attitude_unc",
+    "attitude_unc",
+)
+
+
+@dataclass(slots=True)
+class AidingFrameConfigurationErrorUncertainty(Data):
+    """Aiding frame configuration error uncertainty (0x82,0x51).
+
+    Uncertainty of the estimated error of a frame that `aiding.frame_configuration` defines.
+
+    - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x51
+    NAME = "filter_data.aiding_frame_configuration_error_uncertainty"
+    ROLE = "data"
+
+    frame_id: int
+    """Number of the frame."""
+    translation_unc: types.Vector3f
+    """Uncertainty of the translation. [m]"""
+    attitude_unc: types.Vector3f
+    """Uncertainty of the rotation about each axis. [rad]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AidingFrameConfigurationErrorUncertainty, int]:
+        v = _AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_0.read(raw, at)
+        at += 25
+        frame_id = v[0]
+        translation_unc = v[1:4]
+        attitude_unc = v[4:7]
+        return cls(frame_id, translation_unc, attitude_unc), at
+
+    def _write(self) -> bytes:
+        out = _AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_0.write(
+            self.frame_id,
+            *codec.exactly("translation_unc", self.translation_unc, 3),
+            *codec.exactly("attitude_unc", self.attitude_unc, 3),
+        )
+        return codec.finished(out)
+
+
+#: The types of each descriptor; several where constants in the data tell layouts apart.
+FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0x01: (LlhPosition,),
+    0x02: (VelocityNed,),
+    0x03: (AttitudeQuaternion,),
+    0x04: (AttitudeDcm,),
+    0x05: (EulerAngles,),
+    0x06: (GyroBias,),
+    0x07: (AccelBias,),
+    0x08: (LlhPositionUncertainty,),
+    0x09: (NedVelocityUncertainty,),
+    0x0A: (EulerAnglesUncertainty,),
+    0x0B: (GyroBiasUncertainty,),
+    0x0C: (AccelBiasUncertainty,),
+    0x0D: (LinearAccel,),
+    0x0E: (CompAngularRate,),
+    0x0F: (Wgs84LocalGravityMagnitude,),
+    0x10: (Status,),
+    0x11: (Timestamp,),
+    0x12: (QuaternionAttitudeUncertainty,),
+    0x13: (GravityVector,),
+    0x14: (HeadingUpdateSourceState,),
+    0x15: (MagneticModel,),
+    0x1C: (CompensatedAcceleration,),
+    0x21: (PressureAltitude,),
+    0x34: (MultiAntennaOffsetCorrection,),
+    0x35: (MultiAntennaOffsetCorrectionUncertainty,),
+    0x36: (EcefPositionUncertainty,),
+    0x37: (EcefVelocityUncertainty,),
+    0x40: (EcefPosition,),
+    0x41: (EcefVelocity,),
+    0x42: (NedRelativePosition,),
+    0x43: (GnssPositionAidingStatus,),
+    0x46: (AidingMeasurementSummary,),
+    0x47: (OdometerScaleFactorError,),
+    0x48: (OdometerScaleFactorErrorUncertainty,),
+    0x49: (GnssDualAntennaStatus,),
+    0x50: (AidingFrameConfigurationError,),
+    0x51: (AidingFrameConfigurationErrorUncertainty,),
+}

@@ -1,0 +1,815 @@
+"""GNSS commands (0x0E).
+
+Commands that describe and set up the internal GNSS receivers.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntFlag
+
+from . import codec
+from .errors import Truncated
+from .field import Command, Field, Response, Structure
+from .protocol import FunctionSelector
+
+_RECEIVER_INFO_ENTRY_0 = codec.Block("BB", "receiver_id", "mip_data_descriptor_set")
+
+
+@dataclass(slots=True)
+class ReceiverInfoEntry(Structure):
+    """One GNSS receiver."""
+
+    receiver_id: int
+    """Receiver, counted from 1. Range: 1 to …."""
+    mip_data_descriptor_set: int
+    """Descriptor set of the data of this receiver. Range: 128 to 254."""
+    description: str
+    """Module name or model and firmware version, with a comma between."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ReceiverInfoEntry, int]:
+        v = _RECEIVER_INFO_ENTRY_0.read(raw, at)
+        at += 2
+        receiver_id = v[0]
+        mip_data_descriptor_set = v[1]
+        description = codec.take(raw, at, 32).decode("latin-1")
+        at += 32
+        return cls(receiver_id, mip_data_descriptor_set, description), at
+
+    def _write(self) -> bytes:
+        out = _RECEIVER_INFO_ENTRY_0.write(self.receiver_id, self.mip_data_descriptor_set)
+        codec.exactly("description", self.description, 32)
+        out += codec.text("description", self.description)
+        return out
+
+
+class GpsSignals(IntFlag):
+    """GPS signals that are enabled."""
+
+    L1CA = 1 << 0
+    """L1 C/A."""
+    L2C = 1 << 1
+    """L2C."""
+    L5 = 1 << 2
+    """L5."""
+
+
+class GlonassSignals(IntFlag):
+    """GLONASS signals that are enabled."""
+
+    L1OF = 1 << 0
+    """L1OF."""
+    L2OF = 1 << 1
+    """L2OF."""
+
+
+class GalileoSignals(IntFlag):
+    """Galileo signals that are enabled."""
+
+    E1 = 1 << 0
+    """E1."""
+    E5B = 1 << 1
+    """E5b."""
+    E5A = 1 << 2
+    """E5a."""
+
+
+class BeidouSignals(IntFlag):
+    """BeiDou signals that are enabled."""
+
+    B1 = 1 << 0
+    """B1."""
+    B2 = 1 << 1
+    """B2."""
+    B2A = 1 << 2
+    """B2a."""
+
+
+class SpartnConnection(codec.OpenEnum):
+    """How SPARTN corrections come."""
+
+    NONE = 0
+    """No connection."""
+    NETWORK = 1
+    """By a network."""
+    L_BAND = 2
+    """By satellite in the L band."""
+
+
+_RECEIVER_INFO_RESPONSE_0 = codec.Block("B", "num_receivers")
+
+
+@dataclass(slots=True)
+class ReceiverInfoResponse(Response):
+    """Receiver info response (0x0E,0x81).
+
+    Answers Receiver info (0x0E,0x01).
+
+    - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
+    """
+
+    SET = 0x0E
+    DESCRIPTOR = 0x81
+    NAME = "gnss.receiver_info_response"
+    ROLE = "response"
+
+    receiver_info: tuple[ReceiverInfoEntry, ...]
+    """The receivers."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ReceiverInfoResponse, int]:
+        v = _RECEIVER_INFO_RESPONSE_0.read(raw, at)
+        at += 1
+        num_receivers = v[0]
+        n = codec.counted(raw, at, num_receivers, 34)
+        receiver_info, at = codec.read_structures(ReceiverInfoEntry, raw, at, n)
+        return cls(receiver_info), at
+
+    def _write(self) -> bytes:
+        out = _RECEIVER_INFO_RESPONSE_0.write(
+            len(codec.at_most("receiver_info", self.receiver_info, 255))
+        )
+        out += codec.write_structures(
+            "receiver_info",
+            codec.at_most("receiver_info", self.receiver_info, 7),
+            ReceiverInfoEntry,
+        )
+        return codec.finished(out)
+
+
+_SIGNAL_CONFIGURATION_RESPONSE_0 = codec.Block(
+    "BBBBBBBB",
+    "gps_enable",
+    "glonass_enable",
+    "galileo_enable",
+    "beidou_enable",
+    "reserved",
+    "reserved",
+    "reserved",
+    "reserved",
+)
+
+
+@dataclass(slots=True)
+class SignalConfigurationResponse(Response):
+    """Signal configuration response (0x0E,0x82).
+
+    Answers Signal configuration (0x0E,0x02).
+
+    - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
+    - 3dm-cv7-gnss-ins: GNSS
+    """
+
+    SET = 0x0E
+    DESCRIPTOR = 0x82
+    NAME = "gnss.signal_configuration_response"
+    ROLE = "response"
+
+    gps_enable: GpsSignals
+    """GPS signals."""
+    glonass_enable: GlonassSignals
+    """GLONASS signals."""
+    galileo_enable: GalileoSignals
+    """Galileo signals."""
+    beidou_enable: BeidouSignals
+    """BeiDou signals."""
+    reserved: tuple[int, int, int, int] = (0,) * 4
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SignalConfigurationResponse, int]:
+        v = _SIGNAL_CONFIGURATION_RESPONSE_0.read(raw, at)
+        at += 8
+        gps_enable = GpsSignals(v[0])
+        glonass_enable = GlonassSignals(v[1])
+        galileo_enable = GalileoSignals(v[2])
+        beidou_enable = BeidouSignals(v[3])
+        reserved = v[4:8]
+        return cls(gps_enable, glonass_enable, galileo_enable, beidou_enable, reserved), at
+
+    def _write(self) -> bytes:
+        out = _SIGNAL_CONFIGURATION_RESPONSE_0.write(
+            self.gps_enable,
+            self.glonass_enable,
+            self.galileo_enable,
+            self.beidou_enable,
+            *codec.exactly("reserved", self.reserved, 4),
+        )
+        return codec.finished(out)
+
+
+_SPARTN_CONFIGURATION_RESPONSE_0 = codec.Block(
+    "BBIHBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBIHBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB",
+    "enable",
+    "type",
+    "current_key_tow",
+    "current_key_week",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "next_key_tow",
+    "next_key_week",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+)
+
+
+@dataclass(slots=True)
+class SpartnConfigurationResponse(Response):
+    """SPARTN configuration response (0x0E,0xA0).
+
+    Answers SPARTN configuration (0x0E,0x20).
+
+    - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
+    - 3dm-cv7-gnss-ins: SPARTN Corrections
+    - 3dm-cv7-gnss-ins: SPARTN Corrections via UART
+    """
+
+    SET = 0x0E
+    DESCRIPTOR = 0xA0
+    NAME = "gnss.spartn_configuration_response"
+    ROLE = "response"
+
+    enable: int
+    """1 enables SPARTN corrections, 0 disables them. Range: 0 to 1."""
+    type: SpartnConnection
+    """How the corrections come."""
+    current_key_tow: int
+    """GPS time of week until which the current key is valid. [s]"""
+    current_key_week: int
+    """GPS week number until which the current key is valid. [week]"""
+    current_key: tuple[int, ...]
+    """Current key in ASCII digits."""
+    next_key_tow: int
+    """GPS time of week until which the next key is valid. [s]"""
+    next_key_week: int
+    """GPS week number until which the next key is valid. [week]"""
+    next_key: tuple[int, ...]
+    """Next key in ASCII digits."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfigurationResponse, int]:
+        v = _SPARTN_CONFIGURATION_RESPONSE_0.read(raw, at)
+        at += 78
+        enable = v[0]
+        type = SpartnConnection(v[1])
+        current_key_tow = v[2]
+        current_key_week = v[3]
+        current_key = v[4:36]
+        next_key_tow = v[36]
+        next_key_week = v[37]
+        next_key = v[38:70]
+        return cls(
+            enable,
+            type,
+            current_key_tow,
+            current_key_week,
+            current_key,
+            next_key_tow,
+            next_key_week,
+            next_key,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _SPARTN_CONFIGURATION_RESPONSE_0.write(
+            self.enable,
+            self.type,
+            self.current_key_tow,
+            self.current_key_week,
+            *codec.exactly("current_key", self.current_key, 32),
+            self.next_key_tow,
+            self.next_key_week,
+            *codec.exactly("next_key", self.next_key, 32),
+        )
+        return codec.finished(out)
+
+
+@dataclass(slots=True)
+class ReceiverInfo(Command):
+    """Receiver info (0x0E,0x01).
+
+    Asks which GNSS receivers the device has.
+
+    - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
+    """
+
+    SET = 0x0E
+    DESCRIPTOR = 0x01
+    NAME = "gnss.receiver_info"
+    ROLE = "command"
+    RESPONSES = (ReceiverInfoResponse,)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ReceiverInfo, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+_SIGNAL_CONFIGURATION_0 = codec.Block("B", "function")
+_SIGNAL_CONFIGURATION_1 = codec.Block("B", "gps_enable")
+_SIGNAL_CONFIGURATION_2 = codec.Block("B", "glonass_enable")
+_SIGNAL_CONFIGURATION_3 = codec.Block("B", "galileo_enable")
+_SIGNAL_CONFIGURATION_4 = codec.Block("B", "beidou_enable")
+_SIGNAL_CONFIGURATION_5 = codec.Block("BBBB", "reserved", "reserved", "reserved", "reserved")
+_SIGNAL_CONFIGURATION_GROUPS = (
+    (1, ("gps_enable",), False),
+    (2, ("glonass_enable",), False),
+    (3, ("galileo_enable",), False),
+    (4, ("beidou_enable",), False),
+    (5, ("reserved",), False),
+)
+
+
+@dataclass(slots=True)
+class SignalConfiguration(Command):
+    """Signal configuration (0x0E,0x02).
+
+    GNSS signals that the device uses.
+    A device takes certain combinations only.
+    The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou L1 alone. It takes for
+    GPS and BeiDou none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or L1.
+
+    - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
+    - 3dm-cv7-gnss-ins: GNSS
+    """
+
+    SET = 0x0E
+    DESCRIPTOR = 0x02
+    NAME = "gnss.signal_configuration"
+    ROLE = "command"
+    RESPONSES = (SignalConfigurationResponse,)
+    REQUIRED = {1: 5, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    gps_enable: GpsSignals | None = None
+    """GPS signals."""
+    glonass_enable: GlonassSignals | None = None
+    """GLONASS signals."""
+    galileo_enable: GalileoSignals | None = None
+    """Galileo signals."""
+    beidou_enable: BeidouSignals | None = None
+    """BeiDou signals."""
+    reserved: tuple[int, int, int, int] | None = None
+
+    @classmethod
+    def write(
+        cls,
+        gps_enable: GpsSignals,
+        glonass_enable: GlonassSignals,
+        galileo_enable: GalileoSignals,
+        beidou_enable: BeidouSignals,
+    ) -> SignalConfiguration:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE,
+            gps_enable=gps_enable,
+            glonass_enable=glonass_enable,
+            galileo_enable=galileo_enable,
+            beidou_enable=beidou_enable,
+            reserved=(0,) * 4,
+        )
+
+    @classmethod
+    def read(cls) -> SignalConfiguration:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> SignalConfiguration:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> SignalConfiguration:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> SignalConfiguration:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SignalConfiguration, int]:
+        gps_enable: GpsSignals | None = None
+        glonass_enable: GlonassSignals | None = None
+        galileo_enable: GalileoSignals | None = None
+        beidou_enable: BeidouSignals | None = None
+        reserved: tuple[int, int, int, int] | None = None
+        v = _SIGNAL_CONFIGURATION_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SIGNAL_CONFIGURATION_1.read(raw, at)
+            at += 1
+            gps_enable = GpsSignals(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _SIGNAL_CONFIGURATION_2.read(raw, at)
+            at += 1
+            glonass_enable = GlonassSignals(v[0])
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _SIGNAL_CONFIGURATION_3.read(raw, at)
+            at += 1
+            galileo_enable = GalileoSignals(v[0])
+            done, end = 3, at
+            if at == len(raw) and required < 4:
+                raise Truncated(1, 0)
+            v = _SIGNAL_CONFIGURATION_4.read(raw, at)
+            at += 1
+            beidou_enable = BeidouSignals(v[0])
+            done, end = 4, at
+            if at == len(raw) and required < 5:
+                raise Truncated(1, 0)
+            v = _SIGNAL_CONFIGURATION_5.read(raw, at)
+            at += 4
+            reserved = v[0:4]
+            done, end = 5, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(
+            function, gps_enable, glonass_enable, galileo_enable, beidou_enable, reserved
+        ), at
+
+    def _write(self) -> bytes:
+        out = _SIGNAL_CONFIGURATION_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _SIGNAL_CONFIGURATION_GROUPS)
+        if there >= 1:
+            out += _SIGNAL_CONFIGURATION_1.write(self.gps_enable)
+        if there >= 2:
+            out += _SIGNAL_CONFIGURATION_2.write(self.glonass_enable)
+        if there >= 3:
+            out += _SIGNAL_CONFIGURATION_3.write(self.galileo_enable)
+        if there >= 4:
+            out += _SIGNAL_CONFIGURATION_4.write(self.beidou_enable)
+        if there >= 5:
+            out += _SIGNAL_CONFIGURATION_5.write(*codec.exactly("reserved", self.reserved, 4))
+        return codec.finished(out)
+
+
+_SPARTN_CONFIGURATION_0 = codec.Block("B", "function")
+_SPARTN_CONFIGURATION_1 = codec.Block("B", "enable")
+_SPARTN_CONFIGURATION_2 = codec.Block("B", "type")
+_SPARTN_CONFIGURATION_3 = codec.Block("I", "current_key_tow")
+_SPARTN_CONFIGURATION_4 = codec.Block("H", "current_key_week")
+_SPARTN_CONFIGURATION_5 = codec.Block(
+    "BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+    "current_key",
+)
+_SPARTN_CONFIGURATION_6 = codec.Block("I", "next_key_tow")
+_SPARTN_CONFIGURATION_7 = codec.Block("H", "next_key_week")
+_SPARTN_CONFIGURATION_8 = codec.Block(
+    "BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+    "next_key",
+)
+_SPARTN_CONFIGURATION_GROUPS = (
+    (1, ("enable",), False),
+    (2, ("type",), False),
+    (3, ("current_key_tow",), False),
+    (4, ("current_key_week",), False),
+    (5, ("current_key",), False),
+    (6, ("next_key_tow",), False),
+    (7, ("next_key_week",), False),
+    (8, ("next_key",), False),
+)
+
+
+@dataclass(slots=True)
+class SpartnConfiguration(Command):
+    """SPARTN configuration (0x0E,0x20).
+
+    Source and keys of SPARTN corrections.
+    A change of enable or type has an effect after a power cycle only; keys can be changed while
+    running.
+    While SPARTN corrections are enabled, RTCM corrections are blocked.
+    A key of 16 bytes, none of them 0, is sent as 32 ASCII digits 0-9 and A-F, two for each byte.
+
+    - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
+    - 3dm-cv7-gnss-ins: SPARTN Corrections
+    - 3dm-cv7-gnss-ins: SPARTN Corrections via UART
+    """
+
+    SET = 0x0E
+    DESCRIPTOR = 0x20
+    NAME = "gnss.spartn_configuration"
+    ROLE = "command"
+    RESPONSES = (SpartnConfigurationResponse,)
+    REQUIRED = {1: 8, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    enable: int | None = None
+    """1 enables SPARTN corrections, 0 disables them. Range: 0 to 1."""
+    type: SpartnConnection | None = None
+    """How the corrections come."""
+    current_key_tow: int | None = None
+    """GPS time of week until which the current key is valid. [s]"""
+    current_key_week: int | None = None
+    """GPS week number until which the current key is valid. [week]"""
+    current_key: tuple[int, ...] | None = None
+    """Current key in ASCII digits."""
+    next_key_tow: int | None = None
+    """GPS time of week until which the next key is valid. [s]"""
+    next_key_week: int | None = None
+    """GPS week number until which the next key is valid. [week]"""
+    next_key: tuple[int, ...] | None = None
+    """Next key in ASCII digits."""
+
+    @classmethod
+    def write(
+        cls,
+        enable: int,
+        type: SpartnConnection,
+        current_key_tow: int,
+        current_key_week: int,
+        current_key: tuple[int, ...],
+        next_key_tow: int,
+        next_key_week: int,
+        next_key: tuple[int, ...],
+    ) -> SpartnConfiguration:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE,
+            enable=enable,
+            type=type,
+            current_key_tow=current_key_tow,
+            current_key_week=current_key_week,
+            current_key=current_key,
+            next_key_tow=next_key_tow,
+            next_key_week=next_key_week,
+            next_key=next_key,
+        )
+
+    @classmethod
+    def read(cls) -> SpartnConfiguration:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> SpartnConfiguration:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> SpartnConfiguration:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> SpartnConfiguration:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfiguration, int]:
+        enable: int | None = None
+        type: SpartnConnection | None = None
+        current_key_tow: int | None = None
+        current_key_week: int | None = None
+        current_key: tuple[int, ...] | None = None
+        next_key_tow: int | None = None
+        next_key_week: int | None = None
+        next_key: tuple[int, ...] | None = None
+        v = _SPARTN_CONFIGURATION_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SPARTN_CONFIGURATION_1.read(raw, at)
+            at += 1
+            enable = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _SPARTN_CONFIGURATION_2.read(raw, at)
+            at += 1
+            type = SpartnConnection(v[0])
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _SPARTN_CONFIGURATION_3.read(raw, at)
+            at += 4
+            current_key_tow = v[0]
+            done, end = 3, at
+            if at == len(raw) and required < 4:
+                raise Truncated(1, 0)
+            v = _SPARTN_CONFIGURATION_4.read(raw, at)
+            at += 2
+            current_key_week = v[0]
+            done, end = 4, at
+            if at == len(raw) and required < 5:
+                raise Truncated(1, 0)
+            v = _SPARTN_CONFIGURATION_5.read(raw, at)
+            at += 32
+            current_key = v[0:32]
+            done, end = 5, at
+            if at == len(raw) and required < 6:
+                raise Truncated(1, 0)
+            v = _SPARTN_CONFIGURATION_6.read(raw, at)
+            at += 4
+            next_key_tow = v[0]
+            done, end = 6, at
+            if at == len(raw) and required < 7:
+                raise Truncated(1, 0)
+            v = _SPARTN_CONFIGURATION_7.read(raw, at)
+            at += 2
+            next_key_week = v[0]
+            done, end = 7, at
+            if at == len(raw) and required < 8:
+                raise Truncated(1, 0)
+            v = _SPARTN_CONFIGURATION_8.read(raw, at)
+            at += 32
+            next_key = v[0:32]
+            done, end = 8, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(
+            function,
+            enable,
+            type,
+            current_key_tow,
+            current_key_week,
+            current_key,
+            next_key_tow,
+            next_key_week,
+            next_key,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _SPARTN_CONFIGURATION_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _SPARTN_CONFIGURATION_GROUPS)
+        if there >= 1:
+            out += _SPARTN_CONFIGURATION_1.write(self.enable)
+        if there >= 2:
+            out += _SPARTN_CONFIGURATION_2.write(self.type)
+        if there >= 3:
+            out += _SPARTN_CONFIGURATION_3.write(self.current_key_tow)
+        if there >= 4:
+            out += _SPARTN_CONFIGURATION_4.write(self.current_key_week)
+        if there >= 5:
+            out += _SPARTN_CONFIGURATION_5.write(
+                *codec.exactly("current_key", self.current_key, 32)
+            )
+        if there >= 6:
+            out += _SPARTN_CONFIGURATION_6.write(self.next_key_tow)
+        if there >= 7:
+            out += _SPARTN_CONFIGURATION_7.write(self.next_key_week)
+        if there >= 8:
+            out += _SPARTN_CONFIGURATION_8.write(*codec.exactly("next_key", self.next_key, 32))
+        return codec.finished(out)
+
+
+ReceiverInfoResponse.COMMANDS = (ReceiverInfo,)
+SignalConfigurationResponse.COMMANDS = (SignalConfiguration,)
+SpartnConfigurationResponse.COMMANDS = (SpartnConfiguration,)
+
+
+#: The types of each descriptor; several where constants in the data tell layouts apart.
+FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0x01: (ReceiverInfo,),
+    0x02: (SignalConfiguration,),
+    0x20: (SpartnConfiguration,),
+    0x81: (ReceiverInfoResponse,),
+    0x82: (SignalConfigurationResponse,),
+    0xA0: (SpartnConfigurationResponse,),
+}

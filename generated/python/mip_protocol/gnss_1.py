@@ -1,0 +1,2201 @@
+"""GNSS receiver 1 data (0x91).
+
+Measurements and status of the first internal GNSS receiver.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntFlag
+
+from . import codec, types
+from .field import Data, Field
+
+
+class GnssLlhPositionFlags(IntFlag):
+    """Which parts of the position are valid."""
+
+    LAT_LON = 1 << 0
+    """Latitude and longitude."""
+    ELLIPSOID_HEIGHT = 1 << 1
+    """Height above the ellipsoid."""
+    MSL_HEIGHT = 1 << 2
+    """Height above mean sea level."""
+    HORIZONTAL_ACCURACY = 1 << 3
+    """Horizontal accuracy."""
+    VERTICAL_ACCURACY = 1 << 4
+    """Vertical accuracy."""
+    FLAGS = 0x1F
+    """All of them."""
+
+
+class GnssEcefPositionFlags(IntFlag):
+    """Which parts of the position are valid."""
+
+    POSITION = 1 << 0
+    """Position."""
+    POSITION_ACCURACY = 1 << 1
+    """Accuracy of the position."""
+    FLAGS = 0x3
+    """All of them."""
+
+
+class NedVelocityFlags(IntFlag):
+    """Which parts of the velocity are valid."""
+
+    VELOCITY = 1 << 0
+    """Velocity vector."""
+    SPEED_3D = 1 << 1
+    """Speed in space."""
+    GROUND_SPEED = 1 << 2
+    """Speed over ground."""
+    HEADING = 1 << 3
+    """Heading."""
+    SPEED_ACCURACY = 1 << 4
+    """Accuracy of the speed."""
+    HEADING_ACCURACY = 1 << 5
+    """Accuracy of the heading."""
+    FLAGS = 0x3F
+    """All of them."""
+
+
+class GnssEcefVelocityFlags(IntFlag):
+    """Which parts of the velocity are valid."""
+
+    VELOCITY = 1 << 0
+    """Velocity."""
+    VELOCITY_ACCURACY = 1 << 1
+    """Accuracy of the velocity."""
+    FLAGS = 0x3
+    """All of them."""
+
+
+class DopFlags(IntFlag):
+    """Which dilutions of precision are valid."""
+
+    GDOP = 1 << 0
+    """Geometric."""
+    PDOP = 1 << 1
+    """Position."""
+    HDOP = 1 << 2
+    """Horizontal."""
+    VDOP = 1 << 3
+    """Vertical."""
+    TDOP = 1 << 4
+    """Time."""
+    NDOP = 1 << 5
+    """Northing."""
+    EDOP = 1 << 6
+    """Easting."""
+    FLAGS = 0x7F
+    """All of them."""
+
+
+class UtcTimeFlags(IntFlag):
+    """How far the UTC time is valid."""
+
+    GNSS_DATE_TIME = 1 << 0
+    """Date and time come from GNSS."""
+    LEAP_SECONDS_KNOWN = 1 << 1
+    """The leap seconds between GPS time and UTC are known."""
+    FLAGS = 0x3
+    """All of them."""
+
+
+class GpsTimeFlags(IntFlag):
+    """Which parts of the time are valid."""
+
+    TOW = 1 << 0
+    """Time of week."""
+    WEEK_NUMBER = 1 << 1
+    """Week number."""
+    FLAGS = 0x3
+    """All of them."""
+
+
+class FixFlags(IntFlag):
+    """What the fix makes use of."""
+
+    SBAS_USED = 1 << 0
+    """Satellite based augmentation."""
+    DGNSS_USED = 1 << 1
+    """Differential corrections."""
+
+
+class FixInfoFlags(IntFlag):
+    """Which parts of the fix information are valid."""
+
+    FIX_TYPE = 1 << 0
+    """Type of the fix."""
+    NUM_SV = 1 << 1
+    """Number of satellites."""
+    FIX_FLAGS = 1 << 2
+    """Fix flags."""
+    FLAGS = 0x7
+    """All of them."""
+
+
+class ReceiverState(codec.OpenEnum):
+    """Whether the receiver works."""
+
+    OFF = 0
+    """Off."""
+    ON = 1
+    """On."""
+    UNKNOWN = 2
+    """Not known."""
+
+
+class AntennaState(codec.OpenEnum):
+    """State of the antenna."""
+
+    INIT = 1
+    """Being initialized."""
+    SHORT = 2
+    """Short circuit."""
+    OPEN = 3
+    """Open circuit, no antenna."""
+    GOOD = 4
+    """Good."""
+    UNKNOWN = 5
+    """Not known."""
+
+
+class AntennaPower(codec.OpenEnum):
+    """Supply of the antenna."""
+
+    OFF = 0
+    """Off."""
+    ON = 1
+    """On."""
+    UNKNOWN = 2
+    """Not known."""
+
+
+class GnssHardwareStatusFlags(IntFlag):
+    """Which parts of the hardware status are valid."""
+
+    SENSOR_STATE = 1 << 0
+    """State of the receiver."""
+    ANTENNA_STATE = 1 << 1
+    """State of the antenna."""
+    ANTENNA_POWER = 1 << 2
+    """Supply of the antenna."""
+    FLAGS = 0x7
+    """All of them."""
+
+
+class ClockInfo2Flags(IntFlag):
+    """Which clock parameters are valid."""
+
+    BIAS = 1 << 0
+    """Bias."""
+    DRIFT = 1 << 1
+    """Drift."""
+    BIAS_ACCURACY = 1 << 2
+    """Accuracy of the bias."""
+    DRIFT_ACCURACY = 1 << 3
+    """Accuracy of the drift."""
+    FLAGS = 0xF
+    """All of them."""
+
+
+class GpsLeapSecondsFlags(IntFlag):
+    """Whether the leap seconds are valid. Bit 0 is not used."""
+
+    LEAP_SECONDS = 1 << 1
+    """Leap seconds."""
+
+
+class SbasSystem(codec.OpenEnum):
+    """Satellite based augmentation system."""
+
+    UNKNOWN = 0
+    """Not known."""
+    WAAS = 1
+    """North America."""
+    EGNOS = 2
+    """Europe."""
+    MSAS = 3
+    """Japan."""
+    GAGAN = 4
+    """India."""
+
+
+class SbasStatus(IntFlag):
+    """What the SBAS service offers."""
+
+    RANGE_AVAILABLE = 1 << 0
+    """Ranging is available."""
+    CORRECTIONS_AVAILABLE = 1 << 1
+    """Corrections are available."""
+    INTEGRITY_AVAILABLE = 1 << 2
+    """Integrity information is available."""
+    TEST_MODE = 1 << 3
+    """The service is in test mode."""
+
+
+class SbasInfoFlags(IntFlag):
+    """Which parts of the SBAS status are valid."""
+
+    TOW = 1 << 0
+    """Time of week."""
+    WEEK_NUMBER = 1 << 1
+    """Week number."""
+    SBAS_SYSTEM = 1 << 2
+    """System."""
+    SBAS_ID = 1 << 3
+    """Satellite."""
+    COUNT = 1 << 4
+    """Number of corrections."""
+    SBAS_STATUS = 1 << 5
+    """Status of the service."""
+    FLAGS = 0x3F
+    """All of them."""
+
+
+class SatelliteStatusFlags(IntFlag):
+    """Which parts of the satellite status are valid."""
+
+    TOW = 1 << 0
+    """Time of week."""
+    WEEK_NUMBER = 1 << 1
+    """Week number."""
+    GNSS_ID = 1 << 2
+    """Constellation."""
+    SATELLITE_ID = 1 << 3
+    """Satellite."""
+    ELEVATION = 1 << 4
+    """Elevation."""
+    AZIMUTH = 1 << 5
+    """Azimuth."""
+    HEALTH = 1 << 6
+    """Health."""
+    FLAGS = 0x7F
+    """All of them."""
+
+
+class SignalQuality(codec.OpenEnum):
+    """How well a signal is tracked."""
+
+    NONE = 0
+    """No signal."""
+    SEARCHING = 1
+    """The signal is searched."""
+    ACQUIRED = 2
+    """The signal is acquired."""
+    UNUSABLE = 3
+    """The signal is found but cannot be used."""
+    TIME_LOCKED = 4
+    """Locked in time."""
+    FULLY_LOCKED = 5
+    """Fully locked."""
+
+
+class RawFlags(IntFlag):
+    """Which parts of the observation are valid."""
+
+    TOW = 1 << 0
+    """Time of week."""
+    WEEK_NUMBER = 1 << 1
+    """Week number."""
+    RECEIVER_ID = 1 << 2
+    """Receiver or reference station."""
+    TRACKING_CHANNEL = 1 << 3
+    """Tracking channel."""
+    GNSS_ID = 1 << 4
+    """Constellation."""
+    SATELLITE_ID = 1 << 5
+    """Satellite."""
+    SIGNAL_ID = 1 << 6
+    """Signal."""
+    SIGNAL_STRENGTH = 1 << 7
+    """Signal strength."""
+    QUALITY = 1 << 8
+    """Signal quality."""
+    PSEUDORANGE = 1 << 9
+    """Pseudorange."""
+    CARRIER_PHASE = 1 << 10
+    """Carrier phase."""
+    DOPPLER = 1 << 11
+    """Doppler shift."""
+    RANGE_UNCERTAINTY = 1 << 12
+    """Uncertainty of the pseudorange."""
+    CARRIER_PHASE_UNCERTAINTY = 1 << 13
+    """Uncertainty of the carrier phase."""
+    DOPPLER_UNCERTAINTY = 1 << 14
+    """Uncertainty of the Doppler shift."""
+    LOCK_TIME = 1 << 15
+    """Lock time."""
+    FLAGS = 0xFFFF
+    """All of them."""
+
+
+class EphemerisFlags(IntFlag):
+    """What an ephemeris of GPS, Galileo or BeiDou holds."""
+
+    EPHEMERIS = 1 << 0
+    """The ephemeris is valid."""
+    MODERN_DATA = 1 << 1
+    """The data of the modernized navigation message are included."""
+    ISC_L5 = 1 << 2
+    """isc_l2c is the correction for L5, not for L2."""
+    FLAGS = 0x7
+    """All of them."""
+
+
+class GlonassSatelliteType(codec.OpenEnum):
+    """Generation of a GLONASS satellite."""
+
+    GLONASS = 0
+    """GLONASS."""
+    GLONASS_M = 1
+    """GLONASS-M."""
+
+
+class GlonassEphemerisFlags(IntFlag):
+    """Whether the ephemeris is valid."""
+
+    EPHEMERIS = 1 << 0
+    """The ephemeris is valid."""
+    FLAGS = 1 << 0
+    """All of them."""
+
+
+_GNSS_LLH_POSITION_0 = codec.Block(
+    "ddddffH",
+    "latitude",
+    "longitude",
+    "ellipsoid_height",
+    "msl_height",
+    "horizontal_accuracy",
+    "vertical_accuracy",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class GnssLlhPosition(Data):
+    """GNSS LLH position (0x91,0x03).
+
+    GNSS position as latitude, longitude and height.
+
+    - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x03
+    NAME = "gnss_1.gnss_llh_position"
+    ROLE = "data"
+
+    latitude: float
+    """Latitude. [deg] Frame: llh. Valid if valid_flags.lat_lon."""
+    longitude: float
+    """Longitude. [deg] Frame: llh. Valid if valid_flags.lat_lon."""
+    ellipsoid_height: float
+    """Height above the ellipsoid. [m] Frame: llh. Valid if valid_flags.ellipsoid_height."""
+    msl_height: float
+    """Height above mean sea level. [m] Valid if valid_flags.msl_height."""
+    horizontal_accuracy: float
+    """Horizontal accuracy. [m] Valid if valid_flags.horizontal_accuracy."""
+    vertical_accuracy: float
+    """Vertical accuracy. [m] Valid if valid_flags.vertical_accuracy."""
+    valid_flags: GnssLlhPositionFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssLlhPosition, int]:
+        v = _GNSS_LLH_POSITION_0.read(raw, at)
+        at += 42
+        latitude = v[0]
+        longitude = v[1]
+        ellipsoid_height = v[2]
+        msl_height = v[3]
+        horizontal_accuracy = v[4]
+        vertical_accuracy = v[5]
+        valid_flags = GnssLlhPositionFlags(v[6])
+        return cls(
+            latitude,
+            longitude,
+            ellipsoid_height,
+            msl_height,
+            horizontal_accuracy,
+            vertical_accuracy,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_LLH_POSITION_0.write(
+            self.latitude,
+            self.longitude,
+            self.ellipsoid_height,
+            self.msl_height,
+            self.horizontal_accuracy,
+            self.vertical_accuracy,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_GNSS_ECEF_POSITION_0 = codec.Block("dddfH", "x", "x", "x", "x_accuracy", "valid_flags")
+
+
+@dataclass(slots=True)
+class GnssEcefPosition(Data):
+    """GNSS ECEF position (0x91,0x04).
+
+    GNSS position in Earth-fixed coordinates.
+
+    - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x04
+    NAME = "gnss_1.gnss_ecef_position"
+    ROLE = "data"
+
+    x: types.Vector3d
+    """Position. [m] Frame: ecef. Valid if valid_flags.position."""
+    x_accuracy: float
+    """Accuracy of the position. [m] Valid if valid_flags.position_accuracy."""
+    valid_flags: GnssEcefPositionFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssEcefPosition, int]:
+        v = _GNSS_ECEF_POSITION_0.read(raw, at)
+        at += 30
+        x = v[0:3]
+        x_accuracy = v[3]
+        valid_flags = GnssEcefPositionFlags(v[4])
+        return cls(x, x_accuracy, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_ECEF_POSITION_0.write(
+            *codec.exactly("x", self.x, 3), self.x_accuracy, self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_NED_VELOCITY_0 = codec.Block(
+    "ffffffffH",
+    "v_",
+    "v_",
+    "v_",
+    "speed",
+    "ground_speed",
+    "heading",
+    "speed_accuracy",
+    "heading_accuracy",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class NedVelocity(Data):
+    """NED velocity (0x91,0x05).
+
+    GNSS velocity in the local level frame.
+
+    - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x05
+    NAME = "gnss_1.ned_velocity"
+    ROLE = "data"
+
+    v_: types.Vector3f
+    """Velocity. [m/s] Frame: ned. Valid if valid_flags.velocity."""
+    speed: float
+    """Speed in space. [m/s] Valid if valid_flags.speed_3d."""
+    ground_speed: float
+    """Speed over ground. [m/s] Valid if valid_flags.ground_speed."""
+    heading: float
+    """Direction of the motion over ground. [deg] Frame: ned. Valid if valid_flags.heading."""
+    speed_accuracy: float
+    """Accuracy of the speed. [m/s] Valid if valid_flags.speed_accuracy."""
+    heading_accuracy: float
+    """Accuracy of the heading. [deg] Valid if valid_flags.heading_accuracy."""
+    valid_flags: NedVelocityFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[NedVelocity, int]:
+        v = _NED_VELOCITY_0.read(raw, at)
+        at += 34
+        v_ = v[0:3]
+        speed = v[3]
+        ground_speed = v[4]
+        heading = v[5]
+        speed_accuracy = v[6]
+        heading_accuracy = v[7]
+        valid_flags = NedVelocityFlags(v[8])
+        return cls(
+            v_, speed, ground_speed, heading, speed_accuracy, heading_accuracy, valid_flags
+        ), at
+
+    def _write(self) -> bytes:
+        out = _NED_VELOCITY_0.write(
+            *codec.exactly("v_", self.v_, 3),
+            self.speed,
+            self.ground_speed,
+            self.heading,
+            self.speed_accuracy,
+            self.heading_accuracy,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_GNSS_ECEF_VELOCITY_0 = codec.Block("ffffH", "v_", "v_", "v_", "v_accuracy", "valid_flags")
+
+
+@dataclass(slots=True)
+class GnssEcefVelocity(Data):
+    """GNSS ECEF velocity (0x91,0x06).
+
+    GNSS velocity in Earth-fixed coordinates.
+
+    - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x06
+    NAME = "gnss_1.gnss_ecef_velocity"
+    ROLE = "data"
+
+    v_: types.Vector3f
+    """Velocity. [m/s] Frame: ecef. Valid if valid_flags.velocity."""
+    v_accuracy: float
+    """Accuracy of the velocity. [m/s] Valid if valid_flags.velocity_accuracy."""
+    valid_flags: GnssEcefVelocityFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssEcefVelocity, int]:
+        v = _GNSS_ECEF_VELOCITY_0.read(raw, at)
+        at += 18
+        v_ = v[0:3]
+        v_accuracy = v[3]
+        valid_flags = GnssEcefVelocityFlags(v[4])
+        return cls(v_, v_accuracy, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_ECEF_VELOCITY_0.write(
+            *codec.exactly("v_", self.v_, 3), self.v_accuracy, self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_DOP_0 = codec.Block(
+    "fffffffH", "gdop", "pdop", "hdop", "vdop", "tdop", "ndop", "edop", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class Dop(Data):
+    """DOP (0x91,0x07).
+
+    Dilution of precision of the satellite geometry.
+
+    - 3dm-cv7-gnss-ins: DOP (0x91,0x07)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x07
+    NAME = "gnss_1.dop"
+    ROLE = "data"
+
+    gdop: float
+    """Geometric dilution. [1] Valid if valid_flags.gdop."""
+    pdop: float
+    """Position dilution. [1] Valid if valid_flags.pdop."""
+    hdop: float
+    """Horizontal dilution. [1] Valid if valid_flags.hdop."""
+    vdop: float
+    """Vertical dilution. [1] Valid if valid_flags.vdop."""
+    tdop: float
+    """Time dilution. [1] Valid if valid_flags.tdop."""
+    ndop: float
+    """Northing dilution. [1] Valid if valid_flags.ndop."""
+    edop: float
+    """Easting dilution. [1] Valid if valid_flags.edop."""
+    valid_flags: DopFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Dop, int]:
+        v = _DOP_0.read(raw, at)
+        at += 30
+        gdop = v[0]
+        pdop = v[1]
+        hdop = v[2]
+        vdop = v[3]
+        tdop = v[4]
+        ndop = v[5]
+        edop = v[6]
+        valid_flags = DopFlags(v[7])
+        return cls(gdop, pdop, hdop, vdop, tdop, ndop, edop, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _DOP_0.write(
+            self.gdop,
+            self.pdop,
+            self.hdop,
+            self.vdop,
+            self.tdop,
+            self.ndop,
+            self.edop,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_UTC_TIME_0 = codec.Block(
+    "HBBBBBIH", "year", "month", "day", "hour", "min", "sec", "msec", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class UtcTime(Data):
+    """UTC time (0x91,0x08).
+
+    Coordinated universal time as the receiver knows it.
+
+    - 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x08
+    NAME = "gnss_1.utc_time"
+    ROLE = "data"
+
+    year: int
+    """Year. Valid if valid_flags.gnss_date_time."""
+    month: int
+    """Month. Range: 1 to 12. Valid if valid_flags.gnss_date_time."""
+    day: int
+    """Day of the month. Range: 1 to 31. Valid if valid_flags.gnss_date_time."""
+    hour: int
+    """Hour. Range: 0 to 23. Valid if valid_flags.gnss_date_time."""
+    min: int
+    """Minute. Range: 0 to 59. Valid if valid_flags.gnss_date_time."""
+    sec: int
+    """Second. [s] Range: 0 to 59. Valid if valid_flags.gnss_date_time."""
+    msec: int
+    """Fraction of the second. [ms] Range: 0 to 999. Valid if valid_flags.gnss_date_time."""
+    valid_flags: UtcTimeFlags
+    """How far the time is valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[UtcTime, int]:
+        v = _UTC_TIME_0.read(raw, at)
+        at += 13
+        year = v[0]
+        month = v[1]
+        day = v[2]
+        hour = v[3]
+        min = v[4]
+        sec = v[5]
+        msec = v[6]
+        valid_flags = UtcTimeFlags(v[7])
+        return cls(year, month, day, hour, min, sec, msec, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _UTC_TIME_0.write(
+            self.year,
+            self.month,
+            self.day,
+            self.hour,
+            self.min,
+            self.sec,
+            self.msec,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_GPS_TIME_0 = codec.Block("dHH", "tow", "week_number", "valid_flags")
+
+
+@dataclass(slots=True)
+class GpsTime(Data):
+    """GPS time (0x91,0x09).
+
+    GPS time as the receiver knows it.
+
+    - 3dm-cv7-gnss-ins: GPS Time (0x91,0x09)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x09
+    NAME = "gnss_1.gps_time"
+    ROLE = "data"
+
+    tow: float
+    """GPS time of week. [s] Valid if valid_flags.tow."""
+    week_number: int
+    """GPS week number. [week] Valid if valid_flags.week_number."""
+    valid_flags: GpsTimeFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsTime, int]:
+        v = _GPS_TIME_0.read(raw, at)
+        at += 12
+        tow = v[0]
+        week_number = v[1]
+        valid_flags = GpsTimeFlags(v[2])
+        return cls(tow, week_number, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GPS_TIME_0.write(self.tow, self.week_number, self.valid_flags)
+        return codec.finished(out)
+
+
+_FIX_INFO_0 = codec.Block("BBHH", "fix_type", "num_sv", "fix_flags", "valid_flags")
+
+
+@dataclass(slots=True)
+class FixInfo(Data):
+    """Fix info (0x91,0x0B).
+
+    Type of the position fix and what it is made of.
+
+    - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x0B
+    NAME = "gnss_1.fix_info"
+    ROLE = "data"
+
+    fix_type: types.GnssFixType
+    """Type of the fix. Valid if valid_flags.fix_type."""
+    num_sv: int
+    """Number of satellites of the fix. [1] Valid if valid_flags.num_sv."""
+    fix_flags: FixFlags
+    """Aids of the fix. Valid if valid_flags.fix_flags."""
+    valid_flags: FixInfoFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[FixInfo, int]:
+        v = _FIX_INFO_0.read(raw, at)
+        at += 6
+        fix_type = types.GnssFixType(v[0])
+        num_sv = v[1]
+        fix_flags = FixFlags(v[2])
+        valid_flags = FixInfoFlags(v[3])
+        return cls(fix_type, num_sv, fix_flags, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _FIX_INFO_0.write(self.fix_type, self.num_sv, self.fix_flags, self.valid_flags)
+        return codec.finished(out)
+
+
+_GNSS_HARDWARE_STATUS_0 = codec.Block(
+    "BBBH", "receiver_state", "antenna_state", "antenna_power", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class GnssHardwareStatus(Data):
+    """GNSS hardware status (0x91,0x0D).
+
+    State of the receiver and of its antenna.
+
+    - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x0D
+    NAME = "gnss_1.gnss_hardware_status"
+    ROLE = "data"
+
+    receiver_state: ReceiverState
+    """State of the receiver. Valid if valid_flags.sensor_state."""
+    antenna_state: AntennaState
+    """State of the antenna. Valid if valid_flags.antenna_state."""
+    antenna_power: AntennaPower
+    """Supply of the antenna. Valid if valid_flags.antenna_power."""
+    valid_flags: GnssHardwareStatusFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssHardwareStatus, int]:
+        v = _GNSS_HARDWARE_STATUS_0.read(raw, at)
+        at += 5
+        receiver_state = ReceiverState(v[0])
+        antenna_state = AntennaState(v[1])
+        antenna_power = AntennaPower(v[2])
+        valid_flags = GnssHardwareStatusFlags(v[3])
+        return cls(receiver_state, antenna_state, antenna_power, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_HARDWARE_STATUS_0.write(
+            self.receiver_state, self.antenna_state, self.antenna_power, self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_CLOCK_INFO_2_0 = codec.Block(
+    "ddddH", "bias", "drift", "bias_accuracy_estimate", "drift_accuracy_estimate", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class ClockInfo2(Data):
+    """Clock info 2 (0x91,0x10).
+
+    Bias and drift of the receiver clock.
+    It supersedes an older field, which the manual does not define.
+    The manual gives no units.
+
+    - 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x10
+    NAME = "gnss_1.clock_info_2"
+    ROLE = "data"
+
+    bias: float
+    """Bias of the clock. Valid if valid_flags.bias."""
+    drift: float
+    """Drift of the clock. Valid if valid_flags.drift."""
+    bias_accuracy_estimate: float
+    """Accuracy of the bias. Valid if valid_flags.bias_accuracy."""
+    drift_accuracy_estimate: float
+    """Accuracy of the drift. Valid if valid_flags.drift_accuracy."""
+    valid_flags: ClockInfo2Flags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ClockInfo2, int]:
+        v = _CLOCK_INFO_2_0.read(raw, at)
+        at += 34
+        bias = v[0]
+        drift = v[1]
+        bias_accuracy_estimate = v[2]
+        drift_accuracy_estimate = v[3]
+        valid_flags = ClockInfo2Flags(v[4])
+        return cls(bias, drift, bias_accuracy_estimate, drift_accuracy_estimate, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _CLOCK_INFO_2_0.write(
+            self.bias,
+            self.drift,
+            self.bias_accuracy_estimate,
+            self.drift_accuracy_estimate,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_GPS_LEAP_SECONDS_0 = codec.Block("BH", "leap_seconds", "valid_flags")
+
+
+@dataclass(slots=True)
+class GpsLeapSeconds(Data):
+    """GPS leap seconds (0x91,0x11).
+
+    Difference between GPS time and UTC.
+
+    - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x11
+    NAME = "gnss_1.gps_leap_seconds"
+    ROLE = "data"
+
+    leap_seconds: int
+    """GPS time minus UTC. [s] Valid if valid_flags.leap_seconds."""
+    valid_flags: GpsLeapSecondsFlags
+    """Whether the value is valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsLeapSeconds, int]:
+        v = _GPS_LEAP_SECONDS_0.read(raw, at)
+        at += 3
+        leap_seconds = v[0]
+        valid_flags = GpsLeapSecondsFlags(v[1])
+        return cls(leap_seconds, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GPS_LEAP_SECONDS_0.write(self.leap_seconds, self.valid_flags)
+        return codec.finished(out)
+
+
+_SBAS_INFO_0 = codec.Block(
+    "dHBBBBH",
+    "time_of_week",
+    "week_number",
+    "sbas_system",
+    "sbas_id",
+    "count",
+    "sbas_status",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class SbasInfo(Data):
+    """SBAS info (0x91,0x12).
+
+    Status of the satellite based augmentation.
+
+    - 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x12
+    NAME = "gnss_1.sbas_info"
+    ROLE = "data"
+
+    time_of_week: float
+    """GPS time of week. [s] Valid if valid_flags.tow."""
+    week_number: int
+    """GPS week number. [week] Valid if valid_flags.week_number."""
+    sbas_system: SbasSystem
+    """System in use. Valid if valid_flags.sbas_system."""
+    sbas_id: int
+    """SBAS satellite. Valid if valid_flags.sbas_id."""
+    count: int
+    """Number of SBAS corrections. [1] Valid if valid_flags.count."""
+    sbas_status: SbasStatus
+    """Status of the service. Valid if valid_flags.sbas_status."""
+    valid_flags: SbasInfoFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SbasInfo, int]:
+        v = _SBAS_INFO_0.read(raw, at)
+        at += 16
+        time_of_week = v[0]
+        week_number = v[1]
+        sbas_system = SbasSystem(v[2])
+        sbas_id = v[3]
+        count = v[4]
+        sbas_status = SbasStatus(v[5])
+        valid_flags = SbasInfoFlags(v[6])
+        return cls(
+            time_of_week, week_number, sbas_system, sbas_id, count, sbas_status, valid_flags
+        ), at
+
+    def _write(self) -> bytes:
+        out = _SBAS_INFO_0.write(
+            self.time_of_week,
+            self.week_number,
+            self.sbas_system,
+            self.sbas_id,
+            self.count,
+            self.sbas_status,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_SATELLITE_STATUS_0 = codec.Block(
+    "BBdHBBffBH",
+    "index",
+    "count",
+    "time_of_week",
+    "week_number",
+    "gnss_id",
+    "satellite_id",
+    "elevation",
+    "azimuth",
+    "health",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class SatelliteStatus(Data):
+    """Satellite status (0x91,0x20).
+
+    Where one satellite stands, and its health.
+    An epoch is sent as one field for each satellite; index and count number the fields.
+
+    - 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x20
+    NAME = "gnss_1.satellite_status"
+    ROLE = "data"
+
+    index: int
+    """Number of this field within the epoch."""
+    count: int
+    """How many of these fields the epoch has."""
+    time_of_week: float
+    """GPS time of week. [s] Valid if valid_flags.tow."""
+    week_number: int
+    """GPS week number. [week] Valid if valid_flags.week_number."""
+    gnss_id: types.GnssConstellation
+    """Constellation. Valid if valid_flags.gnss_id."""
+    satellite_id: int
+    """Satellite within the constellation. Valid if valid_flags.satellite_id."""
+    elevation: float
+    """Elevation, as seen from the rover. [deg] Valid if valid_flags.elevation."""
+    azimuth: float
+    """Azimuth, as seen from the rover. [deg] Valid if valid_flags.azimuth."""
+    health: bool
+    """Whether the satellite is healthy. Valid if valid_flags.health."""
+    valid_flags: SatelliteStatusFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SatelliteStatus, int]:
+        v = _SATELLITE_STATUS_0.read(raw, at)
+        at += 25
+        index = v[0]
+        count = v[1]
+        time_of_week = v[2]
+        week_number = v[3]
+        gnss_id = types.GnssConstellation(v[4])
+        satellite_id = v[5]
+        elevation = v[6]
+        azimuth = v[7]
+        health = codec.truth(v[8])
+        valid_flags = SatelliteStatusFlags(v[9])
+        return cls(
+            index,
+            count,
+            time_of_week,
+            week_number,
+            gnss_id,
+            satellite_id,
+            elevation,
+            azimuth,
+            health,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _SATELLITE_STATUS_0.write(
+            self.index,
+            self.count,
+            self.time_of_week,
+            self.week_number,
+            self.gnss_id,
+            self.satellite_id,
+            self.elevation,
+            self.azimuth,
+            self.health,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_RAW_0 = codec.Block(
+    "BBdHHBBBBfBddfffffH",
+    "index",
+    "count",
+    "time_of_week",
+    "week_number",
+    "receiver_id",
+    "tracking_channel",
+    "gnss_id",
+    "satellite_id",
+    "signal_id",
+    "signal_strength",
+    "quality",
+    "pseudorange",
+    "carrier_phase",
+    "doppler",
+    "range_uncert",
+    "phase_uncert",
+    "doppler_uncert",
+    "lock_time",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class Raw(Data):
+    """Raw (0x91,0x22).
+
+    Raw observation of one signal of one satellite.
+    An epoch is sent as one field for each signal; index and count number the fields.
+    The greatest lock time depends on the receiver.
+
+    - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x22
+    NAME = "gnss_1.raw"
+    ROLE = "data"
+
+    index: int
+    """Number of this field within the epoch."""
+    count: int
+    """How many of these fields the epoch has."""
+    time_of_week: float
+    """GPS time of week. [s] Valid if valid_flags.tow."""
+    week_number: int
+    """GPS week number. [week] Valid if valid_flags.week_number."""
+    receiver_id: int
+    """Receiver, counted from 1; for a measurement from RTCM, the reference station. Valid if
+    valid_flags.receiver_id.
+    """
+    tracking_channel: int
+    """Channel that tracks the satellite. Valid if valid_flags.tracking_channel."""
+    gnss_id: types.GnssConstellation
+    """Constellation. Valid if valid_flags.gnss_id."""
+    satellite_id: int
+    """Satellite within the constellation. Valid if valid_flags.satellite_id."""
+    signal_id: types.GnssSignal
+    """Signal. Valid if valid_flags.signal_id."""
+    signal_strength: float
+    """Carrier to noise density ratio. [dB-Hz] Valid if valid_flags.signal_strength."""
+    quality: SignalQuality
+    """How well the signal is tracked. Valid if valid_flags.quality."""
+    pseudorange: float
+    """Pseudorange. [m] Valid if valid_flags.pseudorange."""
+    carrier_phase: float
+    """Carrier phase. [cycle] Valid if valid_flags.carrier_phase."""
+    doppler: float
+    """Doppler shift. [Hz] Valid if valid_flags.doppler."""
+    range_uncert: float
+    """Uncertainty of the pseudorange. [m] Valid if valid_flags.range_uncertainty."""
+    phase_uncert: float
+    """Uncertainty of the carrier phase. [cycle] Valid if valid_flags.carrier_phase_uncertainty."""
+    doppler_uncert: float
+    """Uncertainty of the Doppler shift. [Hz] Valid if valid_flags.doppler_uncertainty."""
+    lock_time: float
+    """Lower limit of the time that the carrier phase has been locked. [s] Valid if
+    valid_flags.lock_time.
+    """
+    valid_flags: RawFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Raw, int]:
+        v = _RAW_0.read(raw, at)
+        at += 61
+        index = v[0]
+        count = v[1]
+        time_of_week = v[2]
+        week_number = v[3]
+        receiver_id = v[4]
+        tracking_channel = v[5]
+        gnss_id = types.GnssConstellation(v[6])
+        satellite_id = v[7]
+        signal_id = types.GnssSignal(v[8])
+        signal_strength = v[9]
+        quality = SignalQuality(v[10])
+        pseudorange = v[11]
+        carrier_phase = v[12]
+        doppler = v[13]
+        range_uncert = v[14]
+        phase_uncert = v[15]
+        doppler_uncert = v[16]
+        lock_time = v[17]
+        valid_flags = RawFlags(v[18])
+        return cls(
+            index,
+            count,
+            time_of_week,
+            week_number,
+            receiver_id,
+            tracking_channel,
+            gnss_id,
+            satellite_id,
+            signal_id,
+            signal_strength,
+            quality,
+            pseudorange,
+            carrier_phase,
+            doppler,
+            range_uncert,
+            phase_uncert,
+            doppler_uncert,
+            lock_time,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _RAW_0.write(
+            self.index,
+            self.count,
+            self.time_of_week,
+            self.week_number,
+            self.receiver_id,
+            self.tracking_channel,
+            self.gnss_id,
+            self.satellite_id,
+            self.signal_id,
+            self.signal_strength,
+            self.quality,
+            self.pseudorange,
+            self.carrier_phase,
+            self.doppler,
+            self.range_uncert,
+            self.phase_uncert,
+            self.doppler_uncert,
+            self.lock_time,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_GPS_EPHEMERIS_0 = codec.Block(
+    "BBdHBBBBdddddddddddddddddddddddddH",
+    "index",
+    "count",
+    "time_of_week",
+    "week_number",
+    "satellite_id",
+    "health",
+    "iodec",
+    "iode",
+    "t_oc",
+    "af0",
+    "af1",
+    "af2",
+    "t_gd",
+    "isc_l1ca",
+    "isc_l2c",
+    "t_oe",
+    "a",
+    "a_dot",
+    "mean_anomaly",
+    "delta_mean_motion",
+    "delta_mean_motion_dot",
+    "eccentricity",
+    "argument_of_perigee",
+    "omega",
+    "omega_dot",
+    "inclination",
+    "inclination_dot",
+    "c_ic",
+    "c_is",
+    "c_uc",
+    "c_us",
+    "c_rc",
+    "c_rs",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class GpsEphemeris(Data):
+    """GPS ephemeris (0x91,0x61).
+
+    Broadcast orbit and clock of one GPS satellite.
+    iodec changes with the clock data; the manual has it roll over at 4.
+
+    - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x61
+    NAME = "gnss_1.gps_ephemeris"
+    ROLE = "data"
+
+    index: int
+    """Number of this field within the epoch."""
+    count: int
+    """How many of these fields the epoch has."""
+    time_of_week: float
+    """GPS time of week. [s]"""
+    week_number: int
+    """GPS week number. [week]"""
+    satellite_id: int
+    """Satellite within the constellation."""
+    health: int
+    """Health of satellite and signals. Valid if valid_flags.ephemeris."""
+    iodec: int
+    """Issue of data, clock. Valid if valid_flags.ephemeris."""
+    iode: int
+    """Issue of data, ephemeris. Valid if valid_flags.ephemeris."""
+    t_oc: float
+    """Reference time of the clock data. [s] Valid if valid_flags.ephemeris."""
+    af0: float
+    """Clock bias. [s] Valid if valid_flags.ephemeris."""
+    af1: float
+    """Clock drift. [s/s] Valid if valid_flags.ephemeris."""
+    af2: float
+    """Clock drift rate. [s/s^2] Valid if valid_flags.ephemeris."""
+    t_gd: float
+    """Group delay. [s] Valid if valid_flags.ephemeris."""
+    isc_l1ca: float
+    """Inter-signal correction for L1. [s] Valid if valid_flags.ephemeris."""
+    isc_l2c: float
+    """Inter-signal correction for L2, or for L5 if isc_l5 is set. [s] Valid if
+    valid_flags.ephemeris.
+    """
+    t_oe: float
+    """Reference time of the ephemeris. [s] Valid if valid_flags.ephemeris."""
+    a: float
+    """Semi-major axis. [m] Valid if valid_flags.ephemeris."""
+    a_dot: float
+    """Rate of the semi-major axis. [m/s] Valid if valid_flags.ephemeris."""
+    mean_anomaly: float
+    """Mean anomaly. [rad] Valid if valid_flags.ephemeris."""
+    delta_mean_motion: float
+    """Correction of the mean motion. [rad/s] Valid if valid_flags.ephemeris."""
+    delta_mean_motion_dot: float
+    """Rate of the correction of the mean motion. [rad/s^2] Valid if valid_flags.ephemeris."""
+    eccentricity: float
+    """Eccentricity. [1] Valid if valid_flags.ephemeris."""
+    argument_of_perigee: float
+    """Argument of perigee. [rad] Valid if valid_flags.ephemeris."""
+    omega: float
+    """Longitude of the ascending node. [rad] Valid if valid_flags.ephemeris."""
+    omega_dot: float
+    """Rate of the right ascension. [rad/s] Valid if valid_flags.ephemeris."""
+    inclination: float
+    """Inclination. [rad] Valid if valid_flags.ephemeris."""
+    inclination_dot: float
+    """Rate of the inclination. [rad/s] Valid if valid_flags.ephemeris."""
+    c_ic: float
+    """Cosine harmonic correction of the inclination. [rad] Valid if valid_flags.ephemeris."""
+    c_is: float
+    """Sine harmonic correction of the inclination. [rad] Valid if valid_flags.ephemeris."""
+    c_uc: float
+    """Cosine harmonic correction of the argument of latitude. [rad] Valid if
+    valid_flags.ephemeris.
+    """
+    c_us: float
+    """Sine harmonic correction of the argument of latitude. [rad] Valid if
+    valid_flags.ephemeris.
+    """
+    c_rc: float
+    """Cosine harmonic correction of the orbit radius. [m] Valid if valid_flags.ephemeris."""
+    c_rs: float
+    """Sine harmonic correction of the orbit radius. [m] Valid if valid_flags.ephemeris."""
+    valid_flags: EphemerisFlags
+    """What the ephemeris holds."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsEphemeris, int]:
+        v = _GPS_EPHEMERIS_0.read(raw, at)
+        at += 218
+        index = v[0]
+        count = v[1]
+        time_of_week = v[2]
+        week_number = v[3]
+        satellite_id = v[4]
+        health = v[5]
+        iodec = v[6]
+        iode = v[7]
+        t_oc = v[8]
+        af0 = v[9]
+        af1 = v[10]
+        af2 = v[11]
+        t_gd = v[12]
+        isc_l1ca = v[13]
+        isc_l2c = v[14]
+        t_oe = v[15]
+        a = v[16]
+        a_dot = v[17]
+        mean_anomaly = v[18]
+        delta_mean_motion = v[19]
+        delta_mean_motion_dot = v[20]
+        eccentricity = v[21]
+        argument_of_perigee = v[22]
+        omega = v[23]
+        omega_dot = v[24]
+        inclination = v[25]
+        inclination_dot = v[26]
+        c_ic = v[27]
+        c_is = v[28]
+        c_uc = v[29]
+        c_us = v[30]
+        c_rc = v[31]
+        c_rs = v[32]
+        valid_flags = EphemerisFlags(v[33])
+        return cls(
+            index,
+            count,
+            time_of_week,
+            week_number,
+            satellite_id,
+            health,
+            iodec,
+            iode,
+            t_oc,
+            af0,
+            af1,
+            af2,
+            t_gd,
+            isc_l1ca,
+            isc_l2c,
+            t_oe,
+            a,
+            a_dot,
+            mean_anomaly,
+            delta_mean_motion,
+            delta_mean_motion_dot,
+            eccentricity,
+            argument_of_perigee,
+            omega,
+            omega_dot,
+            inclination,
+            inclination_dot,
+            c_ic,
+            c_is,
+            c_uc,
+            c_us,
+            c_rc,
+            c_rs,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _GPS_EPHEMERIS_0.write(
+            self.index,
+            self.count,
+            self.time_of_week,
+            self.week_number,
+            self.satellite_id,
+            self.health,
+            self.iodec,
+            self.iode,
+            self.t_oc,
+            self.af0,
+            self.af1,
+            self.af2,
+            self.t_gd,
+            self.isc_l1ca,
+            self.isc_l2c,
+            self.t_oe,
+            self.a,
+            self.a_dot,
+            self.mean_anomaly,
+            self.delta_mean_motion,
+            self.delta_mean_motion_dot,
+            self.eccentricity,
+            self.argument_of_perigee,
+            self.omega,
+            self.omega_dot,
+            self.inclination,
+            self.inclination_dot,
+            self.c_ic,
+            self.c_is,
+            self.c_uc,
+            self.c_us,
+            self.c_rc,
+            self.c_rs,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_GLONASS_EPHEMERIS_0 = codec.Block(
+    "BBdHBbIIBdddddffffffBBBfBBBBBBH",
+    "index",
+    "count",
+    "time_of_week",
+    "week_number",
+    "satellite_id",
+    "freq_number",
+    "tk",
+    "tb",
+    "sat_type",
+    "gamma",
+    "tau_n",
+    "x",
+    "x",
+    "x",
+    "v_",
+    "v_",
+    "v_",
+    "a",
+    "a",
+    "a",
+    "health",
+    "p",
+    "nt",
+    "delta_tau_n",
+    "ft",
+    "en",
+    "p1",
+    "p2",
+    "p3",
+    "p4",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class GlonassEphemeris(Data):
+    """GLONASS ephemeris (0x91,0x62).
+
+    Broadcast orbit and clock of one GLONASS satellite.
+    The interface control document of GLONASS explains p and ft.
+    A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
+
+    - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x62
+    NAME = "gnss_1.glonass_ephemeris"
+    ROLE = "data"
+
+    index: int
+    """Number of this field within the epoch."""
+    count: int
+    """How many of these fields the epoch has."""
+    time_of_week: float
+    """GPS time of week. [s]"""
+    week_number: int
+    """GPS week number. [week]"""
+    satellite_id: int
+    """Satellite within the constellation."""
+    freq_number: int
+    """GLONASS frequency number. Range: -7 to 24. Valid if valid_flags.ephemeris."""
+    tk: int
+    """Start of the frame within the day. [s] Valid if valid_flags.ephemeris."""
+    tb: int
+    """Reference time of the ephemeris. [s] Valid if valid_flags.ephemeris."""
+    sat_type: GlonassSatelliteType
+    """Generation of the satellite (M). Valid if valid_flags.ephemeris."""
+    gamma: float
+    """Relative deviation of the carrier frequency from its nominal value. [1] Valid if
+    valid_flags.ephemeris.
+    """
+    tau_n: float
+    """Correction of the satellite time relative to GLONASS time. [s] Valid if
+    valid_flags.ephemeris.
+    """
+    x: types.Vector3d
+    """Position of the satellite in PZ-90. [m] Valid if valid_flags.ephemeris."""
+    v_: types.Vector3f
+    """Velocity of the satellite in PZ-90. [m/s] Valid if valid_flags.ephemeris."""
+    a: types.Vector3f
+    """Acceleration of the satellite by perturbations, in PZ-90. [m/s^2] Valid if
+    valid_flags.ephemeris.
+    """
+    health: int
+    """Health (Bn); not 0 if the satellite fails. Valid if valid_flags.ephemeris."""
+    p: int
+    """Mode of operation of the satellite. Valid if valid_flags.ephemeris."""
+    nt: int
+    """Day within a period of four years. [day] Valid if valid_flags.ephemeris."""
+    delta_tau_n: float
+    """Time difference between L1 and L2. [s] Valid if valid_flags.ephemeris."""
+    ft: int
+    """Code of the user range accuracy. Valid if valid_flags.ephemeris."""
+    en: int
+    """Age of the information. [day] Valid if valid_flags.ephemeris."""
+    p1: int
+    """Time between adjacent values of tb. [min] Valid if valid_flags.ephemeris."""
+    p2: int
+    """1 if tb is odd, 0 if it is even. Range: 0 to 1. Valid if valid_flags.ephemeris."""
+    p3: int
+    """Number of satellites in the almanac of the frame. [1] Valid if valid_flags.ephemeris."""
+    p4: int
+    """Whether ephemeris parameters are present. Valid if valid_flags.ephemeris."""
+    valid_flags: GlonassEphemerisFlags
+    """Whether the ephemeris is valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GlonassEphemeris, int]:
+        v = _GLONASS_EPHEMERIS_0.read(raw, at)
+        at += 102
+        index = v[0]
+        count = v[1]
+        time_of_week = v[2]
+        week_number = v[3]
+        satellite_id = v[4]
+        freq_number = v[5]
+        tk = v[6]
+        tb = v[7]
+        sat_type = GlonassSatelliteType(v[8])
+        gamma = v[9]
+        tau_n = v[10]
+        x = v[11:14]
+        v_ = v[14:17]
+        a = v[17:20]
+        health = v[20]
+        p = v[21]
+        nt = v[22]
+        delta_tau_n = v[23]
+        ft = v[24]
+        en = v[25]
+        p1 = v[26]
+        p2 = v[27]
+        p3 = v[28]
+        p4 = v[29]
+        valid_flags = GlonassEphemerisFlags(v[30])
+        return cls(
+            index,
+            count,
+            time_of_week,
+            week_number,
+            satellite_id,
+            freq_number,
+            tk,
+            tb,
+            sat_type,
+            gamma,
+            tau_n,
+            x,
+            v_,
+            a,
+            health,
+            p,
+            nt,
+            delta_tau_n,
+            ft,
+            en,
+            p1,
+            p2,
+            p3,
+            p4,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _GLONASS_EPHEMERIS_0.write(
+            self.index,
+            self.count,
+            self.time_of_week,
+            self.week_number,
+            self.satellite_id,
+            self.freq_number,
+            self.tk,
+            self.tb,
+            self.sat_type,
+            self.gamma,
+            self.tau_n,
+            *codec.exactly("x", self.x, 3),
+            *codec.exactly("v_", self.v_, 3),
+            *codec.exactly("a", self.a, 3),
+            self.health,
+            self.p,
+            self.nt,
+            self.delta_tau_n,
+            self.ft,
+            self.en,
+            self.p1,
+            self.p2,
+            self.p3,
+            self.p4,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_GALILEO_EPHEMERIS_0 = codec.Block(
+    "BBdHBBBBdddddddddddddddddddddddddH",
+    "index",
+    "count",
+    "time_of_week",
+    "week_number",
+    "satellite_id",
+    "health",
+    "iodec",
+    "iode",
+    "t_oc",
+    "af0",
+    "af1",
+    "af2",
+    "t_gd",
+    "isc_l1ca",
+    "isc_l2c",
+    "t_oe",
+    "a",
+    "a_dot",
+    "mean_anomaly",
+    "delta_mean_motion",
+    "delta_mean_motion_dot",
+    "eccentricity",
+    "argument_of_perigee",
+    "omega",
+    "omega_dot",
+    "inclination",
+    "inclination_dot",
+    "c_ic",
+    "c_is",
+    "c_uc",
+    "c_us",
+    "c_rc",
+    "c_rs",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class GalileoEphemeris(Data):
+    """Galileo ephemeris (0x91,0x63).
+
+    Broadcast orbit and clock of one Galileo satellite.
+    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    corrections hold here.
+    iodec changes with the clock data; the manual has it roll over at 4.
+
+    - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x63
+    NAME = "gnss_1.galileo_ephemeris"
+    ROLE = "data"
+
+    index: int
+    """Number of this field within the epoch."""
+    count: int
+    """How many of these fields the epoch has."""
+    time_of_week: float
+    """GPS time of week. [s]"""
+    week_number: int
+    """GPS week number. [week]"""
+    satellite_id: int
+    """Satellite within the constellation."""
+    health: int
+    """Health of satellite and signals. Valid if valid_flags.ephemeris."""
+    iodec: int
+    """Issue of data, clock. Valid if valid_flags.ephemeris."""
+    iode: int
+    """Issue of data, ephemeris. Valid if valid_flags.ephemeris."""
+    t_oc: float
+    """Reference time of the clock data. [s] Valid if valid_flags.ephemeris."""
+    af0: float
+    """Clock bias. [s] Valid if valid_flags.ephemeris."""
+    af1: float
+    """Clock drift. [s/s] Valid if valid_flags.ephemeris."""
+    af2: float
+    """Clock drift rate. [s/s^2] Valid if valid_flags.ephemeris."""
+    t_gd: float
+    """Group delay. [s] Valid if valid_flags.ephemeris."""
+    isc_l1ca: float
+    """Place of the inter-signal correction for L1 of GPS. [s] Valid if valid_flags.ephemeris."""
+    isc_l2c: float
+    """Place of the inter-signal correction for L2 or L5 of GPS. [s] Valid if
+    valid_flags.ephemeris.
+    """
+    t_oe: float
+    """Reference time of the ephemeris. [s] Valid if valid_flags.ephemeris."""
+    a: float
+    """Semi-major axis. [m] Valid if valid_flags.ephemeris."""
+    a_dot: float
+    """Rate of the semi-major axis. [m/s] Valid if valid_flags.ephemeris."""
+    mean_anomaly: float
+    """Mean anomaly. [rad] Valid if valid_flags.ephemeris."""
+    delta_mean_motion: float
+    """Correction of the mean motion. [rad/s] Valid if valid_flags.ephemeris."""
+    delta_mean_motion_dot: float
+    """Rate of the correction of the mean motion. [rad/s^2] Valid if valid_flags.ephemeris."""
+    eccentricity: float
+    """Eccentricity. [1] Valid if valid_flags.ephemeris."""
+    argument_of_perigee: float
+    """Argument of perigee. [rad] Valid if valid_flags.ephemeris."""
+    omega: float
+    """Longitude of the ascending node. [rad] Valid if valid_flags.ephemeris."""
+    omega_dot: float
+    """Rate of the right ascension. [rad/s] Valid if valid_flags.ephemeris."""
+    inclination: float
+    """Inclination. [rad] Valid if valid_flags.ephemeris."""
+    inclination_dot: float
+    """Rate of the inclination. [rad/s] Valid if valid_flags.ephemeris."""
+    c_ic: float
+    """Cosine harmonic correction of the inclination. [rad] Valid if valid_flags.ephemeris."""
+    c_is: float
+    """Sine harmonic correction of the inclination. [rad] Valid if valid_flags.ephemeris."""
+    c_uc: float
+    """Cosine harmonic correction of the argument of latitude. [rad] Valid if
+    valid_flags.ephemeris.
+    """
+    c_us: float
+    """Sine harmonic correction of the argument of latitude. [rad] Valid if
+    valid_flags.ephemeris.
+    """
+    c_rc: float
+    """Cosine harmonic correction of the orbit radius. [m] Valid if valid_flags.ephemeris."""
+    c_rs: float
+    """Sine harmonic correction of the orbit radius. [m] Valid if valid_flags.ephemeris."""
+    valid_flags: EphemerisFlags
+    """What the ephemeris holds."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GalileoEphemeris, int]:
+        v = _GALILEO_EPHEMERIS_0.read(raw, at)
+        at += 218
+        index = v[0]
+        count = v[1]
+        time_of_week = v[2]
+        week_number = v[3]
+        satellite_id = v[4]
+        health = v[5]
+        iodec = v[6]
+        iode = v[7]
+        t_oc = v[8]
+        af0 = v[9]
+        af1 = v[10]
+        af2 = v[11]
+        t_gd = v[12]
+        isc_l1ca = v[13]
+        isc_l2c = v[14]
+        t_oe = v[15]
+        a = v[16]
+        a_dot = v[17]
+        mean_anomaly = v[18]
+        delta_mean_motion = v[19]
+        delta_mean_motion_dot = v[20]
+        eccentricity = v[21]
+        argument_of_perigee = v[22]
+        omega = v[23]
+        omega_dot = v[24]
+        inclination = v[25]
+        inclination_dot = v[26]
+        c_ic = v[27]
+        c_is = v[28]
+        c_uc = v[29]
+        c_us = v[30]
+        c_rc = v[31]
+        c_rs = v[32]
+        valid_flags = EphemerisFlags(v[33])
+        return cls(
+            index,
+            count,
+            time_of_week,
+            week_number,
+            satellite_id,
+            health,
+            iodec,
+            iode,
+            t_oc,
+            af0,
+            af1,
+            af2,
+            t_gd,
+            isc_l1ca,
+            isc_l2c,
+            t_oe,
+            a,
+            a_dot,
+            mean_anomaly,
+            delta_mean_motion,
+            delta_mean_motion_dot,
+            eccentricity,
+            argument_of_perigee,
+            omega,
+            omega_dot,
+            inclination,
+            inclination_dot,
+            c_ic,
+            c_is,
+            c_uc,
+            c_us,
+            c_rc,
+            c_rs,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _GALILEO_EPHEMERIS_0.write(
+            self.index,
+            self.count,
+            self.time_of_week,
+            self.week_number,
+            self.satellite_id,
+            self.health,
+            self.iodec,
+            self.iode,
+            self.t_oc,
+            self.af0,
+            self.af1,
+            self.af2,
+            self.t_gd,
+            self.isc_l1ca,
+            self.isc_l2c,
+            self.t_oe,
+            self.a,
+            self.a_dot,
+            self.mean_anomaly,
+            self.delta_mean_motion,
+            self.delta_mean_motion_dot,
+            self.eccentricity,
+            self.argument_of_perigee,
+            self.omega,
+            self.omega_dot,
+            self.inclination,
+            self.inclination_dot,
+            self.c_ic,
+            self.c_is,
+            self.c_uc,
+            self.c_us,
+            self.c_rc,
+            self.c_rs,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_BEIDOU_EPHEMERIS_0 = codec.Block(
+    "BBdHBBBBdddddddddddddddddddddddddH",
+    "index",
+    "count",
+    "time_of_week",
+    "week_number",
+    "satellite_id",
+    "health",
+    "iodec",
+    "iode",
+    "t_oc",
+    "af0",
+    "af1",
+    "af2",
+    "t_gd",
+    "isc_l1ca",
+    "isc_l2c",
+    "t_oe",
+    "a",
+    "a_dot",
+    "mean_anomaly",
+    "delta_mean_motion",
+    "delta_mean_motion_dot",
+    "eccentricity",
+    "argument_of_perigee",
+    "omega",
+    "omega_dot",
+    "inclination",
+    "inclination_dot",
+    "c_ic",
+    "c_is",
+    "c_uc",
+    "c_us",
+    "c_rc",
+    "c_rs",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class BeidouEphemeris(Data):
+    """BeiDou ephemeris (0x91,0x64).
+
+    Broadcast orbit and clock of one BeiDou satellite.
+    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    corrections hold here.
+    iodec changes with the clock data; the manual has it roll over at 4.
+
+    - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x64
+    NAME = "gnss_1.beidou_ephemeris"
+    ROLE = "data"
+
+    index: int
+    """Number of this field within the epoch."""
+    count: int
+    """How many of these fields the epoch has."""
+    time_of_week: float
+    """GPS time of week. [s]"""
+    week_number: int
+    """GPS week number. [week]"""
+    satellite_id: int
+    """Satellite within the constellation."""
+    health: int
+    """Health of satellite and signals. Valid if valid_flags.ephemeris."""
+    iodec: int
+    """Issue of data, clock. Valid if valid_flags.ephemeris."""
+    iode: int
+    """Issue of data, ephemeris. Valid if valid_flags.ephemeris."""
+    t_oc: float
+    """Reference time of the clock data. [s] Valid if valid_flags.ephemeris."""
+    af0: float
+    """Clock bias. [s] Valid if valid_flags.ephemeris."""
+    af1: float
+    """Clock drift. [s/s] Valid if valid_flags.ephemeris."""
+    af2: float
+    """Clock drift rate. [s/s^2] Valid if valid_flags.ephemeris."""
+    t_gd: float
+    """Group delay. [s] Valid if valid_flags.ephemeris."""
+    isc_l1ca: float
+    """Place of the inter-signal correction for L1 of GPS. [s] Valid if valid_flags.ephemeris."""
+    isc_l2c: float
+    """Place of the inter-signal correction for L2 or L5 of GPS. [s] Valid if
+    valid_flags.ephemeris.
+    """
+    t_oe: float
+    """Reference time of the ephemeris. [s] Valid if valid_flags.ephemeris."""
+    a: float
+    """Semi-major axis. [m] Valid if valid_flags.ephemeris."""
+    a_dot: float
+    """Rate of the semi-major axis. [m/s] Valid if valid_flags.ephemeris."""
+    mean_anomaly: float
+    """Mean anomaly. [rad] Valid if valid_flags.ephemeris."""
+    delta_mean_motion: float
+    """Correction of the mean motion. [rad/s] Valid if valid_flags.ephemeris."""
+    delta_mean_motion_dot: float
+    """Rate of the correction of the mean motion. [rad/s^2] Valid if valid_flags.ephemeris."""
+    eccentricity: float
+    """Eccentricity. [1] Valid if valid_flags.ephemeris."""
+    argument_of_perigee: float
+    """Argument of perigee. [rad] Valid if valid_flags.ephemeris."""
+    omega: float
+    """Longitude of the ascending node. [rad] Valid if valid_flags.ephemeris."""
+    omega_dot: float
+    """Rate of the right ascension. [rad/s] Valid if valid_flags.ephemeris."""
+    inclination: float
+    """Inclination. [rad] Valid if valid_flags.ephemeris."""
+    inclination_dot: float
+    """Rate of the inclination. [rad/s] Valid if valid_flags.ephemeris."""
+    c_ic: float
+    """Cosine harmonic correction of the inclination. [rad] Valid if valid_flags.ephemeris."""
+    c_is: float
+    """Sine harmonic correction of the inclination. [rad] Valid if valid_flags.ephemeris."""
+    c_uc: float
+    """Cosine harmonic correction of the argument of latitude. [rad] Valid if
+    valid_flags.ephemeris.
+    """
+    c_us: float
+    """Sine harmonic correction of the argument of latitude. [rad] Valid if
+    valid_flags.ephemeris.
+    """
+    c_rc: float
+    """Cosine harmonic correction of the orbit radius. [m] Valid if valid_flags.ephemeris."""
+    c_rs: float
+    """Sine harmonic correction of the orbit radius. [m] Valid if valid_flags.ephemeris."""
+    valid_flags: EphemerisFlags
+    """What the ephemeris holds."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[BeidouEphemeris, int]:
+        v = _BEIDOU_EPHEMERIS_0.read(raw, at)
+        at += 218
+        index = v[0]
+        count = v[1]
+        time_of_week = v[2]
+        week_number = v[3]
+        satellite_id = v[4]
+        health = v[5]
+        iodec = v[6]
+        iode = v[7]
+        t_oc = v[8]
+        af0 = v[9]
+        af1 = v[10]
+        af2 = v[11]
+        t_gd = v[12]
+        isc_l1ca = v[13]
+        isc_l2c = v[14]
+        t_oe = v[15]
+        a = v[16]
+        a_dot = v[17]
+        mean_anomaly = v[18]
+        delta_mean_motion = v[19]
+        delta_mean_motion_dot = v[20]
+        eccentricity = v[21]
+        argument_of_perigee = v[22]
+        omega = v[23]
+        omega_dot = v[24]
+        inclination = v[25]
+        inclination_dot = v[26]
+        c_ic = v[27]
+        c_is = v[28]
+        c_uc = v[29]
+        c_us = v[30]
+        c_rc = v[31]
+        c_rs = v[32]
+        valid_flags = EphemerisFlags(v[33])
+        return cls(
+            index,
+            count,
+            time_of_week,
+            week_number,
+            satellite_id,
+            health,
+            iodec,
+            iode,
+            t_oc,
+            af0,
+            af1,
+            af2,
+            t_gd,
+            isc_l1ca,
+            isc_l2c,
+            t_oe,
+            a,
+            a_dot,
+            mean_anomaly,
+            delta_mean_motion,
+            delta_mean_motion_dot,
+            eccentricity,
+            argument_of_perigee,
+            omega,
+            omega_dot,
+            inclination,
+            inclination_dot,
+            c_ic,
+            c_is,
+            c_uc,
+            c_us,
+            c_rc,
+            c_rs,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _BEIDOU_EPHEMERIS_0.write(
+            self.index,
+            self.count,
+            self.time_of_week,
+            self.week_number,
+            self.satellite_id,
+            self.health,
+            self.iodec,
+            self.iode,
+            self.t_oc,
+            self.af0,
+            self.af1,
+            self.af2,
+            self.t_gd,
+            self.isc_l1ca,
+            self.isc_l2c,
+            self.t_oe,
+            self.a,
+            self.a_dot,
+            self.mean_anomaly,
+            self.delta_mean_motion,
+            self.delta_mean_motion_dot,
+            self.eccentricity,
+            self.argument_of_perigee,
+            self.omega,
+            self.omega_dot,
+            self.inclination,
+            self.inclination_dot,
+            self.c_ic,
+            self.c_is,
+            self.c_uc,
+            self.c_us,
+            self.c_rc,
+            self.c_rs,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+#: The types of each descriptor; several where constants in the data tell layouts apart.
+FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0x03: (GnssLlhPosition,),
+    0x04: (GnssEcefPosition,),
+    0x05: (NedVelocity,),
+    0x06: (GnssEcefVelocity,),
+    0x07: (Dop,),
+    0x08: (UtcTime,),
+    0x09: (GpsTime,),
+    0x0B: (FixInfo,),
+    0x0D: (GnssHardwareStatus,),
+    0x10: (ClockInfo2,),
+    0x11: (GpsLeapSeconds,),
+    0x12: (SbasInfo,),
+    0x20: (SatelliteStatus,),
+    0x22: (Raw,),
+    0x61: (GpsEphemeris,),
+    0x62: (GlonassEphemeris,),
+    0x63: (GalileoEphemeris,),
+    0x64: (BeidouEphemeris,),
+}

@@ -1,0 +1,5265 @@
+"""3DM (0x0C).
+
+Commands that set up the sensors, the outputs, the pins and the events of a device.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntFlag
+
+from . import codec, types
+from .errors import Truncated
+from .field import Command, Field, Response, Structure
+from .protocol import FunctionSelector
+
+_POLL_ENTRY_0 = codec.Block("BH", "descriptor", "reserved")
+
+
+@dataclass(slots=True)
+class PollEntry(Structure):
+    """A field that a poll asks for."""
+
+    descriptor: int
+    """Field descriptor."""
+    reserved: int = 0
+    """In place of a decimation."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PollEntry, int]:
+        v = _POLL_ENTRY_0.read(raw, at)
+        at += 3
+        descriptor = v[0]
+        reserved = v[1]
+        return cls(descriptor, reserved), at
+
+    def _write(self) -> bytes:
+        out = _POLL_ENTRY_0.write(self.descriptor, self.reserved)
+        return out
+
+
+class FactoryStreamingAction(codec.OpenEnum):
+    """What happens to the message formats that are set."""
+
+    OVERWRITE = 0
+    """The formats are replaced."""
+    MERGE = 1
+    """The support fields are merged into the formats; the order may change."""
+    ADD = 2
+    """The support fields are added behind the formats; fields may occur twice."""
+
+
+class LegacyDataStream(codec.OpenEnum):
+    """A data stream of a 5-series device."""
+
+    ALL_STREAMS = 0
+    """All streams; for save, load and default only."""
+    IMU = 1
+    """Sensor data (0x80)."""
+    GNSS = 2
+    """GNSS data."""
+    FILTER = 3
+    """Estimation filter data (0x82)."""
+
+
+class SbasOptions(IntFlag):
+    """How SBAS is used."""
+
+    ENABLE_RANGING = 1 << 0
+    """SBAS pseudoranges take part in the position solution."""
+    ENABLE_CORRECTIONS = 1 << 1
+    """SBAS differential corrections are applied."""
+    APPLY_INTEGRITY = 1 << 2
+    """Only GPS satellites with SBAS integrity information are used."""
+
+
+class PpsSource(codec.OpenEnum):
+    """Where the pulse per second comes from."""
+
+    DISABLED = 0
+    """No pulse."""
+    RECEIVER_1 = 1
+    """From GNSS receiver 1."""
+    RECEIVER_2 = 2
+    """From GNSS receiver 2."""
+    GPIO = 3
+    """From a GPIO pin that is configured as a PPS input."""
+    GENERATED = 4
+    """From the oscillator of the device."""
+
+
+class SupportedEventsQuery(codec.OpenEnum):
+    """Which part of the event system is asked about."""
+
+    TRIGGER_TYPES = 1
+    """Triggers."""
+    ACTION_TYPES = 2
+    """Actions."""
+
+
+_SUPPORTED_EVENT_INFO_0 = codec.Block("BB", "type", "count")
+
+
+@dataclass(slots=True)
+class SupportedEventInfo(Structure):
+    """How many instances of one trigger or action type a device can have."""
+
+    type: int
+    """A value of event_trigger_type if triggers were asked about, else of event_action_type."""
+    count: int
+    """Instances of this type at most. [1]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SupportedEventInfo, int]:
+        v = _SUPPORTED_EVENT_INFO_0.read(raw, at)
+        at += 2
+        type = v[0]
+        count = v[1]
+        return cls(type, count), at
+
+    def _write(self) -> bytes:
+        out = _SUPPORTED_EVENT_INFO_0.write(self.type, self.count)
+        return out
+
+
+_EVENT_TRIGGER_STATUS_ENTRY_0 = codec.Block("BB", "type", "status")
+
+
+@dataclass(slots=True)
+class EventTriggerStatusEntry(Structure):
+    """Type and state of one trigger."""
+
+    type: types.EventTriggerType
+    """Configured type."""
+    status: types.EventTriggerStatus
+    """State."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerStatusEntry, int]:
+        v = _EVENT_TRIGGER_STATUS_ENTRY_0.read(raw, at)
+        at += 2
+        type = types.EventTriggerType(v[0])
+        status = types.EventTriggerStatus(v[1])
+        return cls(type, status), at
+
+    def _write(self) -> bytes:
+        out = _EVENT_TRIGGER_STATUS_ENTRY_0.write(self.type, self.status)
+        return out
+
+
+_EVENT_ACTION_STATUS_ENTRY_0 = codec.Block("BB", "action_type", "trigger_id")
+
+
+@dataclass(slots=True)
+class EventActionStatusEntry(Structure):
+    """Type and trigger of one action."""
+
+    action_type: types.EventActionType
+    """Configured type."""
+    trigger_id: int
+    """Trigger instance that the action follows."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EventActionStatusEntry, int]:
+        v = _EVENT_ACTION_STATUS_ENTRY_0.read(raw, at)
+        at += 2
+        action_type = types.EventActionType(v[0])
+        trigger_id = v[1]
+        return cls(action_type, trigger_id), at
+
+    def _write(self) -> bytes:
+        out = _EVENT_ACTION_STATUS_ENTRY_0.write(self.action_type, self.trigger_id)
+        return out
+
+
+class OdometerMode(codec.OpenEnum):
+    """How the odometer input works."""
+
+    DISABLED = 0
+    """Not used."""
+    QUADRATURE = 2
+    """Quadrature encoder on two pins."""
+
+
+class SensorRangeType(codec.OpenEnum):
+    """A sensor whose range can be set, which also decides the unit of the range."""
+
+    ALL = 0
+    """All sensors; for save, load and default only."""
+    ACCEL = 1
+    """Accelerometer; standard gravities."""
+    GYRO = 2
+    """Gyroscope; degrees per second."""
+    MAG = 3
+    """Magnetometer; gauss."""
+    PRESS = 4
+    """Pressure sensor; hectopascals, that is millibars."""
+
+
+_SENSOR_RANGE_ENTRY_0 = codec.Block("Bf", "setting", "range")
+
+
+@dataclass(slots=True)
+class SensorRangeEntry(Structure):
+    """A range that a sensor supports."""
+
+    setting: int
+    """Value for the sensor range command."""
+    range: float
+    """Largest measurable value; sensor_range_type gives the unit."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorRangeEntry, int]:
+        v = _SENSOR_RANGE_ENTRY_0.read(raw, at)
+        at += 5
+        setting = v[0]
+        range = v[1]
+        return cls(setting, range), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_RANGE_ENTRY_0.write(self.setting, self.range)
+        return out
+
+
+class DeviceStatusSelector(codec.OpenEnum):
+    """How much a device status tells."""
+
+    BASIC = 1
+    """State and timer."""
+    DIAGNOSTIC = 2
+    """State and timer with the counters of streams and port."""
+
+
+_IMU_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
+
+
+@dataclass(slots=True)
+class ImuMessageFormatResponse(Response):
+    """IMU Message Format response (0x0C,0x80).
+
+    Answers IMU Message Format (0x0C,0x08).
+
+    - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x80
+    NAME = "3dm.imu_message_format_response"
+    ROLE = "response"
+
+    descriptors: tuple[types.DescriptorRate, ...]
+    """Fields and decimations."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ImuMessageFormatResponse, int]:
+        v = _IMU_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
+        at += 1
+        num_descriptors = v[0]
+        n = codec.counted(raw, at, num_descriptors, 3)
+        descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
+        return cls(descriptors), at
+
+    def _write(self) -> bytes:
+        out = _IMU_MESSAGE_FORMAT_RESPONSE_0.write(
+            len(codec.at_most("descriptors", self.descriptors, 255))
+        )
+        out += codec.write_structures(
+            "descriptors", codec.at_most("descriptors", self.descriptors, 84), types.DescriptorRate
+        )
+        return codec.finished(out)
+
+
+_ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
+
+
+@dataclass(slots=True)
+class EstimationFilterMessageFormatResponse(Response):
+    """Estimation Filter Message Format response (0x0C,0x82).
+
+    Answers Estimation Filter Message Format (0x0C,0x0A).
+
+    - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x82
+    NAME = "3dm.estimation_filter_message_format_response"
+    ROLE = "response"
+
+    descriptors: tuple[types.DescriptorRate, ...]
+    """Fields and decimations."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EstimationFilterMessageFormatResponse, int]:
+        v = _ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
+        at += 1
+        num_descriptors = v[0]
+        n = codec.counted(raw, at, num_descriptors, 3)
+        descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
+        return cls(descriptors), at
+
+    def _write(self) -> bytes:
+        out = _ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_0.write(
+            len(codec.at_most("descriptors", self.descriptors, 255))
+        )
+        out += codec.write_structures(
+            "descriptors", codec.at_most("descriptors", self.descriptors, 84), types.DescriptorRate
+        )
+        return codec.finished(out)
+
+
+_GET_IMU_DATA_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
+
+
+@dataclass(slots=True)
+class GetImuDataBaseRateResponse(Response):
+    """Get IMU Data Base Rate response (0x0C,0x83).
+
+    Answers Get IMU Data Base Rate (0x0C,0x06).
+
+    - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x83
+    NAME = "3dm.get_imu_data_base_rate_response"
+    ROLE = "response"
+
+    rate: int
+    """Base rate of the sensor data. [Hz]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetImuDataBaseRateResponse, int]:
+        v = _GET_IMU_DATA_BASE_RATE_RESPONSE_0.read(raw, at)
+        at += 2
+        rate = v[0]
+        return cls(rate), at
+
+    def _write(self) -> bytes:
+        out = _GET_IMU_DATA_BASE_RATE_RESPONSE_0.write(self.rate)
+        return codec.finished(out)
+
+
+_DATA_STREAM_CONTROL_RESPONSE_0 = codec.Block("BB", "desc_set", "enabled")
+
+
+@dataclass(slots=True)
+class DataStreamControlResponse(Response):
+    """Data Stream Control response (0x0C,0x85).
+
+    Answers Data Stream Control (0x0C,0x11).
+
+    - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
+    - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x85
+    NAME = "3dm.data_stream_control_response"
+    ROLE = "response"
+    READINGS = {
+        "desc_set": (
+            "device",
+            {"3dm-gx5-15": LegacyDataStream},
+        ),
+    }
+
+    desc_set: int
+    """Stream of the command."""
+    enabled: bool
+    """Whether the stream is sent."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControlResponse, int]:
+        v = _DATA_STREAM_CONTROL_RESPONSE_0.read(raw, at)
+        at += 2
+        desc_set = v[0]
+        enabled = codec.truth(v[1])
+        return cls(desc_set, enabled), at
+
+    def _write(self) -> bytes:
+        out = _DATA_STREAM_CONTROL_RESPONSE_0.write(self.desc_set, self.enabled)
+        return codec.finished(out)
+
+
+_UART_BAUD_RATE_RESPONSE_0 = codec.Block("I", "baud")
+
+
+@dataclass(slots=True)
+class UartBaudRateResponse(Response):
+    """UART Baud Rate response (0x0C,0x87).
+
+    Answers UART Baud Rate (0x0C,0x40).
+
+    - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
+    - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x87
+    NAME = "3dm.uart_baud_rate_response"
+    ROLE = "response"
+
+    baud: int
+    """Baud rate. [Bd]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRateResponse, int]:
+        v = _UART_BAUD_RATE_RESPONSE_0.read(raw, at)
+        at += 4
+        baud = v[0]
+        return cls(baud), at
+
+    def _write(self) -> bytes:
+        out = _UART_BAUD_RATE_RESPONSE_0.write(self.baud)
+        return codec.finished(out)
+
+
+_GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
+
+
+@dataclass(slots=True)
+class GetEstimationFilterDataBaseRateResponse(Response):
+    """Get Estimation Filter Data Base Rate response (0x0C,0x8A).
+
+    Answers Get Estimation Filter Data Base Rate (0x0C,0x0B).
+
+    - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x8A
+    NAME = "3dm.get_estimation_filter_data_base_rate_response"
+    ROLE = "response"
+
+    rate: int
+    """Base rate of the filter data. [Hz]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetEstimationFilterDataBaseRateResponse, int]:
+        v = _GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_0.read(raw, at)
+        at += 2
+        rate = v[0]
+        return cls(rate), at
+
+    def _write(self) -> bytes:
+        out = _GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_0.write(self.rate)
+        return codec.finished(out)
+
+
+_ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_0 = codec.Block(
+    "BBBHB", "target_descriptor", "enable", "manual", "frequency", "reserved"
+)
+
+
+@dataclass(slots=True)
+class AdvancedLowPassFilterSettingsResponse(Response):
+    """Advanced Low-Pass Filter Settings response (0x0C,0x8B).
+
+    Answers Advanced Low-Pass Filter Settings (0x0C,0x50).
+
+    - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
+    - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x8B
+    NAME = "3dm.advanced_low_pass_filter_settings_response"
+    ROLE = "response"
+
+    target_descriptor: int
+    """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
+    magnetic field 0x06 or pressure 0x17. On the 3DM-CV7 0 means all of them, except for read.
+    """
+    enable: bool
+    """Whether the quantity is filtered."""
+    manual: bool
+    """True uses the frequency; false follows half the rate of the message format."""
+    frequency: int
+    """Cutoff (-3 dB). It has no meaning if manual is false. [Hz]"""
+    reserved: int = 0
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AdvancedLowPassFilterSettingsResponse, int]:
+        v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_0.read(raw, at)
+        at += 6
+        target_descriptor = v[0]
+        enable = codec.truth(v[1])
+        manual = codec.truth(v[2])
+        frequency = v[3]
+        reserved = v[4]
+        return cls(target_descriptor, enable, manual, frequency, reserved), at
+
+    def _write(self) -> bytes:
+        out = _ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_0.write(
+            self.target_descriptor, self.enable, self.manual, self.frequency, self.reserved
+        )
+        return codec.finished(out)
+
+
+_NMEA_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "count")
+
+
+@dataclass(slots=True)
+class NmeaMessageFormatResponse(Response):
+    """NMEA Message Format response (0x0C,0x8C).
+
+    Answers NMEA Message Format (0x0C,0x0C).
+
+    - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x8C
+    NAME = "3dm.nmea_message_format_response"
+    ROLE = "response"
+
+    format_entries: tuple[types.NmeaMessage, ...]
+    """Sentences to stream."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessageFormatResponse, int]:
+        v = _NMEA_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
+        at += 1
+        count = v[0]
+        n = codec.counted(raw, at, count, 5)
+        format_entries, at = codec.read_structures(types.NmeaMessage, raw, at, n)
+        return cls(format_entries), at
+
+    def _write(self) -> bytes:
+        out = _NMEA_MESSAGE_FORMAT_RESPONSE_0.write(
+            len(codec.at_most("format_entries", self.format_entries, 255))
+        )
+        out += codec.write_structures(
+            "format_entries",
+            codec.at_most("format_entries", self.format_entries, 50),
+            types.NmeaMessage,
+        )
+        return codec.finished(out)
+
+
+_GET_DATA_BASE_RATE_RESPONSE_0 = codec.Block("BH", "desc_set", "rate")
+
+
+@dataclass(slots=True)
+class GetDataBaseRateResponse(Response):
+    """Get Data Base Rate response (0x0C,0x8E).
+
+    Answers Get Data Base Rate (0x0C,0x0E).
+
+    - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x8E
+    NAME = "3dm.get_data_base_rate_response"
+    ROLE = "response"
+
+    desc_set: int
+    """Data descriptor set of the command."""
+    rate: int
+    """Base rate; 0 if the rate is variable or unknown and data is sent as it comes. [Hz]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetDataBaseRateResponse, int]:
+        v = _GET_DATA_BASE_RATE_RESPONSE_0.read(raw, at)
+        at += 3
+        desc_set = v[0]
+        rate = v[1]
+        return cls(desc_set, rate), at
+
+    def _write(self) -> bytes:
+        out = _GET_DATA_BASE_RATE_RESPONSE_0.write(self.desc_set, self.rate)
+        return codec.finished(out)
+
+
+_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("BB", "desc_set", "num_descriptors")
+
+
+@dataclass(slots=True)
+class MessageFormatResponse(Response):
+    """Message Format response (0x0C,0x8F).
+
+    Answers Message Format (0x0C,0x0F).
+
+    - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x8F
+    NAME = "3dm.message_format_response"
+    ROLE = "response"
+
+    desc_set: int
+    """Data descriptor set; 0 means all of them (save, load, default)."""
+    descriptors: tuple[types.DescriptorRate, ...]
+    """Fields and decimations."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MessageFormatResponse, int]:
+        v = _MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
+        at += 2
+        desc_set = v[0]
+        num_descriptors = v[1]
+        n = codec.counted(raw, at, num_descriptors, 3)
+        descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
+        return cls(desc_set, descriptors), at
+
+    def _write(self) -> bytes:
+        out = _MESSAGE_FORMAT_RESPONSE_0.write(
+            self.desc_set, len(codec.at_most("descriptors", self.descriptors, 255))
+        )
+        out += codec.write_structures(
+            "descriptors", codec.at_most("descriptors", self.descriptors, 83), types.DescriptorRate
+        )
+        return codec.finished(out)
+
+
+_DEVICE_STATUS_BASIC_RESPONSE_0 = codec.Block("H", "model_number")
+_DEVICE_STATUS_BASIC_RESPONSE_1 = codec.Block("B", "status_selector")
+_DEVICE_STATUS_BASIC_RESPONSE_2 = codec.Block("IHI", "status_flags", "system_state", "system_timer")
+
+
+@dataclass(slots=True)
+class DeviceStatusBasicResponse(Response):
+    """Basic Device Status (0x0C,0x90).
+
+    State and timer.
+
+    - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x90
+    NAME = "3dm.device_status_basic_response"
+    ROLE = "response"
+
+    status_flags: int
+    """Reserved."""
+    system_state: int
+    """State of the system; its values are not documented."""
+    system_timer: int
+    """Time since start-up. [ms]"""
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return data[0:2] == b"\x18\x6e" and data[2:3] == b"\x01"
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusBasicResponse, int]:
+        v = _DEVICE_STATUS_BASIC_RESPONSE_0.read(raw, at)
+        at += 2
+        codec.constant(v[0], 6254)
+        v = _DEVICE_STATUS_BASIC_RESPONSE_1.read(raw, at)
+        at += 1
+        codec.constant(v[0], 1)
+        v = _DEVICE_STATUS_BASIC_RESPONSE_2.read(raw, at)
+        at += 10
+        status_flags = v[0]
+        system_state = v[1]
+        system_timer = v[2]
+        return cls(status_flags, system_state, system_timer), at
+
+    def _write(self) -> bytes:
+        out = _DEVICE_STATUS_BASIC_RESPONSE_0.write(6254)
+        out += _DEVICE_STATUS_BASIC_RESPONSE_1.write(1)
+        out += _DEVICE_STATUS_BASIC_RESPONSE_2.write(
+            self.status_flags, self.system_state, self.system_timer
+        )
+        return codec.finished(out)
+
+
+_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_0 = codec.Block("H", "model_number")
+_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_1 = codec.Block("B", "status_selector")
+_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_2 = codec.Block(
+    "IHIBBIIIIIIIII",
+    "status_flags",
+    "system_state",
+    "system_timer",
+    "imu_stream_enabled",
+    "filter_stream_enabled",
+    "imu_dropped_packets",
+    "filter_dropped_packets",
+    "com_port_bytes_written",
+    "com_port_bytes_read",
+    "com_port_write_overruns",
+    "com_port_read_overruns",
+    "imu_parser_errors",
+    "imu_message_count",
+    "imu_last_message_time",
+)
+
+
+@dataclass(slots=True)
+class DeviceStatusDiagnosticResponse(Response):
+    """Diagnostic Device Status (0x0C,0x90).
+
+    State and timer with the counters of streams and port.
+
+    - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x90
+    NAME = "3dm.device_status_diagnostic_response"
+    ROLE = "response"
+
+    status_flags: int
+    """Reserved."""
+    system_state: int
+    """State of the system; its values are not documented."""
+    system_timer: int
+    """Time since start-up. [ms]"""
+    imu_stream_enabled: bool
+    """Whether sensor data is streamed."""
+    filter_stream_enabled: bool
+    """Whether filter data is streamed."""
+    imu_dropped_packets: int
+    """Sensor data packets that were not sent. [1]"""
+    filter_dropped_packets: int
+    """Filter data packets that were not sent. [1]"""
+    com_port_bytes_written: int
+    """Bytes written to the port. [byte]"""
+    com_port_bytes_read: int
+    """Bytes read from the port. [byte]"""
+    com_port_write_overruns: int
+    """Overruns while writing to the port. [1]"""
+    com_port_read_overruns: int
+    """Overruns while reading from the port. [1]"""
+    imu_parser_errors: int
+    """Messages of the IMU that could not be parsed. [1]"""
+    imu_message_count: int
+    """Messages of the IMU that were read. [1]"""
+    imu_last_message_time: int
+    """System timer at the last message of the IMU. [ms]"""
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return data[0:2] == b"\x18\x6e" and data[2:3] == b"\x02"
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusDiagnosticResponse, int]:
+        v = _DEVICE_STATUS_DIAGNOSTIC_RESPONSE_0.read(raw, at)
+        at += 2
+        codec.constant(v[0], 6254)
+        v = _DEVICE_STATUS_DIAGNOSTIC_RESPONSE_1.read(raw, at)
+        at += 1
+        codec.constant(v[0], 2)
+        v = _DEVICE_STATUS_DIAGNOSTIC_RESPONSE_2.read(raw, at)
+        at += 48
+        status_flags = v[0]
+        system_state = v[1]
+        system_timer = v[2]
+        imu_stream_enabled = codec.truth(v[3])
+        filter_stream_enabled = codec.truth(v[4])
+        imu_dropped_packets = v[5]
+        filter_dropped_packets = v[6]
+        com_port_bytes_written = v[7]
+        com_port_bytes_read = v[8]
+        com_port_write_overruns = v[9]
+        com_port_read_overruns = v[10]
+        imu_parser_errors = v[11]
+        imu_message_count = v[12]
+        imu_last_message_time = v[13]
+        return cls(
+            status_flags,
+            system_state,
+            system_timer,
+            imu_stream_enabled,
+            filter_stream_enabled,
+            imu_dropped_packets,
+            filter_dropped_packets,
+            com_port_bytes_written,
+            com_port_bytes_read,
+            com_port_write_overruns,
+            com_port_read_overruns,
+            imu_parser_errors,
+            imu_message_count,
+            imu_last_message_time,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _DEVICE_STATUS_DIAGNOSTIC_RESPONSE_0.write(6254)
+        out += _DEVICE_STATUS_DIAGNOSTIC_RESPONSE_1.write(2)
+        out += _DEVICE_STATUS_DIAGNOSTIC_RESPONSE_2.write(
+            self.status_flags,
+            self.system_state,
+            self.system_timer,
+            self.imu_stream_enabled,
+            self.filter_stream_enabled,
+            self.imu_dropped_packets,
+            self.filter_dropped_packets,
+            self.com_port_bytes_written,
+            self.com_port_bytes_read,
+            self.com_port_write_overruns,
+            self.com_port_read_overruns,
+            self.imu_parser_errors,
+            self.imu_message_count,
+            self.imu_last_message_time,
+        )
+        return codec.finished(out)
+
+
+_COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_0 = codec.Block(
+    "BBff",
+    "pitch_roll_enable",
+    "heading_enable",
+    "pitch_roll_time_constant",
+    "heading_time_constant",
+)
+
+
+@dataclass(slots=True)
+class ComplementaryFilterConfigurationResponse(Response):
+    """Complementary Filter Configuration response (0x0C,0x97).
+
+    Answers Complementary Filter Configuration (0x0C,0x51).
+
+    - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
+    - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x97
+    NAME = "3dm.complementary_filter_configuration_response"
+    ROLE = "response"
+
+    pitch_roll_enable: bool
+    """Corrects pitch and roll (up, in terms of the 5-series)."""
+    heading_enable: bool
+    """Corrects the heading (north, in terms of the 5-series)."""
+    pitch_roll_time_constant: float
+    """Time constant of the correction of pitch and roll. [s] Range: 1 to 1000. Factory default:
+    10.
+    """
+    heading_time_constant: float
+    """Time constant of the correction of the heading. [s] Range: 1 to 1000. Factory default: 10."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterConfigurationResponse, int]:
+        v = _COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_0.read(raw, at)
+        at += 10
+        pitch_roll_enable = codec.truth(v[0])
+        heading_enable = codec.truth(v[1])
+        pitch_roll_time_constant = v[2]
+        heading_time_constant = v[3]
+        return cls(
+            pitch_roll_enable, heading_enable, pitch_roll_time_constant, heading_time_constant
+        ), at
+
+    def _write(self) -> bytes:
+        out = _COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_0.write(
+            self.pitch_roll_enable,
+            self.heading_enable,
+            self.pitch_roll_time_constant,
+            self.heading_time_constant,
+        )
+        return codec.finished(out)
+
+
+_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_0 = codec.Block("fff", "bias", "bias", "bias")
+
+
+@dataclass(slots=True)
+class AccelerometerBiasConfigurationResponse(Response):
+    """Accelerometer Bias Configuration response (0x0C,0x9A).
+
+    Answers Accelerometer Bias Configuration (0x0C,0x37).
+
+    - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
+    - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x9A
+    NAME = "3dm.accelerometer_bias_configuration_response"
+    ROLE = "response"
+
+    bias: types.Vector3f
+    """Accelerometer bias. [g] Frame: sensor."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasConfigurationResponse, int]:
+        v = _ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_0.read(raw, at)
+        at += 12
+        bias = v[0:3]
+        return cls(bias), at
+
+    def _write(self) -> bytes:
+        out = _ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_0.write(
+            *codec.exactly("bias", self.bias, 3)
+        )
+        return codec.finished(out)
+
+
+_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_0 = codec.Block("fff", "bias", "bias", "bias")
+
+
+@dataclass(slots=True)
+class GyroscopeBiasConfigurationResponse(Response):
+    """Gyroscope Bias Configuration response (0x0C,0x9B).
+
+    The bias in use. The capture gyroscope bias command answers with it too.
+
+    - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
+    - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x9B
+    NAME = "3dm.gyroscope_bias_configuration_response"
+    ROLE = "response"
+
+    bias: types.Vector3f
+    """Gyroscope bias. [rad/s] Frame: sensor."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasConfigurationResponse, int]:
+        v = _GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_0.read(raw, at)
+        at += 12
+        bias = v[0:3]
+        return cls(bias), at
+
+    def _write(self) -> bytes:
+        out = _GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_0.write(*codec.exactly("bias", self.bias, 3))
+        return codec.finished(out)
+
+
+_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_0 = codec.Block("fff", "offset", "offset", "offset")
+
+
+@dataclass(slots=True)
+class MagnetometerHardIronOffsetResponse(Response):
+    """Magnetometer Hard Iron Offset response (0x0C,0x9C).
+
+    Answers Magnetometer Hard Iron Offset (0x0C,0x3A).
+
+    - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x9C
+    NAME = "3dm.magnetometer_hard_iron_offset_response"
+    ROLE = "response"
+
+    offset: types.Vector3f
+    """Hard iron offset. [gauss] Frame: sensor."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerHardIronOffsetResponse, int]:
+        v = _MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_0.read(raw, at)
+        at += 12
+        offset = v[0:3]
+        return cls(offset), at
+
+    def _write(self) -> bytes:
+        out = _MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_0.write(
+            *codec.exactly("offset", self.offset, 3)
+        )
+        return codec.finished(out)
+
+
+_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_0 = codec.Block(
+    "fffffffff",
+    "offset",
+    "offset",
+    "offset",
+    "offset",
+    "offset",
+    "offset",
+    "offset",
+    "offset",
+    "offset",
+)
+
+
+@dataclass(slots=True)
+class MagnetometerSoftIronMatrixResponse(Response):
+    """Magnetometer Soft Iron Matrix response (0x0C,0x9D).
+
+    Answers Magnetometer Soft Iron Matrix (0x0C,0x3B).
+
+    - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x9D
+    NAME = "3dm.magnetometer_soft_iron_matrix_response"
+    ROLE = "response"
+
+    offset: types.Matrix3f
+    """Soft iron matrix in row-major order. [1] Frame: sensor."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerSoftIronMatrixResponse, int]:
+        v = _MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_0.read(raw, at)
+        at += 36
+        offset = v[0:9]
+        return cls(offset), at
+
+    def _write(self) -> bytes:
+        out = _MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_0.write(
+            *codec.exactly("offset", self.offset, 9)
+        )
+        return codec.finished(out)
+
+
+_CONING_AND_SCULLING_ENABLE_RESPONSE_0 = codec.Block("B", "enable")
+
+
+@dataclass(slots=True)
+class ConingAndScullingEnableResponse(Response):
+    """Coning and Sculling Enable response (0x0C,0x9E).
+
+    Answers Coning and Sculling Enable (0x0C,0x3E).
+
+    - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x9E
+    NAME = "3dm.coning_and_sculling_enable_response"
+    ROLE = "response"
+
+    enable: bool
+    """Whether the compensation is on. Factory default: True."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ConingAndScullingEnableResponse, int]:
+        v = _CONING_AND_SCULLING_ENABLE_RESPONSE_0.read(raw, at)
+        at += 1
+        enable = codec.truth(v[0])
+        return cls(enable), at
+
+    def _write(self) -> bytes:
+        out = _CONING_AND_SCULLING_ENABLE_RESPONSE_0.write(self.enable)
+        return codec.finished(out)
+
+
+_GNSS_SBAS_SETTINGS_RESPONSE_0 = codec.Block(
+    "BHB", "enable_sbas", "sbas_options", "num_included_prns"
+)
+
+
+@dataclass(slots=True)
+class GnssSbasSettingsResponse(Response):
+    """GNSS SBAS Settings response (0x0C,0xA1).
+
+    Answers GNSS SBAS Settings (0x0C,0x22).
+
+    - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xA1
+    NAME = "3dm.gnss_sbas_settings_response"
+    ROLE = "response"
+
+    enable_sbas: int
+    """1 switches SBAS on, 0 off. Range: 0 to 1."""
+    sbas_options: SbasOptions
+    """What SBAS is used for."""
+    included_prns: tuple[int, ...]
+    """PRN numbers of the SBAS satellites to search for."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssSbasSettingsResponse, int]:
+        v = _GNSS_SBAS_SETTINGS_RESPONSE_0.read(raw, at)
+        at += 4
+        enable_sbas = v[0]
+        sbas_options = SbasOptions(v[1])
+        num_included_prns = v[2]
+        n = codec.counted(raw, at, num_included_prns, 2)
+        included_prns = codec.read_numbers("H", raw, at, n)
+        at += n * 2
+        return cls(enable_sbas, sbas_options, included_prns), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_SBAS_SETTINGS_RESPONSE_0.write(
+            self.enable_sbas,
+            self.sbas_options,
+            len(codec.at_most("included_prns", self.included_prns, 255)),
+        )
+        out += codec.write_numbers("H", codec.at_most("included_prns", self.included_prns, 124))
+        return codec.finished(out)
+
+
+_PPS_SOURCE_CONTROL_RESPONSE_0 = codec.Block("B", "source")
+
+
+@dataclass(slots=True)
+class PpsSourceControlResponse(Response):
+    """PPS Source Control response (0x0C,0xA8).
+
+    Answers PPS Source Control (0x0C,0x28).
+
+    - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xA8
+    NAME = "3dm.pps_source_control_response"
+    ROLE = "response"
+
+    source: PpsSource
+    """Source of the pulse. Factory default: receiver_1."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControlResponse, int]:
+        v = _PPS_SOURCE_CONTROL_RESPONSE_0.read(raw, at)
+        at += 1
+        source = PpsSource(v[0])
+        return cls(source), at
+
+    def _write(self) -> bytes:
+        out = _PPS_SOURCE_CONTROL_RESPONSE_0.write(self.source)
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_0 = codec.Block(
+    "fff", "roll", "pitch", "yaw"
+)
+
+
+@dataclass(slots=True)
+class SensorToVehicleFrameTransformationEulerResponse(Response):
+    """Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
+
+    Answers Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
+
+    - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xB1
+    NAME = "3dm.sensor_to_vehicle_frame_transformation_euler_response"
+    ROLE = "response"
+
+    roll: float
+    """Rotation about the x axis. [rad]"""
+    pitch: float
+    """Rotation about the y axis. [rad]"""
+    yaw: float
+    """Rotation about the z axis. [rad]"""
+
+    @classmethod
+    def _read(
+        cls, raw: bytes, at: int
+    ) -> tuple[SensorToVehicleFrameTransformationEulerResponse, int]:
+        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_0.read(raw, at)
+        at += 12
+        roll = v[0]
+        pitch = v[1]
+        yaw = v[2]
+        return cls(roll, pitch, yaw), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_0.write(
+            self.roll, self.pitch, self.yaw
+        )
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_0 = codec.Block(
+    "ffff", "q", "q", "q", "q"
+)
+
+
+@dataclass(slots=True)
+class SensorToVehicleFrameTransformationQuaternionResponse(Response):
+    """Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
+
+    Answers Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
+
+    - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xB2
+    NAME = "3dm.sensor_to_vehicle_frame_transformation_quaternion_response"
+    ROLE = "response"
+
+    q: types.Quatf
+    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. [1]"""
+
+    @classmethod
+    def _read(
+        cls, raw: bytes, at: int
+    ) -> tuple[SensorToVehicleFrameTransformationQuaternionResponse, int]:
+        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_0.read(raw, at)
+        at += 16
+        q = v[0:4]
+        return cls(q), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_0.write(
+            *codec.exactly("q", self.q, 4)
+        )
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_0 = codec.Block(
+    "fffffffff", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm"
+)
+
+
+@dataclass(slots=True)
+class SensorToVehicleFrameTransformationDirectionCosineMatrixResponse(Response):
+    """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
+
+    Answers Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
+
+    - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xB3
+    NAME = "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response"
+    ROLE = "response"
+
+    dcm: types.Matrix3f
+    """The matrix in row-major order. [1]"""
+
+    @classmethod
+    def _read(
+        cls, raw: bytes, at: int
+    ) -> tuple[SensorToVehicleFrameTransformationDirectionCosineMatrixResponse, int]:
+        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_0.read(raw, at)
+        at += 36
+        dcm = v[0:9]
+        return cls(dcm), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_0.write(
+            *codec.exactly("dcm", self.dcm, 9)
+        )
+        return codec.finished(out)
+
+
+_GET_SUPPORTED_EVENTS_RESPONSE_0 = codec.Block("BBB", "query", "max_instances", "num_entries")
+
+
+@dataclass(slots=True)
+class GetSupportedEventsResponse(Response):
+    """Get Supported Events response (0x0C,0xB4).
+
+    Answers Get Supported Events (0x0C,0x2A).
+
+    - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xB4
+    NAME = "3dm.get_supported_events_response"
+    ROLE = "response"
+
+    query: SupportedEventsQuery
+    """Query of the command."""
+    max_instances: int
+    """Number of slots; instances go from 1 to this. [1]"""
+    entries: tuple[SupportedEventInfo, ...]
+    """The types."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetSupportedEventsResponse, int]:
+        v = _GET_SUPPORTED_EVENTS_RESPONSE_0.read(raw, at)
+        at += 3
+        query = SupportedEventsQuery(v[0])
+        max_instances = v[1]
+        num_entries = v[2]
+        n = codec.counted(raw, at, num_entries, 2)
+        entries, at = codec.read_structures(SupportedEventInfo, raw, at, n)
+        return cls(query, max_instances, entries), at
+
+    def _write(self) -> bytes:
+        out = _GET_SUPPORTED_EVENTS_RESPONSE_0.write(
+            self.query, self.max_instances, len(codec.at_most("entries", self.entries, 255))
+        )
+        out += codec.write_structures(
+            "entries", codec.at_most("entries", self.entries, 125), SupportedEventInfo
+        )
+        return codec.finished(out)
+
+
+_EVENT_CONTROL_RESPONSE_0 = codec.Block("BB", "instance", "mode")
+
+
+@dataclass(slots=True)
+class EventControlResponse(Response):
+    """Event Control response (0x0C,0xB5).
+
+    Answers Event Control (0x0C,0x2B).
+
+    - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xB5
+    NAME = "3dm.event_control_response"
+    ROLE = "response"
+
+    instance: int
+    """Trigger instance; 0 means all configured triggers, except for read."""
+    mode: types.EventTriggerMode
+    """New mode. Factory default: disabled."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EventControlResponse, int]:
+        v = _EVENT_CONTROL_RESPONSE_0.read(raw, at)
+        at += 2
+        instance = v[0]
+        mode = types.EventTriggerMode(v[1])
+        return cls(instance, mode), at
+
+    def _write(self) -> bytes:
+        out = _EVENT_CONTROL_RESPONSE_0.write(self.instance, self.mode)
+        return codec.finished(out)
+
+
+_GET_EVENT_TRIGGER_STATUS_RESPONSE_0 = codec.Block("B", "count")
+
+
+@dataclass(slots=True)
+class GetEventTriggerStatusResponse(Response):
+    """Get Event Trigger Status response (0x0C,0xB6).
+
+    Answers Get Event Trigger Status (0x0C,0x2C).
+
+    - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xB6
+    NAME = "3dm.get_event_trigger_status_response"
+    ROLE = "response"
+
+    triggers: tuple[EventTriggerStatusEntry, ...]
+    """One entry per trigger, in the order asked for, or by instance if all were asked for."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetEventTriggerStatusResponse, int]:
+        v = _GET_EVENT_TRIGGER_STATUS_RESPONSE_0.read(raw, at)
+        at += 1
+        count = v[0]
+        n = codec.counted(raw, at, count, 2)
+        triggers, at = codec.read_structures(EventTriggerStatusEntry, raw, at, n)
+        return cls(triggers), at
+
+    def _write(self) -> bytes:
+        out = _GET_EVENT_TRIGGER_STATUS_RESPONSE_0.write(
+            len(codec.at_most("triggers", self.triggers, 255))
+        )
+        out += codec.write_structures(
+            "triggers", codec.at_most("triggers", self.triggers, 126), EventTriggerStatusEntry
+        )
+        return codec.finished(out)
+
+
+_GET_EVENT_ACTION_STATUS_RESPONSE_0 = codec.Block("B", "count")
+
+
+@dataclass(slots=True)
+class GetEventActionStatusResponse(Response):
+    """Get Event Action Status response (0x0C,0xB7).
+
+    Answers Get Event Action Status (0x0C,0x2D).
+
+    - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xB7
+    NAME = "3dm.get_event_action_status_response"
+    ROLE = "response"
+
+    actions: tuple[EventActionStatusEntry, ...]
+    """One entry per action, in the order asked for, or by instance if all were asked for."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetEventActionStatusResponse, int]:
+        v = _GET_EVENT_ACTION_STATUS_RESPONSE_0.read(raw, at)
+        at += 1
+        count = v[0]
+        n = codec.counted(raw, at, count, 2)
+        actions, at = codec.read_structures(EventActionStatusEntry, raw, at, n)
+        return cls(actions), at
+
+    def _write(self) -> bytes:
+        out = _GET_EVENT_ACTION_STATUS_RESPONSE_0.write(
+            len(codec.at_most("actions", self.actions, 255))
+        )
+        out += codec.write_structures(
+            "actions", codec.at_most("actions", self.actions, 126), EventActionStatusEntry
+        )
+        return codec.finished(out)
+
+
+_EVENT_TRIGGER_CONFIGURATION_RESPONSE_0 = codec.Block("BB", "instance", "type")
+
+
+@dataclass(slots=True)
+class EventTriggerConfigurationResponse(Response):
+    """Event Trigger Configuration response (0x0C,0xB8).
+
+    Answers Event Trigger Configuration (0x0C,0x2E).
+
+    - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xB8
+    NAME = "3dm.event_trigger_configuration_response"
+    ROLE = "response"
+
+    instance: int
+    """Trigger instance; 0 means all (save, load, default)."""
+    type: types.EventTriggerType
+    """Kind of trigger. Factory default: none."""
+    parameters: (
+        types.EventTriggerGpio | types.EventTriggerThreshold | types.EventTriggerCombination | None
+    ) = None
+    """The condition."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfigurationResponse, int]:
+        parameters: (
+            types.EventTriggerGpio
+            | types.EventTriggerThreshold
+            | types.EventTriggerCombination
+            | None
+        ) = None
+        v = _EVENT_TRIGGER_CONFIGURATION_RESPONSE_0.read(raw, at)
+        at += 2
+        instance = v[0]
+        type = types.EventTriggerType(v[1])
+        if type == 1:
+            parameters, at = types.EventTriggerGpio._read(raw, at)
+        elif type == 2:
+            parameters, at = types.EventTriggerThreshold._read(raw, at)
+        elif type == 3:
+            parameters, at = types.EventTriggerCombination._read(raw, at)
+        return cls(instance, type, parameters), at
+
+    def _write(self) -> bytes:
+        out = _EVENT_TRIGGER_CONFIGURATION_RESPONSE_0.write(self.instance, self.type)
+        if self.type == 1:
+            if not isinstance(self.parameters, types.EventTriggerGpio):
+                raise codec.mismatch("parameters", self.type)
+            out += codec.structure("parameters", self.parameters, types.EventTriggerGpio)
+        elif self.type == 2:
+            if not isinstance(self.parameters, types.EventTriggerThreshold):
+                raise codec.mismatch("parameters", self.type)
+            out += codec.structure("parameters", self.parameters, types.EventTriggerThreshold)
+        elif self.type == 3:
+            if not isinstance(self.parameters, types.EventTriggerCombination):
+                raise codec.mismatch("parameters", self.type)
+            out += codec.structure("parameters", self.parameters, types.EventTriggerCombination)
+        elif self.parameters is not None:
+            raise codec.mismatch("parameters", self.type)
+        return codec.finished(out)
+
+
+_EVENT_ACTION_CONFIGURATION_RESPONSE_0 = codec.Block("BBB", "instance", "trigger", "type")
+
+
+@dataclass(slots=True)
+class EventActionConfigurationResponse(Response):
+    """Event Action Configuration response (0x0C,0xB9).
+
+    Answers Event Action Configuration (0x0C,0x2F).
+
+    - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xB9
+    NAME = "3dm.event_action_configuration_response"
+    ROLE = "response"
+
+    instance: int
+    """Action instance; 0 means all (save, load, default)."""
+    trigger: int
+    """Trigger instance that the action follows."""
+    type: types.EventActionType
+    """Kind of action. Factory default: none."""
+    parameters: types.EventActionGpio | types.EventActionMessage | None = None
+    """The effect."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfigurationResponse, int]:
+        parameters: types.EventActionGpio | types.EventActionMessage | None = None
+        v = _EVENT_ACTION_CONFIGURATION_RESPONSE_0.read(raw, at)
+        at += 3
+        instance = v[0]
+        trigger = v[1]
+        type = types.EventActionType(v[2])
+        if type == 1:
+            parameters, at = types.EventActionGpio._read(raw, at)
+        elif type == 2:
+            parameters, at = types.EventActionMessage._read(raw, at)
+        return cls(instance, trigger, type, parameters), at
+
+    def _write(self) -> bytes:
+        out = _EVENT_ACTION_CONFIGURATION_RESPONSE_0.write(self.instance, self.trigger, self.type)
+        if self.type == 1:
+            if not isinstance(self.parameters, types.EventActionGpio):
+                raise codec.mismatch("parameters", self.type)
+            out += codec.structure("parameters", self.parameters, types.EventActionGpio)
+        elif self.type == 2:
+            if not isinstance(self.parameters, types.EventActionMessage):
+                raise codec.mismatch("parameters", self.type)
+            out += codec.structure("parameters", self.parameters, types.EventActionMessage)
+        elif self.parameters is not None:
+            raise codec.mismatch("parameters", self.type)
+        return codec.finished(out)
+
+
+_GPIO_CONFIGURATION_RESPONSE_0 = codec.Block("BBBB", "pin", "feature", "behavior", "pin_mode")
+
+
+@dataclass(slots=True)
+class GpioConfigurationResponse(Response):
+    """GPIO Configuration response (0x0C,0xC1).
+
+    Answers GPIO Configuration (0x0C,0x41).
+
+    - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xC1
+    NAME = "3dm.gpio_configuration_response"
+    ROLE = "response"
+    READINGS = {
+        "behavior": (
+            "feature",
+            {
+                0: types.GpioUnusedBehavior,
+                1: types.GpioBehavior,
+                2: types.GpioPpsBehavior,
+                3: types.GpioEncoderBehavior,
+                4: types.GpioTimestampBehavior,
+                5: types.GpioUartBehavior,
+            },
+        ),
+    }
+
+    pin: int
+    """GPIO pin, counted from 1; 0 means all pins (save, load, default)."""
+    feature: types.GpioFeature
+    """Use of the pin. Factory default: unused."""
+    behavior: int
+    """Role of the pin within the feature; 0 where the feature names none."""
+    pin_mode: types.GpioPinMode
+    """Electrical options."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpioConfigurationResponse, int]:
+        v = _GPIO_CONFIGURATION_RESPONSE_0.read(raw, at)
+        at += 4
+        pin = v[0]
+        feature = types.GpioFeature(v[1])
+        behavior = v[2]
+        pin_mode = types.GpioPinMode(v[3])
+        return cls(pin, feature, behavior, pin_mode), at
+
+    def _write(self) -> bytes:
+        out = _GPIO_CONFIGURATION_RESPONSE_0.write(
+            self.pin, self.feature, self.behavior, self.pin_mode
+        )
+        return codec.finished(out)
+
+
+_GPIO_STATE_RESPONSE_0 = codec.Block("BB", "pin", "state")
+
+
+@dataclass(slots=True)
+class GpioStateResponse(Response):
+    """GPIO State response (0x0C,0xC2).
+
+    Answers GPIO State (0x0C,0x42).
+
+    - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xC2
+    NAME = "3dm.gpio_state_response"
+    ROLE = "response"
+
+    pin: int
+    """GPIO pin, counted from 1. Range: 1 to …."""
+    state: bool
+    """True is high."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpioStateResponse, int]:
+        v = _GPIO_STATE_RESPONSE_0.read(raw, at)
+        at += 2
+        pin = v[0]
+        state = codec.truth(v[1])
+        return cls(pin, state), at
+
+    def _write(self) -> bytes:
+        out = _GPIO_STATE_RESPONSE_0.write(self.pin, self.state)
+        return codec.finished(out)
+
+
+_ODOMETER_CONFIGURATION_RESPONSE_0 = codec.Block("Bff", "mode", "scaling", "uncertainty")
+
+
+@dataclass(slots=True)
+class OdometerConfigurationResponse(Response):
+    """Odometer Configuration response (0x0C,0xC3).
+
+    Answers Odometer Configuration (0x0C,0x43).
+
+    - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xC3
+    NAME = "3dm.odometer_configuration_response"
+    ROLE = "response"
+
+    mode: OdometerMode
+    """How the input works."""
+    scaling: float
+    """Pulses over the distance travelled; negative if the encoder turns backwards. [pulse/m]
+    Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
+    """
+    uncertainty: float
+    """Relative uncertainty of the scaling, 1 sigma. [1]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfigurationResponse, int]:
+        v = _ODOMETER_CONFIGURATION_RESPONSE_0.read(raw, at)
+        at += 9
+        mode = OdometerMode(v[0])
+        scaling = v[1]
+        uncertainty = v[2]
+        return cls(mode, scaling, uncertainty), at
+
+    def _write(self) -> bytes:
+        out = _ODOMETER_CONFIGURATION_RESPONSE_0.write(self.mode, self.scaling, self.uncertainty)
+        return codec.finished(out)
+
+
+_SENSOR_RANGE_RESPONSE_0 = codec.Block("BB", "sensor", "setting")
+
+
+@dataclass(slots=True)
+class SensorRangeResponse(Response):
+    """Sensor Range response (0x0C,0xD2).
+
+    Answers Sensor Range (0x0C,0x52).
+
+    - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xD2
+    NAME = "3dm.sensor_range_response"
+    ROLE = "response"
+
+    sensor: SensorRangeType
+    """The sensor."""
+    setting: int
+    """Number of the range."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorRangeResponse, int]:
+        v = _SENSOR_RANGE_RESPONSE_0.read(raw, at)
+        at += 2
+        sensor = SensorRangeType(v[0])
+        setting = v[1]
+        return cls(sensor, setting), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_RANGE_RESPONSE_0.write(self.sensor, self.setting)
+        return codec.finished(out)
+
+
+_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_0 = codec.Block("BB", "sensor", "num_ranges")
+
+
+@dataclass(slots=True)
+class GetCalibratedSensorRangesResponse(Response):
+    """Get Calibrated Sensor Ranges response (0x0C,0xD3).
+
+    Answers Get Calibrated Sensor Ranges (0x0C,0x53).
+
+    - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xD3
+    NAME = "3dm.get_calibrated_sensor_ranges_response"
+    ROLE = "response"
+
+    sensor: SensorRangeType
+    """Sensor of the command."""
+    ranges: tuple[SensorRangeEntry, ...]
+    """The ranges."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetCalibratedSensorRangesResponse, int]:
+        v = _GET_CALIBRATED_SENSOR_RANGES_RESPONSE_0.read(raw, at)
+        at += 2
+        sensor = SensorRangeType(v[0])
+        num_ranges = v[1]
+        n = codec.counted(raw, at, num_ranges, 5)
+        ranges, at = codec.read_structures(SensorRangeEntry, raw, at, n)
+        return cls(sensor, ranges), at
+
+    def _write(self) -> bytes:
+        out = _GET_CALIBRATED_SENSOR_RANGES_RESPONSE_0.write(
+            self.sensor, len(codec.at_most("ranges", self.ranges, 255))
+        )
+        out += codec.write_structures(
+            "ranges", codec.at_most("ranges", self.ranges, 50), SensorRangeEntry
+        )
+        return codec.finished(out)
+
+
+_LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_0 = codec.Block(
+    "BBBBf", "desc_set", "field_desc", "enable", "manual", "frequency"
+)
+
+
+@dataclass(slots=True)
+class LowPassAntiAliasingFilterResponse(Response):
+    """Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
+
+    Answers Low-Pass Anti-Aliasing Filter (0x0C,0x54).
+
+    - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xD4
+    NAME = "3dm.low_pass_anti_aliasing_filter_response"
+    ROLE = "response"
+
+    desc_set: int
+    """Descriptor set of the field."""
+    field_desc: int
+    """Field descriptor; 0 if the set is 0."""
+    enable: bool
+    """Whether the field is filtered."""
+    manual: bool
+    """True uses the frequency; false follows half the rate of the field in the message format."""
+    frequency: float
+    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. [Hz]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[LowPassAntiAliasingFilterResponse, int]:
+        v = _LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_0.read(raw, at)
+        at += 8
+        desc_set = v[0]
+        field_desc = v[1]
+        enable = codec.truth(v[2])
+        manual = codec.truth(v[3])
+        frequency = v[4]
+        return cls(desc_set, field_desc, enable, manual, frequency), at
+
+    def _write(self) -> bytes:
+        out = _LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_0.write(
+            self.desc_set, self.field_desc, self.enable, self.manual, self.frequency
+        )
+        return codec.finished(out)
+
+
+_POLL_IMU_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
+
+
+@dataclass(slots=True)
+class PollImuData(Command):
+    """Poll IMU Data (0x0C,0x01).
+
+    Asks for one sensor data packet (0x80) with the fields listed, in their order.
+    An empty list polls the stored message format; without one the device refuses.
+    Descriptors that the device does not know are ignored.
+    The data comes in a packet of its own behind the reply.
+
+    - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x01
+    NAME = "3dm.poll_imu_data"
+    ROLE = "command"
+
+    suppress_ack: bool
+    """Send no acknowledge."""
+    descriptors: tuple[PollEntry, ...]
+    """Fields to send."""
+
+    @property
+    def answered(self) -> bool:
+        return not (self.suppress_ack == 1)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PollImuData, int]:
+        v = _POLL_IMU_DATA_0.read(raw, at)
+        at += 2
+        suppress_ack = codec.truth(v[0])
+        num_descriptors = v[1]
+        n = codec.counted(raw, at, num_descriptors, 3)
+        descriptors, at = codec.read_structures(PollEntry, raw, at, n)
+        return cls(suppress_ack, descriptors), at
+
+    def _write(self) -> bytes:
+        out = _POLL_IMU_DATA_0.write(
+            self.suppress_ack, len(codec.at_most("descriptors", self.descriptors, 255))
+        )
+        out += codec.write_structures(
+            "descriptors", codec.at_most("descriptors", self.descriptors, 83), PollEntry
+        )
+        return codec.finished(out)
+
+
+_POLL_ESTIMATION_FILTER_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
+
+
+@dataclass(slots=True)
+class PollEstimationFilterData(Command):
+    """Poll Estimation Filter Data (0x0C,0x03).
+
+    Asks for one filter data packet (0x82) with the fields listed, in their order.
+    An empty list polls the stored message format; without one the device refuses.
+    Descriptors that the device does not know are ignored.
+    The data comes in a packet of its own behind the reply.
+
+    - 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x03
+    NAME = "3dm.poll_estimation_filter_data"
+    ROLE = "command"
+
+    suppress_ack: bool
+    """Send no acknowledge."""
+    descriptors: tuple[PollEntry, ...]
+    """Fields to send."""
+
+    @property
+    def answered(self) -> bool:
+        return not (self.suppress_ack == 1)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PollEstimationFilterData, int]:
+        v = _POLL_ESTIMATION_FILTER_DATA_0.read(raw, at)
+        at += 2
+        suppress_ack = codec.truth(v[0])
+        num_descriptors = v[1]
+        n = codec.counted(raw, at, num_descriptors, 3)
+        descriptors, at = codec.read_structures(PollEntry, raw, at, n)
+        return cls(suppress_ack, descriptors), at
+
+    def _write(self) -> bytes:
+        out = _POLL_ESTIMATION_FILTER_DATA_0.write(
+            self.suppress_ack, len(codec.at_most("descriptors", self.descriptors, 255))
+        )
+        out += codec.write_structures(
+            "descriptors", codec.at_most("descriptors", self.descriptors, 83), PollEntry
+        )
+        return codec.finished(out)
+
+
+_POLL_NMEA_DATA_0 = codec.Block("BB", "suppress_ack", "count")
+
+
+@dataclass(slots=True)
+class PollNmeaData(Command):
+    """Poll NMEA Data (0x0C,0x04).
+
+    Asks for the NMEA sentences listed, once.
+    An empty list polls the stored NMEA format; without one the device refuses.
+    The sentences follow the reply as ordinary NMEA text, on the port of the command even if NMEA is
+    off there.
+    A sentence is sent only if its data is valid.
+
+    - 3dm-cv7-gnss-ins: Poll NMEA Data (0x0C,0x04)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x04
+    NAME = "3dm.poll_nmea_data"
+    ROLE = "command"
+
+    suppress_ack: bool
+    """Send no acknowledge."""
+    format_entries: tuple[types.NmeaMessage, ...]
+    """Sentences to send."""
+
+    @property
+    def answered(self) -> bool:
+        return not (self.suppress_ack == 1)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PollNmeaData, int]:
+        v = _POLL_NMEA_DATA_0.read(raw, at)
+        at += 2
+        suppress_ack = codec.truth(v[0])
+        count = v[1]
+        n = codec.counted(raw, at, count, 5)
+        format_entries, at = codec.read_structures(types.NmeaMessage, raw, at, n)
+        return cls(suppress_ack, format_entries), at
+
+    def _write(self) -> bytes:
+        out = _POLL_NMEA_DATA_0.write(
+            self.suppress_ack, len(codec.at_most("format_entries", self.format_entries, 255))
+        )
+        out += codec.write_structures(
+            "format_entries",
+            codec.at_most("format_entries", self.format_entries, 50),
+            types.NmeaMessage,
+        )
+        return codec.finished(out)
+
+
+@dataclass(slots=True)
+class GetImuDataBaseRate(Command):
+    """Get IMU Data Base Rate (0x0C,0x06).
+
+    Asks for the rate that the decimations of the IMU message format divide.
+
+    - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x06
+    NAME = "3dm.get_imu_data_base_rate"
+    ROLE = "command"
+    RESPONSES = (GetImuDataBaseRateResponse,)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetImuDataBaseRate, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+_IMU_MESSAGE_FORMAT_0 = codec.Block("B", "function")
+_IMU_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
+_IMU_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
+
+
+@dataclass(slots=True)
+class ImuMessageFormat(Command):
+    """IMU Message Format (0x0C,0x08).
+
+    Fields of the sensor data packets (0x80), in order, with their decimations.
+    The decimation is the base rate, as the get IMU data base rate command reports it, divided by
+    the wanted rate.
+    The list replaces the one before. If any descriptor is unknown the device refuses and changes
+    nothing.
+
+    - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x08
+    NAME = "3dm.imu_message_format"
+    ROLE = "command"
+    RESPONSES = (ImuMessageFormatResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    descriptors: tuple[types.DescriptorRate, ...] | None = None
+    """Fields and decimations."""
+
+    @classmethod
+    def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> ImuMessageFormat:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, descriptors=descriptors)
+
+    @classmethod
+    def read(cls) -> ImuMessageFormat:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> ImuMessageFormat:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> ImuMessageFormat:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> ImuMessageFormat:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ImuMessageFormat, int]:
+        descriptors: tuple[types.DescriptorRate, ...] | None = None
+        v = _IMU_MESSAGE_FORMAT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _IMU_MESSAGE_FORMAT_1.read(raw, at)
+            at += 1
+            num_descriptors = v[0]
+            n = codec.counted(raw, at, num_descriptors, 3)
+            descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, descriptors), at
+
+    def _write(self) -> bytes:
+        out = _IMU_MESSAGE_FORMAT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _IMU_MESSAGE_FORMAT_GROUPS)
+        if there >= 2:
+            out += _IMU_MESSAGE_FORMAT_1.write(
+                len(codec.at_most("descriptors", self.descriptors, 255))
+            )
+            out += codec.write_structures(
+                "descriptors",
+                codec.at_most("descriptors", self.descriptors, 83),
+                types.DescriptorRate,
+            )
+        return codec.finished(out)
+
+
+_ESTIMATION_FILTER_MESSAGE_FORMAT_0 = codec.Block("B", "function")
+_ESTIMATION_FILTER_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
+_ESTIMATION_FILTER_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
+
+
+@dataclass(slots=True)
+class EstimationFilterMessageFormat(Command):
+    """Estimation Filter Message Format (0x0C,0x0A).
+
+    Fields of the filter data packets (0x82), in order, with their decimations.
+    The decimation is the base rate, as the get estimation filter data base rate command reports it,
+    divided by the wanted rate.
+    The list replaces the one before. If any descriptor is unknown the device refuses and changes
+    nothing.
+
+    - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x0A
+    NAME = "3dm.estimation_filter_message_format"
+    ROLE = "command"
+    RESPONSES = (EstimationFilterMessageFormatResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    descriptors: tuple[types.DescriptorRate, ...] | None = None
+    """Fields and decimations."""
+
+    @classmethod
+    def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> EstimationFilterMessageFormat:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, descriptors=descriptors)
+
+    @classmethod
+    def read(cls) -> EstimationFilterMessageFormat:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> EstimationFilterMessageFormat:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> EstimationFilterMessageFormat:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> EstimationFilterMessageFormat:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EstimationFilterMessageFormat, int]:
+        descriptors: tuple[types.DescriptorRate, ...] | None = None
+        v = _ESTIMATION_FILTER_MESSAGE_FORMAT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _ESTIMATION_FILTER_MESSAGE_FORMAT_1.read(raw, at)
+            at += 1
+            num_descriptors = v[0]
+            n = codec.counted(raw, at, num_descriptors, 3)
+            descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, descriptors), at
+
+    def _write(self) -> bytes:
+        out = _ESTIMATION_FILTER_MESSAGE_FORMAT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _ESTIMATION_FILTER_MESSAGE_FORMAT_GROUPS)
+        if there >= 2:
+            out += _ESTIMATION_FILTER_MESSAGE_FORMAT_1.write(
+                len(codec.at_most("descriptors", self.descriptors, 255))
+            )
+            out += codec.write_structures(
+                "descriptors",
+                codec.at_most("descriptors", self.descriptors, 83),
+                types.DescriptorRate,
+            )
+        return codec.finished(out)
+
+
+@dataclass(slots=True)
+class GetEstimationFilterDataBaseRate(Command):
+    """Get Estimation Filter Data Base Rate (0x0C,0x0B).
+
+    Asks for the rate that the decimations of the estimation filter message format divide.
+
+    - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x0B
+    NAME = "3dm.get_estimation_filter_data_base_rate"
+    ROLE = "command"
+    RESPONSES = (GetEstimationFilterDataBaseRateResponse,)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetEstimationFilterDataBaseRate, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+_NMEA_MESSAGE_FORMAT_0 = codec.Block("B", "function")
+_NMEA_MESSAGE_FORMAT_1 = codec.Block("B", "count")
+_NMEA_MESSAGE_FORMAT_GROUPS = ((2, ("format_entries",), False),)
+
+
+@dataclass(slots=True)
+class NmeaMessageFormat(Command):
+    """NMEA Message Format (0x0C,0x0C).
+
+    NMEA sentences that the device streams.
+    A sentence may be listed several times with different talkers or sources.
+    A sentence is sent only while the device is not idle and the data of the source is valid.
+
+    - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x0C
+    NAME = "3dm.nmea_message_format"
+    ROLE = "command"
+    RESPONSES = (NmeaMessageFormatResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    format_entries: tuple[types.NmeaMessage, ...] | None = None
+    """Sentences to stream."""
+
+    @classmethod
+    def write(cls, format_entries: tuple[types.NmeaMessage, ...]) -> NmeaMessageFormat:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, format_entries=format_entries)
+
+    @classmethod
+    def read(cls) -> NmeaMessageFormat:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> NmeaMessageFormat:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> NmeaMessageFormat:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> NmeaMessageFormat:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessageFormat, int]:
+        format_entries: tuple[types.NmeaMessage, ...] | None = None
+        v = _NMEA_MESSAGE_FORMAT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _NMEA_MESSAGE_FORMAT_1.read(raw, at)
+            at += 1
+            count = v[0]
+            n = codec.counted(raw, at, count, 5)
+            format_entries, at = codec.read_structures(types.NmeaMessage, raw, at, n)
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, format_entries), at
+
+    def _write(self) -> bytes:
+        out = _NMEA_MESSAGE_FORMAT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _NMEA_MESSAGE_FORMAT_GROUPS)
+        if there >= 2:
+            out += _NMEA_MESSAGE_FORMAT_1.write(
+                len(codec.at_most("format_entries", self.format_entries, 255))
+            )
+            out += codec.write_structures(
+                "format_entries",
+                codec.at_most("format_entries", self.format_entries, 50),
+                types.NmeaMessage,
+            )
+        return codec.finished(out)
+
+
+_POLL_DATA_0 = codec.Block("BBB", "desc_set", "suppress_ack", "num_descriptors")
+
+
+@dataclass(slots=True)
+class PollData(Command):
+    """Poll Data (0x0C,0x0D).
+
+    Asks for one data packet of the descriptor set with the fields listed, in their order.
+    An empty list polls the stored message format; without one the device refuses.
+    Descriptors that the device does not know are ignored.
+    The data comes in a packet of its own behind the reply, on the port of the command.
+    Shared descriptors (0xD0 and up) belong in front of the others.
+
+    - 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x0D
+    NAME = "3dm.poll_data"
+    ROLE = "command"
+
+    desc_set: int
+    """Data descriptor set. Range: 128 to 254."""
+    suppress_ack: bool
+    """Send no acknowledge."""
+    descriptors: tuple[int, ...]
+    """Field descriptors."""
+
+    @property
+    def answered(self) -> bool:
+        return not (self.suppress_ack == 1)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PollData, int]:
+        v = _POLL_DATA_0.read(raw, at)
+        at += 3
+        desc_set = v[0]
+        suppress_ack = codec.truth(v[1])
+        num_descriptors = v[2]
+        n = codec.counted(raw, at, num_descriptors, 1)
+        descriptors = codec.read_numbers("B", raw, at, n)
+        at += n
+        return cls(desc_set, suppress_ack, descriptors), at
+
+    def _write(self) -> bytes:
+        out = _POLL_DATA_0.write(
+            self.desc_set,
+            self.suppress_ack,
+            len(codec.at_most("descriptors", self.descriptors, 255)),
+        )
+        out += codec.write_numbers("B", codec.at_most("descriptors", self.descriptors, 250))
+        return codec.finished(out)
+
+
+_GET_DATA_BASE_RATE_0 = codec.Block("B", "desc_set")
+
+
+@dataclass(slots=True)
+class GetDataBaseRate(Command):
+    """Get Data Base Rate (0x0C,0x0E).
+
+    Asks for the rate that the decimations of a descriptor set divide.
+
+    - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x0E
+    NAME = "3dm.get_data_base_rate"
+    ROLE = "command"
+    RESPONSES = (GetDataBaseRateResponse,)
+
+    desc_set: int
+    """Data descriptor set. Range: 128 to 254."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetDataBaseRate, int]:
+        v = _GET_DATA_BASE_RATE_0.read(raw, at)
+        at += 1
+        desc_set = v[0]
+        return cls(desc_set), at
+
+    def _write(self) -> bytes:
+        out = _GET_DATA_BASE_RATE_0.write(self.desc_set)
+        return codec.finished(out)
+
+
+_MESSAGE_FORMAT_0 = codec.Block("B", "function")
+_MESSAGE_FORMAT_1 = codec.Block("B", "desc_set")
+_MESSAGE_FORMAT_2 = codec.Block("B", "num_descriptors")
+_MESSAGE_FORMAT_GROUPS = ((1, ("desc_set",), False), (3, ("descriptors",), False))
+
+
+@dataclass(slots=True)
+class MessageFormat(Command):
+    """Message Format (0x0C,0x0F).
+
+    Fields of the data packets of a descriptor set, in order, with their decimations.
+    The decimation is the base rate, as the get data base rate command reports it, divided by the
+    wanted rate.
+    Shared descriptors (0xD0 and up) are listed under the set that they shall be sent with, in front
+    of the others.
+
+    - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x0F
+    NAME = "3dm.message_format"
+    ROLE = "command"
+    RESPONSES = (MessageFormatResponse,)
+    REQUIRED = {1: 3, 2: 1, 3: 1, 4: 1, 5: 1}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    desc_set: int | None = None
+    """Data descriptor set; 0 means all of them (save, load, default)."""
+    descriptors: tuple[types.DescriptorRate, ...] | None = None
+    """Fields and decimations."""
+
+    @classmethod
+    def write(cls, desc_set: int, descriptors: tuple[types.DescriptorRate, ...]) -> MessageFormat:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, desc_set=desc_set, descriptors=descriptors)
+
+    @classmethod
+    def read(cls, desc_set: int) -> MessageFormat:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ, desc_set=desc_set)
+
+    @classmethod
+    def save(cls, desc_set: int) -> MessageFormat:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE, desc_set=desc_set)
+
+    @classmethod
+    def load(cls, desc_set: int) -> MessageFormat:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD, desc_set=desc_set)
+
+    @classmethod
+    def default(cls, desc_set: int) -> MessageFormat:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT, desc_set=desc_set)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MessageFormat, int]:
+        desc_set: int | None = None
+        descriptors: tuple[types.DescriptorRate, ...] | None = None
+        v = _MESSAGE_FORMAT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _MESSAGE_FORMAT_1.read(raw, at)
+            at += 1
+            desc_set = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _MESSAGE_FORMAT_2.read(raw, at)
+            at += 1
+            num_descriptors = v[0]
+            n = codec.counted(raw, at, num_descriptors, 3)
+            descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
+            done, end = 3, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, desc_set, descriptors), at
+
+    def _write(self) -> bytes:
+        out = _MESSAGE_FORMAT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _MESSAGE_FORMAT_GROUPS)
+        if there >= 1:
+            out += _MESSAGE_FORMAT_1.write(self.desc_set)
+        if there >= 3:
+            out += _MESSAGE_FORMAT_2.write(len(codec.at_most("descriptors", self.descriptors, 255)))
+            out += codec.write_structures(
+                "descriptors",
+                codec.at_most("descriptors", self.descriptors, 83),
+                types.DescriptorRate,
+            )
+        return codec.finished(out)
+
+
+_FACTORY_STREAMING_0 = codec.Block("BB", "action", "reserved")
+
+
+@dataclass(slots=True)
+class FactoryStreaming(Command):
+    """Factory Streaming (0x0C,0x10).
+
+    Sets all message formats to those that technical support wants to have recorded.
+
+    - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x10
+    NAME = "3dm.factory_streaming"
+    ROLE = "command"
+
+    action: FactoryStreamingAction
+    """What happens to the present formats."""
+    reserved: int = 0
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[FactoryStreaming, int]:
+        v = _FACTORY_STREAMING_0.read(raw, at)
+        at += 2
+        action = FactoryStreamingAction(v[0])
+        reserved = v[1]
+        return cls(action, reserved), at
+
+    def _write(self) -> bytes:
+        out = _FACTORY_STREAMING_0.write(self.action, self.reserved)
+        return codec.finished(out)
+
+
+_DATA_STREAM_CONTROL_0 = codec.Block("B", "function")
+_DATA_STREAM_CONTROL_1 = codec.Block("B", "desc_set")
+_DATA_STREAM_CONTROL_2 = codec.Block("B", "enable")
+_DATA_STREAM_CONTROL_GROUPS = ((1, ("desc_set",), False), (2, ("enable",), False))
+
+
+@dataclass(slots=True)
+class DataStreamControl(Command):
+    """Data Stream Control (0x0C,0x11).
+
+    Switches a data stream on or off.
+    5-series devices name the stream by a number of their own (legacy_data_stream), others by its
+    descriptor set.
+
+    - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
+    - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x11
+    NAME = "3dm.data_stream_control"
+    ROLE = "command"
+    RESPONSES = (DataStreamControlResponse,)
+    REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+    READINGS = {
+        "desc_set": (
+            "device",
+            {"3dm-gx5-15": LegacyDataStream},
+        ),
+    }
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    desc_set: int | None = None
+    """Data descriptor set; 0 means all streams (save, load, default)."""
+    enable: bool | None = None
+    """Whether the stream is sent. Factory default: True."""
+
+    @classmethod
+    def write(cls, desc_set: int, enable: bool) -> DataStreamControl:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, desc_set=desc_set, enable=enable)
+
+    @classmethod
+    def read(cls, desc_set: int) -> DataStreamControl:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ, desc_set=desc_set)
+
+    @classmethod
+    def save(cls, desc_set: int) -> DataStreamControl:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE, desc_set=desc_set)
+
+    @classmethod
+    def load(cls, desc_set: int) -> DataStreamControl:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD, desc_set=desc_set)
+
+    @classmethod
+    def default(cls, desc_set: int) -> DataStreamControl:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT, desc_set=desc_set)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControl, int]:
+        desc_set: int | None = None
+        enable: bool | None = None
+        v = _DATA_STREAM_CONTROL_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _DATA_STREAM_CONTROL_1.read(raw, at)
+            at += 1
+            desc_set = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _DATA_STREAM_CONTROL_2.read(raw, at)
+            at += 1
+            enable = codec.truth(v[0])
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, desc_set, enable), at
+
+    def _write(self) -> bytes:
+        out = _DATA_STREAM_CONTROL_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _DATA_STREAM_CONTROL_GROUPS)
+        if there >= 1:
+            out += _DATA_STREAM_CONTROL_1.write(self.desc_set)
+        if there >= 2:
+            out += _DATA_STREAM_CONTROL_2.write(self.enable)
+        return codec.finished(out)
+
+
+_GNSS_SBAS_SETTINGS_0 = codec.Block("B", "function")
+_GNSS_SBAS_SETTINGS_1 = codec.Block("B", "enable_sbas")
+_GNSS_SBAS_SETTINGS_2 = codec.Block("H", "sbas_options")
+_GNSS_SBAS_SETTINGS_3 = codec.Block("B", "num_included_prns")
+_GNSS_SBAS_SETTINGS_GROUPS = (
+    (1, ("enable_sbas",), False),
+    (2, ("sbas_options",), False),
+    (4, ("included_prns",), False),
+)
+
+
+@dataclass(slots=True)
+class GnssSbasSettings(Command):
+    """GNSS SBAS Settings (0x0C,0x22).
+
+    How the GNSS receivers use satellite based augmentation.
+
+    - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x22
+    NAME = "3dm.gnss_sbas_settings"
+    ROLE = "command"
+    RESPONSES = (GnssSbasSettingsResponse,)
+    REQUIRED = {1: 4, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    enable_sbas: int | None = None
+    """1 switches SBAS on, 0 off. Range: 0 to 1."""
+    sbas_options: SbasOptions | None = None
+    """What SBAS is used for."""
+    included_prns: tuple[int, ...] | None = None
+    """PRN numbers of the SBAS satellites to search for."""
+
+    @classmethod
+    def write(
+        cls, enable_sbas: int, sbas_options: SbasOptions, included_prns: tuple[int, ...]
+    ) -> GnssSbasSettings:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE,
+            enable_sbas=enable_sbas,
+            sbas_options=sbas_options,
+            included_prns=included_prns,
+        )
+
+    @classmethod
+    def read(cls) -> GnssSbasSettings:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> GnssSbasSettings:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> GnssSbasSettings:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> GnssSbasSettings:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssSbasSettings, int]:
+        enable_sbas: int | None = None
+        sbas_options: SbasOptions | None = None
+        included_prns: tuple[int, ...] | None = None
+        v = _GNSS_SBAS_SETTINGS_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _GNSS_SBAS_SETTINGS_1.read(raw, at)
+            at += 1
+            enable_sbas = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _GNSS_SBAS_SETTINGS_2.read(raw, at)
+            at += 2
+            sbas_options = SbasOptions(v[0])
+            done, end = 2, at
+            if at == len(raw) and required < 4:
+                raise Truncated(1, 0)
+            v = _GNSS_SBAS_SETTINGS_3.read(raw, at)
+            at += 1
+            num_included_prns = v[0]
+            n = codec.counted(raw, at, num_included_prns, 2)
+            included_prns = codec.read_numbers("H", raw, at, n)
+            at += n * 2
+            done, end = 4, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, enable_sbas, sbas_options, included_prns), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_SBAS_SETTINGS_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _GNSS_SBAS_SETTINGS_GROUPS)
+        if there >= 1:
+            out += _GNSS_SBAS_SETTINGS_1.write(self.enable_sbas)
+        if there >= 2:
+            out += _GNSS_SBAS_SETTINGS_2.write(self.sbas_options)
+        if there >= 4:
+            out += _GNSS_SBAS_SETTINGS_3.write(
+                len(codec.at_most("included_prns", self.included_prns, 255))
+            )
+            out += codec.write_numbers("H", codec.at_most("included_prns", self.included_prns, 124))
+        return codec.finished(out)
+
+
+_PPS_SOURCE_CONTROL_0 = codec.Block("B", "function")
+_PPS_SOURCE_CONTROL_1 = codec.Block("B", "source")
+_PPS_SOURCE_CONTROL_GROUPS = ((1, ("source",), False),)
+
+
+@dataclass(slots=True)
+class PpsSourceControl(Command):
+    """PPS Source Control (0x0C,0x28).
+
+    Where the device takes its pulse per second from.
+    The pins are configured apart from this by the GPIO configuration command.
+    The filter needs a valid pulse. disabled and generated are seldom what is wanted.
+
+    - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x28
+    NAME = "3dm.pps_source_control"
+    ROLE = "command"
+    RESPONSES = (PpsSourceControlResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    source: PpsSource | None = None
+    """Source of the pulse. Factory default: receiver_1."""
+
+    @classmethod
+    def write(cls, source: PpsSource) -> PpsSourceControl:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, source=source)
+
+    @classmethod
+    def read(cls) -> PpsSourceControl:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> PpsSourceControl:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> PpsSourceControl:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> PpsSourceControl:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControl, int]:
+        source: PpsSource | None = None
+        v = _PPS_SOURCE_CONTROL_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _PPS_SOURCE_CONTROL_1.read(raw, at)
+            at += 1
+            source = PpsSource(v[0])
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, source), at
+
+    def _write(self) -> bytes:
+        out = _PPS_SOURCE_CONTROL_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _PPS_SOURCE_CONTROL_GROUPS)
+        if there >= 1:
+            out += _PPS_SOURCE_CONTROL_1.write(self.source)
+        return codec.finished(out)
+
+
+_GET_SUPPORTED_EVENTS_0 = codec.Block("B", "query")
+
+
+@dataclass(slots=True)
+class GetSupportedEvents(Command):
+    """Get Supported Events (0x0C,0x2A).
+
+    Asks which types of event triggers or actions there are and how many of each.
+
+    - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x2A
+    NAME = "3dm.get_supported_events"
+    ROLE = "command"
+    RESPONSES = (GetSupportedEventsResponse,)
+
+    query: SupportedEventsQuery
+    """Triggers or actions."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetSupportedEvents, int]:
+        v = _GET_SUPPORTED_EVENTS_0.read(raw, at)
+        at += 1
+        query = SupportedEventsQuery(v[0])
+        return cls(query), at
+
+    def _write(self) -> bytes:
+        out = _GET_SUPPORTED_EVENTS_0.write(self.query)
+        return codec.finished(out)
+
+
+_EVENT_CONTROL_0 = codec.Block("B", "function")
+_EVENT_CONTROL_1 = codec.Block("B", "instance")
+_EVENT_CONTROL_2 = codec.Block("B", "mode")
+_EVENT_CONTROL_GROUPS = ((1, ("instance",), False), (2, ("mode",), False))
+
+
+@dataclass(slots=True)
+class EventControl(Command):
+    """Event Control (0x0C,0x2B).
+
+    Enables, disables or tests an event trigger.
+    Triggers are disabled by default and after configuration.
+    A trigger of type none cannot be enabled.
+
+    - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x2B
+    NAME = "3dm.event_control"
+    ROLE = "command"
+    RESPONSES = (EventControlResponse,)
+    REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    instance: int | None = None
+    """Trigger instance; 0 means all configured triggers, except for read."""
+    mode: types.EventTriggerMode | None = None
+    """New mode. Factory default: disabled."""
+
+    @classmethod
+    def write(cls, instance: int, mode: types.EventTriggerMode) -> EventControl:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, instance=instance, mode=mode)
+
+    @classmethod
+    def read(cls, instance: int) -> EventControl:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ, instance=instance)
+
+    @classmethod
+    def save(cls, instance: int) -> EventControl:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE, instance=instance)
+
+    @classmethod
+    def load(cls, instance: int) -> EventControl:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD, instance=instance)
+
+    @classmethod
+    def default(cls, instance: int) -> EventControl:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT, instance=instance)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EventControl, int]:
+        instance: int | None = None
+        mode: types.EventTriggerMode | None = None
+        v = _EVENT_CONTROL_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _EVENT_CONTROL_1.read(raw, at)
+            at += 1
+            instance = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _EVENT_CONTROL_2.read(raw, at)
+            at += 1
+            mode = types.EventTriggerMode(v[0])
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, instance, mode), at
+
+    def _write(self) -> bytes:
+        out = _EVENT_CONTROL_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _EVENT_CONTROL_GROUPS)
+        if there >= 1:
+            out += _EVENT_CONTROL_1.write(self.instance)
+        if there >= 2:
+            out += _EVENT_CONTROL_2.write(self.mode)
+        return codec.finished(out)
+
+
+_GET_EVENT_TRIGGER_STATUS_0 = codec.Block("B", "requested_count")
+
+
+@dataclass(slots=True)
+class GetEventTriggerStatus(Command):
+    """Get Event Trigger Status (0x0C,0x2C).
+
+    Asks for the type and the state of event triggers.
+
+    - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x2C
+    NAME = "3dm.get_event_trigger_status"
+    ROLE = "command"
+    RESPONSES = (GetEventTriggerStatusResponse,)
+
+    requested_instances: tuple[int, ...]
+    """Trigger instances."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetEventTriggerStatus, int]:
+        v = _GET_EVENT_TRIGGER_STATUS_0.read(raw, at)
+        at += 1
+        requested_count = v[0]
+        n = codec.counted(raw, at, requested_count, 1)
+        requested_instances = codec.read_numbers("B", raw, at, n)
+        at += n
+        return cls(requested_instances), at
+
+    def _write(self) -> bytes:
+        out = _GET_EVENT_TRIGGER_STATUS_0.write(
+            len(codec.at_most("requested_instances", self.requested_instances, 255))
+        )
+        out += codec.write_numbers(
+            "B", codec.at_most("requested_instances", self.requested_instances, 252)
+        )
+        return codec.finished(out)
+
+
+_GET_EVENT_ACTION_STATUS_0 = codec.Block("B", "requested_count")
+
+
+@dataclass(slots=True)
+class GetEventActionStatus(Command):
+    """Get Event Action Status (0x0C,0x2D).
+
+    Asks for the type and the trigger of event actions.
+
+    - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x2D
+    NAME = "3dm.get_event_action_status"
+    ROLE = "command"
+    RESPONSES = (GetEventActionStatusResponse,)
+
+    requested_instances: tuple[int, ...]
+    """Action instances."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetEventActionStatus, int]:
+        v = _GET_EVENT_ACTION_STATUS_0.read(raw, at)
+        at += 1
+        requested_count = v[0]
+        n = codec.counted(raw, at, requested_count, 1)
+        requested_instances = codec.read_numbers("B", raw, at, n)
+        at += n
+        return cls(requested_instances), at
+
+    def _write(self) -> bytes:
+        out = _GET_EVENT_ACTION_STATUS_0.write(
+            len(codec.at_most("requested_instances", self.requested_instances, 255))
+        )
+        out += codec.write_numbers(
+            "B", codec.at_most("requested_instances", self.requested_instances, 252)
+        )
+        return codec.finished(out)
+
+
+_EVENT_TRIGGER_CONFIGURATION_0 = codec.Block("B", "function")
+_EVENT_TRIGGER_CONFIGURATION_1 = codec.Block("B", "instance")
+_EVENT_TRIGGER_CONFIGURATION_2 = codec.Block("B", "type")
+_EVENT_TRIGGER_CONFIGURATION_GROUPS = (
+    (1, ("instance",), False),
+    (2, ("type",), False),
+    (3, ("parameters",), True),
+)
+
+
+@dataclass(slots=True)
+class EventTriggerConfiguration(Command):
+    """Event Trigger Configuration (0x0C,0x2E).
+
+    Kind and condition of an event trigger.
+    The trigger is disabled afterwards; the event control command enables it.
+    A GPIO trigger needs its pin configured by the GPIO configuration command.
+
+    - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x2E
+    NAME = "3dm.event_trigger_configuration"
+    ROLE = "command"
+    RESPONSES = (EventTriggerConfigurationResponse,)
+    REQUIRED = {1: 3, 2: 1, 3: 1, 4: 1, 5: 1}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    instance: int | None = None
+    """Trigger instance; 0 means all (save, load, default)."""
+    type: types.EventTriggerType | None = None
+    """Kind of trigger. Factory default: none."""
+    parameters: (
+        types.EventTriggerGpio | types.EventTriggerThreshold | types.EventTriggerCombination | None
+    ) = None
+    """The condition."""
+
+    @classmethod
+    def write(
+        cls,
+        instance: int,
+        type: types.EventTriggerType,
+        parameters: types.EventTriggerGpio
+        | types.EventTriggerThreshold
+        | types.EventTriggerCombination
+        | None,
+    ) -> EventTriggerConfiguration:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, instance=instance, type=type, parameters=parameters)
+
+    @classmethod
+    def read(cls, instance: int) -> EventTriggerConfiguration:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ, instance=instance)
+
+    @classmethod
+    def save(cls, instance: int) -> EventTriggerConfiguration:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE, instance=instance)
+
+    @classmethod
+    def load(cls, instance: int) -> EventTriggerConfiguration:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD, instance=instance)
+
+    @classmethod
+    def default(cls, instance: int) -> EventTriggerConfiguration:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT, instance=instance)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfiguration, int]:
+        instance: int | None = None
+        type: types.EventTriggerType | None = None
+        parameters: (
+            types.EventTriggerGpio
+            | types.EventTriggerThreshold
+            | types.EventTriggerCombination
+            | None
+        ) = None
+        v = _EVENT_TRIGGER_CONFIGURATION_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _EVENT_TRIGGER_CONFIGURATION_1.read(raw, at)
+            at += 1
+            instance = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _EVENT_TRIGGER_CONFIGURATION_2.read(raw, at)
+            at += 1
+            type = types.EventTriggerType(v[0])
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            if type == 1:
+                parameters, at = types.EventTriggerGpio._read(raw, at)
+            elif type == 2:
+                parameters, at = types.EventTriggerThreshold._read(raw, at)
+            elif type == 3:
+                parameters, at = types.EventTriggerCombination._read(raw, at)
+            done, end = 3, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, instance, type, parameters), at
+
+    def _write(self) -> bytes:
+        out = _EVENT_TRIGGER_CONFIGURATION_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _EVENT_TRIGGER_CONFIGURATION_GROUPS)
+        if there >= 1:
+            out += _EVENT_TRIGGER_CONFIGURATION_1.write(self.instance)
+        if there >= 2:
+            out += _EVENT_TRIGGER_CONFIGURATION_2.write(self.type)
+        if there >= 3:
+            if self.type == 1:
+                if not isinstance(self.parameters, types.EventTriggerGpio):
+                    raise codec.mismatch("parameters", self.type)
+                out += codec.structure("parameters", self.parameters, types.EventTriggerGpio)
+            elif self.type == 2:
+                if not isinstance(self.parameters, types.EventTriggerThreshold):
+                    raise codec.mismatch("parameters", self.type)
+                out += codec.structure("parameters", self.parameters, types.EventTriggerThreshold)
+            elif self.type == 3:
+                if not isinstance(self.parameters, types.EventTriggerCombination):
+                    raise codec.mismatch("parameters", self.type)
+                out += codec.structure("parameters", self.parameters, types.EventTriggerCombination)
+            elif self.parameters is not None:
+                raise codec.mismatch("parameters", self.type)
+        return codec.finished(out)
+
+
+_EVENT_ACTION_CONFIGURATION_0 = codec.Block("B", "function")
+_EVENT_ACTION_CONFIGURATION_1 = codec.Block("B", "instance")
+_EVENT_ACTION_CONFIGURATION_2 = codec.Block("B", "trigger")
+_EVENT_ACTION_CONFIGURATION_3 = codec.Block("B", "type")
+_EVENT_ACTION_CONFIGURATION_GROUPS = (
+    (1, ("instance",), False),
+    (2, ("trigger",), False),
+    (3, ("type",), False),
+    (4, ("parameters",), True),
+)
+
+
+@dataclass(slots=True)
+class EventActionConfiguration(Command):
+    """Event Action Configuration (0x0C,0x2F).
+
+    Trigger and effect of an event action.
+    A packet holds one descriptor set; for several sets use several actions with the same trigger.
+    A GPIO action needs its pin configured as an output with the gpio feature.
+
+    - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x2F
+    NAME = "3dm.event_action_configuration"
+    ROLE = "command"
+    RESPONSES = (EventActionConfigurationResponse,)
+    REQUIRED = {1: 4, 2: 1, 3: 1, 4: 1, 5: 1}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    instance: int | None = None
+    """Action instance; 0 means all (save, load, default)."""
+    trigger: int | None = None
+    """Trigger instance that the action follows."""
+    type: types.EventActionType | None = None
+    """Kind of action. Factory default: none."""
+    parameters: types.EventActionGpio | types.EventActionMessage | None = None
+    """The effect."""
+
+    @classmethod
+    def write(
+        cls,
+        instance: int,
+        trigger: int,
+        type: types.EventActionType,
+        parameters: types.EventActionGpio | types.EventActionMessage | None,
+    ) -> EventActionConfiguration:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE,
+            instance=instance,
+            trigger=trigger,
+            type=type,
+            parameters=parameters,
+        )
+
+    @classmethod
+    def read(cls, instance: int) -> EventActionConfiguration:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ, instance=instance)
+
+    @classmethod
+    def save(cls, instance: int) -> EventActionConfiguration:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE, instance=instance)
+
+    @classmethod
+    def load(cls, instance: int) -> EventActionConfiguration:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD, instance=instance)
+
+    @classmethod
+    def default(cls, instance: int) -> EventActionConfiguration:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT, instance=instance)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfiguration, int]:
+        instance: int | None = None
+        trigger: int | None = None
+        type: types.EventActionType | None = None
+        parameters: types.EventActionGpio | types.EventActionMessage | None = None
+        v = _EVENT_ACTION_CONFIGURATION_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _EVENT_ACTION_CONFIGURATION_1.read(raw, at)
+            at += 1
+            instance = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _EVENT_ACTION_CONFIGURATION_2.read(raw, at)
+            at += 1
+            trigger = v[0]
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _EVENT_ACTION_CONFIGURATION_3.read(raw, at)
+            at += 1
+            type = types.EventActionType(v[0])
+            done, end = 3, at
+            if at == len(raw) and required < 4:
+                raise Truncated(1, 0)
+            if type == 1:
+                parameters, at = types.EventActionGpio._read(raw, at)
+            elif type == 2:
+                parameters, at = types.EventActionMessage._read(raw, at)
+            done, end = 4, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, instance, trigger, type, parameters), at
+
+    def _write(self) -> bytes:
+        out = _EVENT_ACTION_CONFIGURATION_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _EVENT_ACTION_CONFIGURATION_GROUPS)
+        if there >= 1:
+            out += _EVENT_ACTION_CONFIGURATION_1.write(self.instance)
+        if there >= 2:
+            out += _EVENT_ACTION_CONFIGURATION_2.write(self.trigger)
+        if there >= 3:
+            out += _EVENT_ACTION_CONFIGURATION_3.write(self.type)
+        if there >= 4:
+            if self.type == 1:
+                if not isinstance(self.parameters, types.EventActionGpio):
+                    raise codec.mismatch("parameters", self.type)
+                out += codec.structure("parameters", self.parameters, types.EventActionGpio)
+            elif self.type == 2:
+                if not isinstance(self.parameters, types.EventActionMessage):
+                    raise codec.mismatch("parameters", self.type)
+                out += codec.structure("parameters", self.parameters, types.EventActionMessage)
+            elif self.parameters is not None:
+                raise codec.mismatch("parameters", self.type)
+        return codec.finished(out)
+
+
+_DEVICE_START_UP_SETTINGS_0 = codec.Block("B", "function")
+
+
+@dataclass(slots=True)
+class DeviceStartUpSettings(Command):
+    """Device Start Up Settings (0x0C,0x30).
+
+    Saves, loads or resets all settings of the device at once.
+    A save may disturb the data output for a short time.
+
+    - 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30)
+    - 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x30
+    NAME = "3dm.device_start_up_settings"
+    ROLE = "command"
+    REQUIRED = {3: 0, 4: 0, 5: 0}
+    TIMEOUT = 1.0
+
+    function: FunctionSelector
+    """What to do with the setting."""
+
+    @classmethod
+    def save(cls) -> DeviceStartUpSettings:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> DeviceStartUpSettings:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> DeviceStartUpSettings:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStartUpSettings, int]:
+        v = _DEVICE_START_UP_SETTINGS_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        return cls(function), at
+
+    def _write(self) -> bytes:
+        out = _DEVICE_START_UP_SETTINGS_0.write(self.function)
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_1 = codec.Block("f", "roll")
+_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_2 = codec.Block("f", "pitch")
+_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_3 = codec.Block("f", "yaw")
+_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_GROUPS = (
+    (1, ("roll",), False),
+    (2, ("pitch",), False),
+    (3, ("yaw",), False),
+)
+
+
+@dataclass(slots=True)
+class SensorToVehicleFrameTransformationEuler(Command):
+    """Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
+
+    Mounting of the sensor in the vehicle as Euler angles.
+    The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
+    be another form of it.
+    The mounting is reached from the vehicle frame by turning about the sensor's own z, y and x axes
+    by yaw, pitch and roll.
+    A vector in the vehicle frame is Rz(yaw) Ry(pitch) Rx(roll) times the vector in the sensor
+    frame.
+    It applies to the sensor data, the complementary filter and the attitude, acceleration, rate and
+    gravity of the filter.
+    A change resets the low-pass filters, the complementary filter and the estimation filter.
+    On some older products the setting means the inverse rotation.
+
+    - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x31
+    NAME = "3dm.sensor_to_vehicle_frame_transformation_euler"
+    ROLE = "command"
+    RESPONSES = (SensorToVehicleFrameTransformationEulerResponse,)
+    REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    roll: float | None = None
+    """Rotation about the x axis. [rad]"""
+    pitch: float | None = None
+    """Rotation about the y axis. [rad]"""
+    yaw: float | None = None
+    """Rotation about the z axis. [rad]"""
+
+    @classmethod
+    def write(
+        cls, roll: float, pitch: float, yaw: float
+    ) -> SensorToVehicleFrameTransformationEuler:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, roll=roll, pitch=pitch, yaw=yaw)
+
+    @classmethod
+    def read(cls) -> SensorToVehicleFrameTransformationEuler:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> SensorToVehicleFrameTransformationEuler:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> SensorToVehicleFrameTransformationEuler:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> SensorToVehicleFrameTransformationEuler:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformationEuler, int]:
+        roll: float | None = None
+        pitch: float | None = None
+        yaw: float | None = None
+        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_1.read(raw, at)
+            at += 4
+            roll = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_2.read(raw, at)
+            at += 4
+            pitch = v[0]
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_3.read(raw, at)
+            at += 4
+            yaw = v[0]
+            done, end = 3, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, roll, pitch, yaw), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_GROUPS)
+        if there >= 1:
+            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_1.write(self.roll)
+        if there >= 2:
+            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_2.write(self.pitch)
+        if there >= 3:
+            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_3.write(self.yaw)
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_1 = codec.Block("ffff", "q", "q", "q", "q")
+_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_GROUPS = ((1, ("q",), False),)
+
+
+@dataclass(slots=True)
+class SensorToVehicleFrameTransformationQuaternion(Command):
+    """Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
+
+    Mounting of the sensor in the vehicle as a quaternion.
+    The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
+    be another form of it.
+    A change resets the low-pass filters, the complementary filter and the estimation filter.
+
+    - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x32
+    NAME = "3dm.sensor_to_vehicle_frame_transformation_quaternion"
+    ROLE = "command"
+    RESPONSES = (SensorToVehicleFrameTransformationQuaternionResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    q: types.Quatf | None = None
+    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. [1]"""
+
+    @classmethod
+    def write(cls, q: types.Quatf) -> SensorToVehicleFrameTransformationQuaternion:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, q=q)
+
+    @classmethod
+    def read(cls) -> SensorToVehicleFrameTransformationQuaternion:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> SensorToVehicleFrameTransformationQuaternion:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> SensorToVehicleFrameTransformationQuaternion:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> SensorToVehicleFrameTransformationQuaternion:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformationQuaternion, int]:
+        q: types.Quatf | None = None
+        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_1.read(raw, at)
+            at += 16
+            q = v[0:4]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, q), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(
+            self, required, _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_GROUPS
+        )
+        if there >= 1:
+            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_1.write(
+                *codec.exactly("q", self.q, 4)
+            )
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_1 = codec.Block(
+    "fffffffff", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm"
+)
+_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_GROUPS = ((1, ("dcm",), False),)
+
+
+@dataclass(slots=True)
+class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
+    """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
+
+    Mounting of the sensor in the vehicle as a direction cosine matrix.
+    The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
+    be another form of it.
+    A vector in the vehicle frame is this matrix times the vector in the sensor frame.
+    A change resets the low-pass filters, the complementary filter and the estimation filter.
+
+    - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x33
+    NAME = "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix"
+    ROLE = "command"
+    RESPONSES = (SensorToVehicleFrameTransformationDirectionCosineMatrixResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    dcm: types.Matrix3f | None = None
+    """The matrix in row-major order. [1]"""
+
+    @classmethod
+    def write(cls, dcm: types.Matrix3f) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, dcm=dcm)
+
+    @classmethod
+    def read(cls) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(
+        cls, raw: bytes, at: int
+    ) -> tuple[SensorToVehicleFrameTransformationDirectionCosineMatrix, int]:
+        dcm: types.Matrix3f | None = None
+        v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_1.read(raw, at)
+            at += 36
+            dcm = v[0:9]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, dcm), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(
+            self, required, _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_GROUPS
+        )
+        if there >= 1:
+            out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_1.write(
+                *codec.exactly("dcm", self.dcm, 9)
+            )
+        return codec.finished(out)
+
+
+_ACCELEROMETER_BIAS_CONFIGURATION_0 = codec.Block("B", "function")
+_ACCELEROMETER_BIAS_CONFIGURATION_1 = codec.Block("fff", "bias", "bias", "bias")
+_ACCELEROMETER_BIAS_CONFIGURATION_GROUPS = ((1, ("bias",), False),)
+
+
+@dataclass(slots=True)
+class AccelerometerBiasConfiguration(Command):
+    """Accelerometer Bias Configuration (0x0C,0x37).
+
+    Bias that is subtracted from the scaled acceleration.
+    For advanced use.
+
+    - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
+    - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x37
+    NAME = "3dm.accelerometer_bias_configuration"
+    ROLE = "command"
+    RESPONSES = (AccelerometerBiasConfigurationResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    bias: types.Vector3f | None = None
+    """Accelerometer bias. [g] Frame: sensor."""
+
+    @classmethod
+    def write(cls, bias: types.Vector3f) -> AccelerometerBiasConfiguration:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, bias=bias)
+
+    @classmethod
+    def read(cls) -> AccelerometerBiasConfiguration:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> AccelerometerBiasConfiguration:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> AccelerometerBiasConfiguration:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> AccelerometerBiasConfiguration:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def apply(cls, bias: types.Vector3f) -> AccelerometerBiasConfiguration:
+        """Apply the new setting and send no acknowledge (5-series devices)."""
+        return cls(FunctionSelector.APPLY, bias=bias)
+
+    @property
+    def answered(self) -> bool:
+        return not (self.function == 6)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasConfiguration, int]:
+        bias: types.Vector3f | None = None
+        v = _ACCELEROMETER_BIAS_CONFIGURATION_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _ACCELEROMETER_BIAS_CONFIGURATION_1.read(raw, at)
+            at += 12
+            bias = v[0:3]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, bias), at
+
+    def _write(self) -> bytes:
+        out = _ACCELEROMETER_BIAS_CONFIGURATION_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _ACCELEROMETER_BIAS_CONFIGURATION_GROUPS)
+        if there >= 1:
+            out += _ACCELEROMETER_BIAS_CONFIGURATION_1.write(*codec.exactly("bias", self.bias, 3))
+        return codec.finished(out)
+
+
+_GYROSCOPE_BIAS_CONFIGURATION_0 = codec.Block("B", "function")
+_GYROSCOPE_BIAS_CONFIGURATION_1 = codec.Block("fff", "bias", "bias", "bias")
+_GYROSCOPE_BIAS_CONFIGURATION_GROUPS = ((1, ("bias",), False),)
+
+
+@dataclass(slots=True)
+class GyroscopeBiasConfiguration(Command):
+    """Gyroscope Bias Configuration (0x0C,0x38).
+
+    Bias that is subtracted from the scaled angular rate.
+    For advanced use.
+
+    - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
+    - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x38
+    NAME = "3dm.gyroscope_bias_configuration"
+    ROLE = "command"
+    RESPONSES = (GyroscopeBiasConfigurationResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0, 6: 1}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    bias: types.Vector3f | None = None
+    """Gyroscope bias. [rad/s] Frame: sensor."""
+
+    @classmethod
+    def write(cls, bias: types.Vector3f) -> GyroscopeBiasConfiguration:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, bias=bias)
+
+    @classmethod
+    def read(cls) -> GyroscopeBiasConfiguration:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> GyroscopeBiasConfiguration:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> GyroscopeBiasConfiguration:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> GyroscopeBiasConfiguration:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def apply(cls, bias: types.Vector3f) -> GyroscopeBiasConfiguration:
+        """Apply the new setting and send no acknowledge (5-series devices)."""
+        return cls(FunctionSelector.APPLY, bias=bias)
+
+    @property
+    def answered(self) -> bool:
+        return not (self.function == 6)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasConfiguration, int]:
+        bias: types.Vector3f | None = None
+        v = _GYROSCOPE_BIAS_CONFIGURATION_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _GYROSCOPE_BIAS_CONFIGURATION_1.read(raw, at)
+            at += 12
+            bias = v[0:3]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, bias), at
+
+    def _write(self) -> bytes:
+        out = _GYROSCOPE_BIAS_CONFIGURATION_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _GYROSCOPE_BIAS_CONFIGURATION_GROUPS)
+        if there >= 1:
+            out += _GYROSCOPE_BIAS_CONFIGURATION_1.write(*codec.exactly("bias", self.bias, 3))
+        return codec.finished(out)
+
+
+_CAPTURE_GYROSCOPE_BIAS_0 = codec.Block("H", "averaging_time_ms")
+
+
+@dataclass(slots=True)
+class CaptureGyroscopeBias(Command):
+    """Capture Gyroscope Bias (0x0C,0x39).
+
+    Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
+    The device must stand still, with as little vibration as possible, for the whole time.
+    The reply comes after the averaging time.
+    The bias is not saved; the gyroscope bias configuration command with save does it.
+    The 3DM-GX5-15 also initializes its orientation from the samples.
+
+    - 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39)
+    - 3dm-cv7-gnss-ins: Capture Gyroscope Bias (0x0C,0x39)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x39
+    NAME = "3dm.capture_gyroscope_bias"
+    ROLE = "command"
+    RESPONSES = (GyroscopeBiasConfigurationResponse,)
+    TIMEOUT = 31.0
+
+    averaging_time_ms: int
+    """Time to average over. [ms] Range: 1000 to 30000."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[CaptureGyroscopeBias, int]:
+        v = _CAPTURE_GYROSCOPE_BIAS_0.read(raw, at)
+        at += 2
+        averaging_time_ms = v[0]
+        return cls(averaging_time_ms), at
+
+    def _write(self) -> bytes:
+        out = _CAPTURE_GYROSCOPE_BIAS_0.write(self.averaging_time_ms)
+        return codec.finished(out)
+
+
+_MAGNETOMETER_HARD_IRON_OFFSET_0 = codec.Block("B", "function")
+_MAGNETOMETER_HARD_IRON_OFFSET_1 = codec.Block("fff", "offset", "offset", "offset")
+_MAGNETOMETER_HARD_IRON_OFFSET_GROUPS = ((1, ("offset",), False),)
+
+
+@dataclass(slots=True)
+class MagnetometerHardIronOffset(Command):
+    """Magnetometer Hard Iron Offset (0x0C,0x3A).
+
+    Offset that corrects the scaled magnetic field for hard iron.
+    The values come from a calibration of the device as it is installed.
+
+    - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x3A
+    NAME = "3dm.magnetometer_hard_iron_offset"
+    ROLE = "command"
+    RESPONSES = (MagnetometerHardIronOffsetResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    offset: types.Vector3f | None = None
+    """Hard iron offset. [gauss] Frame: sensor."""
+
+    @classmethod
+    def write(cls, offset: types.Vector3f) -> MagnetometerHardIronOffset:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, offset=offset)
+
+    @classmethod
+    def read(cls) -> MagnetometerHardIronOffset:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> MagnetometerHardIronOffset:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> MagnetometerHardIronOffset:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> MagnetometerHardIronOffset:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerHardIronOffset, int]:
+        offset: types.Vector3f | None = None
+        v = _MAGNETOMETER_HARD_IRON_OFFSET_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _MAGNETOMETER_HARD_IRON_OFFSET_1.read(raw, at)
+            at += 12
+            offset = v[0:3]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, offset), at
+
+    def _write(self) -> bytes:
+        out = _MAGNETOMETER_HARD_IRON_OFFSET_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _MAGNETOMETER_HARD_IRON_OFFSET_GROUPS)
+        if there >= 1:
+            out += _MAGNETOMETER_HARD_IRON_OFFSET_1.write(*codec.exactly("offset", self.offset, 3))
+        return codec.finished(out)
+
+
+_MAGNETOMETER_SOFT_IRON_MATRIX_0 = codec.Block("B", "function")
+_MAGNETOMETER_SOFT_IRON_MATRIX_1 = codec.Block(
+    "fffffffff",
+    "offset",
+    "offset",
+    "offset",
+    "offset",
+    "offset",
+    "offset",
+    "offset",
+    "offset",
+    "offset",
+)
+_MAGNETOMETER_SOFT_IRON_MATRIX_GROUPS = ((1, ("offset",), False),)
+
+
+@dataclass(slots=True)
+class MagnetometerSoftIronMatrix(Command):
+    """Magnetometer Soft Iron Matrix (0x0C,0x3B).
+
+    Matrix that corrects the scaled magnetic field for soft iron.
+    The values come from a calibration of the device as it is installed.
+
+    - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x3B
+    NAME = "3dm.magnetometer_soft_iron_matrix"
+    ROLE = "command"
+    RESPONSES = (MagnetometerSoftIronMatrixResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    offset: types.Matrix3f | None = None
+    """Soft iron matrix in row-major order. [1] Frame: sensor."""
+
+    @classmethod
+    def write(cls, offset: types.Matrix3f) -> MagnetometerSoftIronMatrix:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, offset=offset)
+
+    @classmethod
+    def read(cls) -> MagnetometerSoftIronMatrix:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> MagnetometerSoftIronMatrix:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> MagnetometerSoftIronMatrix:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> MagnetometerSoftIronMatrix:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerSoftIronMatrix, int]:
+        offset: types.Matrix3f | None = None
+        v = _MAGNETOMETER_SOFT_IRON_MATRIX_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _MAGNETOMETER_SOFT_IRON_MATRIX_1.read(raw, at)
+            at += 36
+            offset = v[0:9]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, offset), at
+
+    def _write(self) -> bytes:
+        out = _MAGNETOMETER_SOFT_IRON_MATRIX_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _MAGNETOMETER_SOFT_IRON_MATRIX_GROUPS)
+        if there >= 1:
+            out += _MAGNETOMETER_SOFT_IRON_MATRIX_1.write(*codec.exactly("offset", self.offset, 9))
+        return codec.finished(out)
+
+
+_CONING_AND_SCULLING_ENABLE_0 = codec.Block("B", "function")
+_CONING_AND_SCULLING_ENABLE_1 = codec.Block("B", "enable")
+_CONING_AND_SCULLING_ENABLE_GROUPS = ((1, ("enable",), False),)
+
+
+@dataclass(slots=True)
+class ConingAndScullingEnable(Command):
+    """Coning and Sculling Enable (0x0C,0x3E).
+
+    Switches the compensation of coning and sculling on or off.
+
+    - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x3E
+    NAME = "3dm.coning_and_sculling_enable"
+    ROLE = "command"
+    RESPONSES = (ConingAndScullingEnableResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    enable: bool | None = None
+    """Whether the compensation is on. Factory default: True."""
+
+    @classmethod
+    def write(cls, enable: bool) -> ConingAndScullingEnable:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, enable=enable)
+
+    @classmethod
+    def read(cls) -> ConingAndScullingEnable:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> ConingAndScullingEnable:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> ConingAndScullingEnable:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> ConingAndScullingEnable:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ConingAndScullingEnable, int]:
+        enable: bool | None = None
+        v = _CONING_AND_SCULLING_ENABLE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _CONING_AND_SCULLING_ENABLE_1.read(raw, at)
+            at += 1
+            enable = codec.truth(v[0])
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, enable), at
+
+    def _write(self) -> bytes:
+        out = _CONING_AND_SCULLING_ENABLE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _CONING_AND_SCULLING_ENABLE_GROUPS)
+        if there >= 1:
+            out += _CONING_AND_SCULLING_ENABLE_1.write(self.enable)
+        return codec.finished(out)
+
+
+_UART_BAUD_RATE_0 = codec.Block("B", "function")
+_UART_BAUD_RATE_1 = codec.Block("I", "baud")
+_UART_BAUD_RATE_GROUPS = ((1, ("baud",), False),)
+
+
+@dataclass(slots=True)
+class UartBaudRate(Command):
+    """UART Baud Rate (0x0C,0x40).
+
+    Baud rate of the main port.
+    The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later.
+    The 3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then nothing is
+    certain.
+    Set the device to idle first, send the command in a packet of its own and wait 250 ms
+    afterwards.
+
+    - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
+    - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x40
+    NAME = "3dm.uart_baud_rate"
+    ROLE = "command"
+    RESPONSES = (UartBaudRateResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    baud: int | None = None
+    """Baud rate. [Bd]"""
+
+    @classmethod
+    def write(cls, baud: int) -> UartBaudRate:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, baud=baud)
+
+    @classmethod
+    def read(cls) -> UartBaudRate:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> UartBaudRate:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> UartBaudRate:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> UartBaudRate:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRate, int]:
+        baud: int | None = None
+        v = _UART_BAUD_RATE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _UART_BAUD_RATE_1.read(raw, at)
+            at += 4
+            baud = v[0]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, baud), at
+
+    def _write(self) -> bytes:
+        out = _UART_BAUD_RATE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _UART_BAUD_RATE_GROUPS)
+        if there >= 1:
+            out += _UART_BAUD_RATE_1.write(self.baud)
+        return codec.finished(out)
+
+
+_GPIO_CONFIGURATION_0 = codec.Block("B", "function")
+_GPIO_CONFIGURATION_1 = codec.Block("B", "pin")
+_GPIO_CONFIGURATION_2 = codec.Block("B", "feature")
+_GPIO_CONFIGURATION_3 = codec.Block("B", "behavior")
+_GPIO_CONFIGURATION_4 = codec.Block("B", "pin_mode")
+_GPIO_CONFIGURATION_GROUPS = (
+    (1, ("pin",), False),
+    (2, ("feature",), False),
+    (3, ("behavior",), False),
+    (4, ("pin_mode",), False),
+)
+
+
+@dataclass(slots=True)
+class GpioConfiguration(Command):
+    """GPIO Configuration (0x0C,0x41).
+
+    What a GPIO pin is used for.
+    Not every pin has every feature.
+    Configure the function behind an output before its pin, and the pin of an input before its
+    function.
+    A configuration that only one pin can have passes to the latest pin; the earlier pin is reset.
+
+    - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x41
+    NAME = "3dm.gpio_configuration"
+    ROLE = "command"
+    RESPONSES = (GpioConfigurationResponse,)
+    REQUIRED = {1: 4, 2: 1, 3: 1, 4: 1, 5: 1}
+    READINGS = {
+        "behavior": (
+            "feature",
+            {
+                0: types.GpioUnusedBehavior,
+                1: types.GpioBehavior,
+                2: types.GpioPpsBehavior,
+                3: types.GpioEncoderBehavior,
+                4: types.GpioTimestampBehavior,
+                5: types.GpioUartBehavior,
+            },
+        ),
+    }
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    pin: int | None = None
+    """GPIO pin, counted from 1; 0 means all pins (save, load, default)."""
+    feature: types.GpioFeature | None = None
+    """Use of the pin. Factory default: unused."""
+    behavior: int | None = None
+    """Role of the pin within the feature; 0 where the feature names none."""
+    pin_mode: types.GpioPinMode | None = None
+    """Electrical options."""
+
+    @classmethod
+    def write(
+        cls, pin: int, feature: types.GpioFeature, behavior: int, pin_mode: types.GpioPinMode
+    ) -> GpioConfiguration:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE, pin=pin, feature=feature, behavior=behavior, pin_mode=pin_mode
+        )
+
+    @classmethod
+    def read(cls, pin: int) -> GpioConfiguration:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ, pin=pin)
+
+    @classmethod
+    def save(cls, pin: int) -> GpioConfiguration:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE, pin=pin)
+
+    @classmethod
+    def load(cls, pin: int) -> GpioConfiguration:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD, pin=pin)
+
+    @classmethod
+    def default(cls, pin: int) -> GpioConfiguration:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT, pin=pin)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpioConfiguration, int]:
+        pin: int | None = None
+        feature: types.GpioFeature | None = None
+        behavior: int | None = None
+        pin_mode: types.GpioPinMode | None = None
+        v = _GPIO_CONFIGURATION_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _GPIO_CONFIGURATION_1.read(raw, at)
+            at += 1
+            pin = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _GPIO_CONFIGURATION_2.read(raw, at)
+            at += 1
+            feature = types.GpioFeature(v[0])
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _GPIO_CONFIGURATION_3.read(raw, at)
+            at += 1
+            behavior = v[0]
+            done, end = 3, at
+            if at == len(raw) and required < 4:
+                raise Truncated(1, 0)
+            v = _GPIO_CONFIGURATION_4.read(raw, at)
+            at += 1
+            pin_mode = types.GpioPinMode(v[0])
+            done, end = 4, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, pin, feature, behavior, pin_mode), at
+
+    def _write(self) -> bytes:
+        out = _GPIO_CONFIGURATION_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _GPIO_CONFIGURATION_GROUPS)
+        if there >= 1:
+            out += _GPIO_CONFIGURATION_1.write(self.pin)
+        if there >= 2:
+            out += _GPIO_CONFIGURATION_2.write(self.feature)
+        if there >= 3:
+            out += _GPIO_CONFIGURATION_3.write(self.behavior)
+        if there >= 4:
+            out += _GPIO_CONFIGURATION_4.write(self.pin_mode)
+        return codec.finished(out)
+
+
+_GPIO_STATE_0 = codec.Block("B", "function")
+_GPIO_STATE_1 = codec.Block("B", "pin")
+_GPIO_STATE_2 = codec.Block("B", "state")
+_GPIO_STATE_GROUPS = ((1, ("pin",), False), (2, ("state",), False))
+
+
+@dataclass(slots=True)
+class GpioState(Command):
+    """GPIO State (0x0C,0x42).
+
+    Sets or reads the state of a GPIO pin.
+    What is read is the level of the pin itself.
+    Writing shows only on a pin that is configured as an output.
+    The state at power-up is a matter of the GPIO configuration command.
+
+    - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x42
+    NAME = "3dm.gpio_state"
+    ROLE = "command"
+    RESPONSES = (GpioStateResponse,)
+    REQUIRED = {1: 2, 2: 1}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    pin: int | None = None
+    """GPIO pin, counted from 1. Range: 1 to …."""
+    state: bool | None = None
+    """True is high."""
+
+    @classmethod
+    def write(cls, pin: int, state: bool) -> GpioState:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, pin=pin, state=state)
+
+    @classmethod
+    def read(cls, pin: int) -> GpioState:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ, pin=pin)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpioState, int]:
+        pin: int | None = None
+        state: bool | None = None
+        v = _GPIO_STATE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _GPIO_STATE_1.read(raw, at)
+            at += 1
+            pin = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _GPIO_STATE_2.read(raw, at)
+            at += 1
+            state = codec.truth(v[0])
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, pin, state), at
+
+    def _write(self) -> bytes:
+        out = _GPIO_STATE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _GPIO_STATE_GROUPS)
+        if there >= 1:
+            out += _GPIO_STATE_1.write(self.pin)
+        if there >= 2:
+            out += _GPIO_STATE_2.write(self.state)
+        return codec.finished(out)
+
+
+_ODOMETER_CONFIGURATION_0 = codec.Block("B", "function")
+_ODOMETER_CONFIGURATION_1 = codec.Block("B", "mode")
+_ODOMETER_CONFIGURATION_2 = codec.Block("f", "scaling")
+_ODOMETER_CONFIGURATION_3 = codec.Block("f", "uncertainty")
+_ODOMETER_CONFIGURATION_GROUPS = (
+    (1, ("mode",), False),
+    (2, ("scaling",), False),
+    (3, ("uncertainty",), False),
+)
+
+
+@dataclass(slots=True)
+class OdometerConfiguration(Command):
+    """Odometer Configuration (0x0C,0x43).
+
+    Input from a wheel encoder.
+
+    - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x43
+    NAME = "3dm.odometer_configuration"
+    ROLE = "command"
+    RESPONSES = (OdometerConfigurationResponse,)
+    REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    mode: OdometerMode | None = None
+    """How the input works."""
+    scaling: float | None = None
+    """Pulses over the distance travelled; negative if the encoder turns backwards. [pulse/m]
+    Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
+    """
+    uncertainty: float | None = None
+    """Relative uncertainty of the scaling, 1 sigma. [1]"""
+
+    @classmethod
+    def write(cls, mode: OdometerMode, scaling: float, uncertainty: float) -> OdometerConfiguration:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, mode=mode, scaling=scaling, uncertainty=uncertainty)
+
+    @classmethod
+    def read(cls) -> OdometerConfiguration:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> OdometerConfiguration:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> OdometerConfiguration:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> OdometerConfiguration:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfiguration, int]:
+        mode: OdometerMode | None = None
+        scaling: float | None = None
+        uncertainty: float | None = None
+        v = _ODOMETER_CONFIGURATION_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _ODOMETER_CONFIGURATION_1.read(raw, at)
+            at += 1
+            mode = OdometerMode(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _ODOMETER_CONFIGURATION_2.read(raw, at)
+            at += 4
+            scaling = v[0]
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _ODOMETER_CONFIGURATION_3.read(raw, at)
+            at += 4
+            uncertainty = v[0]
+            done, end = 3, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, mode, scaling, uncertainty), at
+
+    def _write(self) -> bytes:
+        out = _ODOMETER_CONFIGURATION_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _ODOMETER_CONFIGURATION_GROUPS)
+        if there >= 1:
+            out += _ODOMETER_CONFIGURATION_1.write(self.mode)
+        if there >= 2:
+            out += _ODOMETER_CONFIGURATION_2.write(self.scaling)
+        if there >= 3:
+            out += _ODOMETER_CONFIGURATION_3.write(self.uncertainty)
+        return codec.finished(out)
+
+
+_ADVANCED_LOW_PASS_FILTER_SETTINGS_0 = codec.Block("B", "function")
+_ADVANCED_LOW_PASS_FILTER_SETTINGS_1 = codec.Block("B", "target_descriptor")
+_ADVANCED_LOW_PASS_FILTER_SETTINGS_2 = codec.Block("B", "enable")
+_ADVANCED_LOW_PASS_FILTER_SETTINGS_3 = codec.Block("B", "manual")
+_ADVANCED_LOW_PASS_FILTER_SETTINGS_4 = codec.Block("H", "frequency")
+_ADVANCED_LOW_PASS_FILTER_SETTINGS_5 = codec.Block("B", "reserved")
+_ADVANCED_LOW_PASS_FILTER_SETTINGS_GROUPS = (
+    (1, ("target_descriptor",), False),
+    (2, ("enable",), False),
+    (3, ("manual",), False),
+    (4, ("frequency",), False),
+    (5, ("reserved",), False),
+)
+
+
+@dataclass(slots=True)
+class AdvancedLowPassFilterSettings(Command):
+    """Advanced Low-Pass Filter Settings (0x0C,0x50).
+
+    Low-pass filter of one quantity of the sensor data.
+    The filter has one pole. By default it is on and its cutoff is half the rate of the message
+    format.
+    The 3DM-GX5-15 accepts a cutoff of 250 Hz at most.
+    Deprecated: use 3dm.low_pass_anti_aliasing_filter where the device has it
+    For advanced use.
+
+    - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
+    - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x50
+    NAME = "3dm.advanced_low_pass_filter_settings"
+    ROLE = "command"
+    RESPONSES = (AdvancedLowPassFilterSettingsResponse,)
+    REQUIRED = {1: 5, 2: 1, 3: 1, 4: 1, 5: 1}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    target_descriptor: int | None = None
+    """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
+    magnetic field 0x06 or pressure 0x17. On the 3DM-CV7 0 means all of them, except for read.
+    """
+    enable: bool | None = None
+    """Whether the quantity is filtered."""
+    manual: bool | None = None
+    """True uses the frequency; false follows half the rate of the message format."""
+    frequency: int | None = None
+    """Cutoff (-3 dB). It has no meaning if manual is false. [Hz]"""
+    reserved: int | None = None
+
+    @classmethod
+    def write(
+        cls, target_descriptor: int, enable: bool, manual: bool, frequency: int
+    ) -> AdvancedLowPassFilterSettings:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE,
+            target_descriptor=target_descriptor,
+            enable=enable,
+            manual=manual,
+            frequency=frequency,
+            reserved=0,
+        )
+
+    @classmethod
+    def read(cls, target_descriptor: int) -> AdvancedLowPassFilterSettings:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ, target_descriptor=target_descriptor)
+
+    @classmethod
+    def save(cls, target_descriptor: int) -> AdvancedLowPassFilterSettings:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE, target_descriptor=target_descriptor)
+
+    @classmethod
+    def load(cls, target_descriptor: int) -> AdvancedLowPassFilterSettings:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD, target_descriptor=target_descriptor)
+
+    @classmethod
+    def default(cls, target_descriptor: int) -> AdvancedLowPassFilterSettings:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT, target_descriptor=target_descriptor)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AdvancedLowPassFilterSettings, int]:
+        target_descriptor: int | None = None
+        enable: bool | None = None
+        manual: bool | None = None
+        frequency: int | None = None
+        reserved: int | None = None
+        v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_1.read(raw, at)
+            at += 1
+            target_descriptor = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_2.read(raw, at)
+            at += 1
+            enable = codec.truth(v[0])
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_3.read(raw, at)
+            at += 1
+            manual = codec.truth(v[0])
+            done, end = 3, at
+            if at == len(raw) and required < 4:
+                raise Truncated(1, 0)
+            v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_4.read(raw, at)
+            at += 2
+            frequency = v[0]
+            done, end = 4, at
+            if at == len(raw) and required < 5:
+                raise Truncated(1, 0)
+            v = _ADVANCED_LOW_PASS_FILTER_SETTINGS_5.read(raw, at)
+            at += 1
+            reserved = v[0]
+            done, end = 5, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, target_descriptor, enable, manual, frequency, reserved), at
+
+    def _write(self) -> bytes:
+        out = _ADVANCED_LOW_PASS_FILTER_SETTINGS_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _ADVANCED_LOW_PASS_FILTER_SETTINGS_GROUPS)
+        if there >= 1:
+            out += _ADVANCED_LOW_PASS_FILTER_SETTINGS_1.write(self.target_descriptor)
+        if there >= 2:
+            out += _ADVANCED_LOW_PASS_FILTER_SETTINGS_2.write(self.enable)
+        if there >= 3:
+            out += _ADVANCED_LOW_PASS_FILTER_SETTINGS_3.write(self.manual)
+        if there >= 4:
+            out += _ADVANCED_LOW_PASS_FILTER_SETTINGS_4.write(self.frequency)
+        if there >= 5:
+            out += _ADVANCED_LOW_PASS_FILTER_SETTINGS_5.write(self.reserved)
+        return codec.finished(out)
+
+
+_COMPLEMENTARY_FILTER_CONFIGURATION_0 = codec.Block("B", "function")
+_COMPLEMENTARY_FILTER_CONFIGURATION_1 = codec.Block("B", "pitch_roll_enable")
+_COMPLEMENTARY_FILTER_CONFIGURATION_2 = codec.Block("B", "heading_enable")
+_COMPLEMENTARY_FILTER_CONFIGURATION_3 = codec.Block("f", "pitch_roll_time_constant")
+_COMPLEMENTARY_FILTER_CONFIGURATION_4 = codec.Block("f", "heading_time_constant")
+_COMPLEMENTARY_FILTER_CONFIGURATION_GROUPS = (
+    (1, ("pitch_roll_enable",), False),
+    (2, ("heading_enable",), False),
+    (3, ("pitch_roll_time_constant",), False),
+    (4, ("heading_time_constant",), False),
+)
+
+
+@dataclass(slots=True)
+class ComplementaryFilterConfiguration(Command):
+    """Complementary Filter Configuration (0x0C,0x51).
+
+    Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
+    Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
+    The heading follows the magnetometer, if the device has one.
+    The device refuses time constants out of range.
+
+    - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
+    - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x51
+    NAME = "3dm.complementary_filter_configuration"
+    ROLE = "command"
+    RESPONSES = (ComplementaryFilterConfigurationResponse,)
+    REQUIRED = {1: 4, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    pitch_roll_enable: bool | None = None
+    """Corrects pitch and roll (up, in terms of the 5-series)."""
+    heading_enable: bool | None = None
+    """Corrects the heading (north, in terms of the 5-series)."""
+    pitch_roll_time_constant: float | None = None
+    """Time constant of the correction of pitch and roll. [s] Range: 1 to 1000. Factory default:
+    10.
+    """
+    heading_time_constant: float | None = None
+    """Time constant of the correction of the heading. [s] Range: 1 to 1000. Factory default: 10."""
+
+    @classmethod
+    def write(
+        cls,
+        pitch_roll_enable: bool,
+        heading_enable: bool,
+        pitch_roll_time_constant: float,
+        heading_time_constant: float,
+    ) -> ComplementaryFilterConfiguration:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE,
+            pitch_roll_enable=pitch_roll_enable,
+            heading_enable=heading_enable,
+            pitch_roll_time_constant=pitch_roll_time_constant,
+            heading_time_constant=heading_time_constant,
+        )
+
+    @classmethod
+    def read(cls) -> ComplementaryFilterConfiguration:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> ComplementaryFilterConfiguration:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> ComplementaryFilterConfiguration:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> ComplementaryFilterConfiguration:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterConfiguration, int]:
+        pitch_roll_enable: bool | None = None
+        heading_enable: bool | None = None
+        pitch_roll_time_constant: float | None = None
+        heading_time_constant: float | None = None
+        v = _COMPLEMENTARY_FILTER_CONFIGURATION_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _COMPLEMENTARY_FILTER_CONFIGURATION_1.read(raw, at)
+            at += 1
+            pitch_roll_enable = codec.truth(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _COMPLEMENTARY_FILTER_CONFIGURATION_2.read(raw, at)
+            at += 1
+            heading_enable = codec.truth(v[0])
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _COMPLEMENTARY_FILTER_CONFIGURATION_3.read(raw, at)
+            at += 4
+            pitch_roll_time_constant = v[0]
+            done, end = 3, at
+            if at == len(raw) and required < 4:
+                raise Truncated(1, 0)
+            v = _COMPLEMENTARY_FILTER_CONFIGURATION_4.read(raw, at)
+            at += 4
+            heading_time_constant = v[0]
+            done, end = 4, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(
+            function,
+            pitch_roll_enable,
+            heading_enable,
+            pitch_roll_time_constant,
+            heading_time_constant,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _COMPLEMENTARY_FILTER_CONFIGURATION_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _COMPLEMENTARY_FILTER_CONFIGURATION_GROUPS)
+        if there >= 1:
+            out += _COMPLEMENTARY_FILTER_CONFIGURATION_1.write(self.pitch_roll_enable)
+        if there >= 2:
+            out += _COMPLEMENTARY_FILTER_CONFIGURATION_2.write(self.heading_enable)
+        if there >= 3:
+            out += _COMPLEMENTARY_FILTER_CONFIGURATION_3.write(self.pitch_roll_time_constant)
+        if there >= 4:
+            out += _COMPLEMENTARY_FILTER_CONFIGURATION_4.write(self.heading_time_constant)
+        return codec.finished(out)
+
+
+_SENSOR_RANGE_0 = codec.Block("B", "function")
+_SENSOR_RANGE_1 = codec.Block("B", "sensor")
+_SENSOR_RANGE_2 = codec.Block("B", "setting")
+_SENSOR_RANGE_GROUPS = ((1, ("sensor",), False), (2, ("setting",), False))
+
+
+@dataclass(slots=True)
+class SensorRange(Command):
+    """Sensor Range (0x0C,0x52).
+
+    Measuring range of a sensor.
+    The get calibrated sensor ranges command lists the settings. The device may refuse others or
+    measure wrongly.
+
+    - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x52
+    NAME = "3dm.sensor_range"
+    ROLE = "command"
+    RESPONSES = (SensorRangeResponse,)
+    REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    sensor: SensorRangeType | None = None
+    """The sensor."""
+    setting: int | None = None
+    """Number of the range."""
+
+    @classmethod
+    def write(cls, sensor: SensorRangeType, setting: int) -> SensorRange:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, sensor=sensor, setting=setting)
+
+    @classmethod
+    def read(cls, sensor: SensorRangeType) -> SensorRange:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ, sensor=sensor)
+
+    @classmethod
+    def save(cls, sensor: SensorRangeType) -> SensorRange:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE, sensor=sensor)
+
+    @classmethod
+    def load(cls, sensor: SensorRangeType) -> SensorRange:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD, sensor=sensor)
+
+    @classmethod
+    def default(cls, sensor: SensorRangeType) -> SensorRange:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT, sensor=sensor)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorRange, int]:
+        sensor: SensorRangeType | None = None
+        setting: int | None = None
+        v = _SENSOR_RANGE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SENSOR_RANGE_1.read(raw, at)
+            at += 1
+            sensor = SensorRangeType(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _SENSOR_RANGE_2.read(raw, at)
+            at += 1
+            setting = v[0]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, sensor, setting), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_RANGE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _SENSOR_RANGE_GROUPS)
+        if there >= 1:
+            out += _SENSOR_RANGE_1.write(self.sensor)
+        if there >= 2:
+            out += _SENSOR_RANGE_2.write(self.setting)
+        return codec.finished(out)
+
+
+_GET_CALIBRATED_SENSOR_RANGES_0 = codec.Block("B", "sensor")
+
+
+@dataclass(slots=True)
+class GetCalibratedSensorRanges(Command):
+    """Get Calibrated Sensor Ranges (0x0C,0x53).
+
+    Asks for the ranges that a sensor supports.
+
+    - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x53
+    NAME = "3dm.get_calibrated_sensor_ranges"
+    ROLE = "command"
+    RESPONSES = (GetCalibratedSensorRangesResponse,)
+
+    sensor: SensorRangeType
+    """The sensor; not all."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetCalibratedSensorRanges, int]:
+        v = _GET_CALIBRATED_SENSOR_RANGES_0.read(raw, at)
+        at += 1
+        sensor = SensorRangeType(v[0])
+        return cls(sensor), at
+
+    def _write(self) -> bytes:
+        out = _GET_CALIBRATED_SENSOR_RANGES_0.write(self.sensor)
+        return codec.finished(out)
+
+
+_LOW_PASS_ANTI_ALIASING_FILTER_0 = codec.Block("B", "function")
+_LOW_PASS_ANTI_ALIASING_FILTER_1 = codec.Block("B", "desc_set")
+_LOW_PASS_ANTI_ALIASING_FILTER_2 = codec.Block("B", "field_desc")
+_LOW_PASS_ANTI_ALIASING_FILTER_3 = codec.Block("B", "enable")
+_LOW_PASS_ANTI_ALIASING_FILTER_4 = codec.Block("B", "manual")
+_LOW_PASS_ANTI_ALIASING_FILTER_5 = codec.Block("f", "frequency")
+_LOW_PASS_ANTI_ALIASING_FILTER_GROUPS = (
+    (1, ("desc_set",), False),
+    (2, ("field_desc",), False),
+    (3, ("enable",), False),
+    (4, ("manual",), False),
+    (5, ("frequency",), False),
+)
+
+
+@dataclass(slots=True)
+class LowPassAntiAliasingFilter(Command):
+    """Low-Pass Anti-Aliasing Filter (0x0C,0x54).
+
+    Low-pass filter of a data field.
+    Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
+
+    - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x54
+    NAME = "3dm.low_pass_anti_aliasing_filter"
+    ROLE = "command"
+    RESPONSES = (LowPassAntiAliasingFilterResponse,)
+    REQUIRED = {1: 5, 2: 2, 3: 2, 4: 2, 5: 2}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    desc_set: int | None = None
+    """Descriptor set of the field."""
+    field_desc: int | None = None
+    """Field descriptor; 0 if the set is 0."""
+    enable: bool | None = None
+    """Whether the field is filtered."""
+    manual: bool | None = None
+    """True uses the frequency; false follows half the rate of the field in the message format."""
+    frequency: float | None = None
+    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. [Hz]"""
+
+    @classmethod
+    def write(
+        cls, desc_set: int, field_desc: int, enable: bool, manual: bool, frequency: float
+    ) -> LowPassAntiAliasingFilter:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE,
+            desc_set=desc_set,
+            field_desc=field_desc,
+            enable=enable,
+            manual=manual,
+            frequency=frequency,
+        )
+
+    @classmethod
+    def read(cls, desc_set: int, field_desc: int) -> LowPassAntiAliasingFilter:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ, desc_set=desc_set, field_desc=field_desc)
+
+    @classmethod
+    def save(cls, desc_set: int, field_desc: int) -> LowPassAntiAliasingFilter:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE, desc_set=desc_set, field_desc=field_desc)
+
+    @classmethod
+    def load(cls, desc_set: int, field_desc: int) -> LowPassAntiAliasingFilter:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD, desc_set=desc_set, field_desc=field_desc)
+
+    @classmethod
+    def default(cls, desc_set: int, field_desc: int) -> LowPassAntiAliasingFilter:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT, desc_set=desc_set, field_desc=field_desc)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[LowPassAntiAliasingFilter, int]:
+        desc_set: int | None = None
+        field_desc: int | None = None
+        enable: bool | None = None
+        manual: bool | None = None
+        frequency: float | None = None
+        v = _LOW_PASS_ANTI_ALIASING_FILTER_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _LOW_PASS_ANTI_ALIASING_FILTER_1.read(raw, at)
+            at += 1
+            desc_set = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _LOW_PASS_ANTI_ALIASING_FILTER_2.read(raw, at)
+            at += 1
+            field_desc = v[0]
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _LOW_PASS_ANTI_ALIASING_FILTER_3.read(raw, at)
+            at += 1
+            enable = codec.truth(v[0])
+            done, end = 3, at
+            if at == len(raw) and required < 4:
+                raise Truncated(1, 0)
+            v = _LOW_PASS_ANTI_ALIASING_FILTER_4.read(raw, at)
+            at += 1
+            manual = codec.truth(v[0])
+            done, end = 4, at
+            if at == len(raw) and required < 5:
+                raise Truncated(1, 0)
+            v = _LOW_PASS_ANTI_ALIASING_FILTER_5.read(raw, at)
+            at += 4
+            frequency = v[0]
+            done, end = 5, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, desc_set, field_desc, enable, manual, frequency), at
+
+    def _write(self) -> bytes:
+        out = _LOW_PASS_ANTI_ALIASING_FILTER_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _LOW_PASS_ANTI_ALIASING_FILTER_GROUPS)
+        if there >= 1:
+            out += _LOW_PASS_ANTI_ALIASING_FILTER_1.write(self.desc_set)
+        if there >= 2:
+            out += _LOW_PASS_ANTI_ALIASING_FILTER_2.write(self.field_desc)
+        if there >= 3:
+            out += _LOW_PASS_ANTI_ALIASING_FILTER_3.write(self.enable)
+        if there >= 4:
+            out += _LOW_PASS_ANTI_ALIASING_FILTER_4.write(self.manual)
+        if there >= 5:
+            out += _LOW_PASS_ANTI_ALIASING_FILTER_5.write(self.frequency)
+        return codec.finished(out)
+
+
+_DEVICE_STATUS_0 = codec.Block("H", "model_number")
+_DEVICE_STATUS_1 = codec.Block("B", "status_selector")
+
+
+@dataclass(slots=True)
+class DeviceStatus(Command):
+    """Device Status (0x0C,0x64).
+
+    Asks for the state of the device, in one of two layouts.
+    The layouts hold for this model number only; other models answer with layouts of their own.
+    For advanced use.
+
+    - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x64
+    NAME = "3dm.device_status"
+    ROLE = "command"
+    RESPONSES = (DeviceStatusBasicResponse, DeviceStatusDiagnosticResponse)
+
+    status_selector: DeviceStatusSelector
+    """Layout of the answer."""
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return data[0:2] == b"\x18\x6e"
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatus, int]:
+        v = _DEVICE_STATUS_0.read(raw, at)
+        at += 2
+        codec.constant(v[0], 6254)
+        v = _DEVICE_STATUS_1.read(raw, at)
+        at += 1
+        status_selector = DeviceStatusSelector(v[0])
+        return cls(status_selector), at
+
+    def _write(self) -> bytes:
+        out = _DEVICE_STATUS_0.write(6254)
+        out += _DEVICE_STATUS_1.write(self.status_selector)
+        return codec.finished(out)
+
+
+ImuMessageFormatResponse.COMMANDS = (ImuMessageFormat,)
+EstimationFilterMessageFormatResponse.COMMANDS = (EstimationFilterMessageFormat,)
+GetImuDataBaseRateResponse.COMMANDS = (GetImuDataBaseRate,)
+DataStreamControlResponse.COMMANDS = (DataStreamControl,)
+UartBaudRateResponse.COMMANDS = (UartBaudRate,)
+GetEstimationFilterDataBaseRateResponse.COMMANDS = (GetEstimationFilterDataBaseRate,)
+AdvancedLowPassFilterSettingsResponse.COMMANDS = (AdvancedLowPassFilterSettings,)
+NmeaMessageFormatResponse.COMMANDS = (NmeaMessageFormat,)
+GetDataBaseRateResponse.COMMANDS = (GetDataBaseRate,)
+MessageFormatResponse.COMMANDS = (MessageFormat,)
+DeviceStatusBasicResponse.COMMANDS = (DeviceStatus,)
+DeviceStatusDiagnosticResponse.COMMANDS = (DeviceStatus,)
+ComplementaryFilterConfigurationResponse.COMMANDS = (ComplementaryFilterConfiguration,)
+AccelerometerBiasConfigurationResponse.COMMANDS = (AccelerometerBiasConfiguration,)
+GyroscopeBiasConfigurationResponse.COMMANDS = (GyroscopeBiasConfiguration, CaptureGyroscopeBias)
+MagnetometerHardIronOffsetResponse.COMMANDS = (MagnetometerHardIronOffset,)
+MagnetometerSoftIronMatrixResponse.COMMANDS = (MagnetometerSoftIronMatrix,)
+ConingAndScullingEnableResponse.COMMANDS = (ConingAndScullingEnable,)
+GnssSbasSettingsResponse.COMMANDS = (GnssSbasSettings,)
+PpsSourceControlResponse.COMMANDS = (PpsSourceControl,)
+SensorToVehicleFrameTransformationEulerResponse.COMMANDS = (
+    SensorToVehicleFrameTransformationEuler,
+)
+SensorToVehicleFrameTransformationQuaternionResponse.COMMANDS = (
+    SensorToVehicleFrameTransformationQuaternion,
+)
+SensorToVehicleFrameTransformationDirectionCosineMatrixResponse.COMMANDS = (
+    SensorToVehicleFrameTransformationDirectionCosineMatrix,
+)
+GetSupportedEventsResponse.COMMANDS = (GetSupportedEvents,)
+EventControlResponse.COMMANDS = (EventControl,)
+GetEventTriggerStatusResponse.COMMANDS = (GetEventTriggerStatus,)
+GetEventActionStatusResponse.COMMANDS = (GetEventActionStatus,)
+EventTriggerConfigurationResponse.COMMANDS = (EventTriggerConfiguration,)
+EventActionConfigurationResponse.COMMANDS = (EventActionConfiguration,)
+GpioConfigurationResponse.COMMANDS = (GpioConfiguration,)
+GpioStateResponse.COMMANDS = (GpioState,)
+OdometerConfigurationResponse.COMMANDS = (OdometerConfiguration,)
+SensorRangeResponse.COMMANDS = (SensorRange,)
+GetCalibratedSensorRangesResponse.COMMANDS = (GetCalibratedSensorRanges,)
+LowPassAntiAliasingFilterResponse.COMMANDS = (LowPassAntiAliasingFilter,)
+
+
+#: The types of each descriptor; several where constants in the data tell layouts apart.
+FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0x01: (PollImuData,),
+    0x03: (PollEstimationFilterData,),
+    0x04: (PollNmeaData,),
+    0x06: (GetImuDataBaseRate,),
+    0x08: (ImuMessageFormat,),
+    0x0A: (EstimationFilterMessageFormat,),
+    0x0B: (GetEstimationFilterDataBaseRate,),
+    0x0C: (NmeaMessageFormat,),
+    0x0D: (PollData,),
+    0x0E: (GetDataBaseRate,),
+    0x0F: (MessageFormat,),
+    0x10: (FactoryStreaming,),
+    0x11: (DataStreamControl,),
+    0x22: (GnssSbasSettings,),
+    0x28: (PpsSourceControl,),
+    0x2A: (GetSupportedEvents,),
+    0x2B: (EventControl,),
+    0x2C: (GetEventTriggerStatus,),
+    0x2D: (GetEventActionStatus,),
+    0x2E: (EventTriggerConfiguration,),
+    0x2F: (EventActionConfiguration,),
+    0x30: (DeviceStartUpSettings,),
+    0x31: (SensorToVehicleFrameTransformationEuler,),
+    0x32: (SensorToVehicleFrameTransformationQuaternion,),
+    0x33: (SensorToVehicleFrameTransformationDirectionCosineMatrix,),
+    0x37: (AccelerometerBiasConfiguration,),
+    0x38: (GyroscopeBiasConfiguration,),
+    0x39: (CaptureGyroscopeBias,),
+    0x3A: (MagnetometerHardIronOffset,),
+    0x3B: (MagnetometerSoftIronMatrix,),
+    0x3E: (ConingAndScullingEnable,),
+    0x40: (UartBaudRate,),
+    0x41: (GpioConfiguration,),
+    0x42: (GpioState,),
+    0x43: (OdometerConfiguration,),
+    0x50: (AdvancedLowPassFilterSettings,),
+    0x51: (ComplementaryFilterConfiguration,),
+    0x52: (SensorRange,),
+    0x53: (GetCalibratedSensorRanges,),
+    0x54: (LowPassAntiAliasingFilter,),
+    0x64: (DeviceStatus,),
+    0x80: (ImuMessageFormatResponse,),
+    0x82: (EstimationFilterMessageFormatResponse,),
+    0x83: (GetImuDataBaseRateResponse,),
+    0x85: (DataStreamControlResponse,),
+    0x87: (UartBaudRateResponse,),
+    0x8A: (GetEstimationFilterDataBaseRateResponse,),
+    0x8B: (AdvancedLowPassFilterSettingsResponse,),
+    0x8C: (NmeaMessageFormatResponse,),
+    0x8E: (GetDataBaseRateResponse,),
+    0x8F: (MessageFormatResponse,),
+    0x90: (DeviceStatusBasicResponse, DeviceStatusDiagnosticResponse),
+    0x97: (ComplementaryFilterConfigurationResponse,),
+    0x9A: (AccelerometerBiasConfigurationResponse,),
+    0x9B: (GyroscopeBiasConfigurationResponse,),
+    0x9C: (MagnetometerHardIronOffsetResponse,),
+    0x9D: (MagnetometerSoftIronMatrixResponse,),
+    0x9E: (ConingAndScullingEnableResponse,),
+    0xA1: (GnssSbasSettingsResponse,),
+    0xA8: (PpsSourceControlResponse,),
+    0xB1: (SensorToVehicleFrameTransformationEulerResponse,),
+    0xB2: (SensorToVehicleFrameTransformationQuaternionResponse,),
+    0xB3: (SensorToVehicleFrameTransformationDirectionCosineMatrixResponse,),
+    0xB4: (GetSupportedEventsResponse,),
+    0xB5: (EventControlResponse,),
+    0xB6: (GetEventTriggerStatusResponse,),
+    0xB7: (GetEventActionStatusResponse,),
+    0xB8: (EventTriggerConfigurationResponse,),
+    0xB9: (EventActionConfigurationResponse,),
+    0xC1: (GpioConfigurationResponse,),
+    0xC2: (GpioStateResponse,),
+    0xC3: (OdometerConfigurationResponse,),
+    0xD2: (SensorRangeResponse,),
+    0xD3: (GetCalibratedSensorRangesResponse,),
+    0xD4: (LowPassAntiAliasingFilterResponse,),
+}

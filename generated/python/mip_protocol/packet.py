@@ -1,0 +1,123 @@
+"""Packets: `75 65 set length fields… checksum`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import accumulate
+from typing import NamedTuple
+
+from .errors import EncodeError, PacketError
+
+SYNC = b"\x75\x65"
+MAX_PAYLOAD = 255
+OVERHEAD = 6
+
+
+def checksum(data: bytes) -> bytes:
+    """The two checksum bytes of a header and its payload.
+
+    >>> checksum(bytes.fromhex("756501020201")).hex()
+    'e0c6'
+    """
+    return bytes((sum(data) & 0xFF, sum(accumulate(data)) & 0xFF))
+
+
+class RawField(NamedTuple):
+    """A field as it stands in a packet: nothing is decoded yet."""
+
+    set: int
+    descriptor: int
+    data: bytes
+
+
+class Packet:
+    """One whole packet with a right checksum.
+
+    >>> packet = Packet(bytes.fromhex("75650104 04f10100 d56a"))
+    >>> packet.set, [(f.descriptor, f.data) for f in packet]
+    (1, [(241, b'\\x01\\x00')])
+    """
+
+    __slots__ = ("_data",)
+
+    def __init__(self, data: bytes) -> None:
+        """Raises PacketError of kind `sync`, `length` or `checksum`."""
+        if data[:2] != SYNC:
+            raise PacketError("sync", f"begins with {data[:2].hex() or 'nothing'}, not with 7565")
+        if len(data) < OVERHEAD or len(data) != data[3] + OVERHEAD or data[2] == 0:
+            raise PacketError("length", f"{len(data)} bytes do not make a packet")
+        if checksum(data[:-2]) != data[-2:]:
+            right = checksum(data[:-2]).hex()
+            raise PacketError("checksum", f"{data[-2:].hex()} should be {right}")
+        self._data = data
+
+    @classmethod
+    def _trusted(cls, data: bytes) -> Packet:
+        """For the parser, which has checked already."""
+        packet = cls.__new__(cls)
+        packet._data = data
+        return packet
+
+    @property
+    def set(self) -> int:
+        """The descriptor set."""
+        return self._data[2]
+
+    @property
+    def payload(self) -> bytes:
+        """All fields."""
+        return self._data[4:-2]
+
+    def __bytes__(self) -> bytes:
+        return self._data
+
+    def __len__(self) -> int:
+        return len(self._data)
+
+    def __eq__(self, other: object) -> bool:
+        return self._data == other._data if isinstance(other, Packet) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._data)
+
+    def __repr__(self) -> str:
+        return f"Packet({self._data.hex()})"
+
+    def __iter__(self) -> Iterator[RawField]:
+        """The fields in order; raises PacketError of kind `field_length` at a malformed one."""
+        data, at, end = self._data, 4, len(self._data) - 2
+        number = data[2]
+        while at < end:
+            length = data[at]
+            if length < 2 or length > end - at:
+                raise PacketError("field_length", f"a field of length {length} in {end - at} bytes")
+            yield RawField(number, data[at + 1], data[at + 2 : at + length])
+            at += length
+
+
+class PacketBuilder:
+    """Puts fields into a packet of one descriptor set.
+
+    >>> PacketBuilder(0x01).add(0x01).build()
+    Packet(756501020201e0c6)
+    """
+
+    def __init__(self, set: int) -> None:
+        if not 1 <= set <= 255:
+            raise EncodeError("range", f"{set} is no descriptor set; those are 1 to 255")
+        self._set = set
+        self._payload = bytearray()
+
+    def add(self, descriptor: int, data: bytes = b"") -> PacketBuilder:
+        """Adds a field. Raises EncodeError of kind `length`, and changes nothing, if it does not fit."""
+        if not 0 <= descriptor <= 255:
+            raise EncodeError("range", f"{descriptor} is no descriptor")
+        size = len(data) + 2
+        if size > 255 or len(self._payload) + size > MAX_PAYLOAD:
+            raise EncodeError("length", f"{size} bytes more do not fit into a payload of 255")
+        self._payload += bytes((size, descriptor)) + data
+        return self
+
+    def build(self) -> Packet:
+        head = SYNC + bytes((self._set, len(self._payload))) + self._payload
+        return Packet._trusted(head + checksum(head))

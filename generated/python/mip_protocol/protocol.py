@@ -1,0 +1,68 @@
+"""What is the same in every command set: function selectors and the acknowledge field."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from . import codec, types
+from .field import Response
+from .types import AckCode
+
+#: The version of the specification that this package was generated from.
+VERSION = "0.1.0"
+
+
+class FunctionSelector(codec.OpenEnum):
+    """What a settings command is asked to do."""
+
+    WRITE = 1
+    """Apply the new setting."""
+    READ = 2
+    """Send the current setting back in a response."""
+    SAVE = 3
+    """Save the current setting to non-volatile memory."""
+    LOAD = 4
+    """Load the saved setting."""
+    DEFAULT = 5
+    """Load the factory default setting."""
+    APPLY = 6
+    """Apply the new setting and send no acknowledge (5-series devices)."""
+
+
+_ACKNOWLEDGE_0 = codec.Block("BB", "command", "code")
+
+
+@dataclass(slots=True)
+class Acknowledge(Response):
+    """Acknowledge (0x00,0xF1).
+
+    Answers one command field. A response, if there is one, follows it in the same packet.
+
+    - 3dm-gx5-15: 2.2.2 Example “Ping” Reply Packet
+    - 3dm-cv7-gnss-ins: Ack/Nack Field Specification
+    """
+
+    SET = 0x00
+    DESCRIPTOR = 0xF1
+    NAME = "protocol.acknowledge"
+    ROLE = "response"
+
+    command: int
+    """Descriptor of the command that is answered."""
+    code: types.AckCode
+    """Zero acknowledges, any other value refuses."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Acknowledge, int]:
+        v = _ACKNOWLEDGE_0.read(raw, at)
+        at += 2
+        command = v[0]
+        code = types.AckCode(v[1])
+        return cls(command, code), at
+
+    def _write(self) -> bytes:
+        out = _ACKNOWLEDGE_0.write(self.command, self.code)
+        return codec.finished(out)
+
+
+__all__ = ["VERSION", "AckCode", "Acknowledge", "FunctionSelector"]

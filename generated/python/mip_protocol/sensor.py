@@ -1,0 +1,606 @@
+"""Sensor data (0x80).
+
+Inertial, magnetic and pressure measurements, and the attitude of the complementary filter.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntFlag
+
+from . import codec, types
+from .field import Data, Field
+
+
+class OverrangeFlags(IntFlag):
+    """Sensor axes that were near or outside their range."""
+
+    ACCEL_X = 1 << 0
+    """Accelerometer X axis."""
+    ACCEL_Y = 1 << 1
+    """Accelerometer Y axis."""
+    ACCEL_Z = 1 << 2
+    """Accelerometer Z axis."""
+    GYRO_X = 1 << 4
+    """Gyroscope X axis."""
+    GYRO_Y = 1 << 5
+    """Gyroscope Y axis."""
+    GYRO_Z = 1 << 6
+    """Gyroscope Z axis."""
+    MAG_X = 1 << 8
+    """Magnetometer X axis."""
+    MAG_Y = 1 << 9
+    """Magnetometer Y axis."""
+    MAG_Z = 1 << 10
+    """Magnetometer Z axis."""
+    PRESS = 1 << 12
+    """Pressure sensor."""
+
+
+class OdometerFlags(IntFlag):
+    """Whether the odometer values are valid."""
+
+    ODOMETER = 1 << 0
+    """The odometer is configured."""
+
+
+_SCALED_ACCEL_0 = codec.Block("fff", "scaled_accel", "scaled_accel", "scaled_accel")
+
+
+@dataclass(slots=True)
+class ScaledAccel(Data):
+    """Scaled accel (0x80,0x04).
+
+    Measured acceleration, temperature compensated.
+    The 3DM-GX5-15 gives it in the sensor frame.
+
+    - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
+    - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x04
+    NAME = "sensor.scaled_accel"
+    ROLE = "data"
+
+    scaled_accel: types.Vector3f
+    """Acceleration. [g] Frame: vehicle."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ScaledAccel, int]:
+        v = _SCALED_ACCEL_0.read(raw, at)
+        at += 12
+        scaled_accel = v[0:3]
+        return cls(scaled_accel), at
+
+    def _write(self) -> bytes:
+        out = _SCALED_ACCEL_0.write(*codec.exactly("scaled_accel", self.scaled_accel, 3))
+        return codec.finished(out)
+
+
+_SCALED_GYRO_0 = codec.Block("fff", "scaled_gyro", "scaled_gyro", "scaled_gyro")
+
+
+@dataclass(slots=True)
+class ScaledGyro(Data):
+    """Scaled gyro (0x80,0x05).
+
+    Measured angular rate, temperature compensated.
+    The 3DM-GX5-15 gives it in the sensor frame.
+
+    - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
+    - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x05
+    NAME = "sensor.scaled_gyro"
+    ROLE = "data"
+
+    scaled_gyro: types.Vector3f
+    """Angular rate. [rad/s] Frame: vehicle."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ScaledGyro, int]:
+        v = _SCALED_GYRO_0.read(raw, at)
+        at += 12
+        scaled_gyro = v[0:3]
+        return cls(scaled_gyro), at
+
+    def _write(self) -> bytes:
+        out = _SCALED_GYRO_0.write(*codec.exactly("scaled_gyro", self.scaled_gyro, 3))
+        return codec.finished(out)
+
+
+_SCALED_MAG_0 = codec.Block("fff", "scaled_mag", "scaled_mag", "scaled_mag")
+
+
+@dataclass(slots=True)
+class ScaledMag(Data):
+    """Scaled mag (0x80,0x06).
+
+    Measured magnetic field, temperature compensated.
+
+    - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x06
+    NAME = "sensor.scaled_mag"
+    ROLE = "data"
+
+    scaled_mag: types.Vector3f
+    """Magnetic field. [gauss] Frame: vehicle."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ScaledMag, int]:
+        v = _SCALED_MAG_0.read(raw, at)
+        at += 12
+        scaled_mag = v[0:3]
+        return cls(scaled_mag), at
+
+    def _write(self) -> bytes:
+        out = _SCALED_MAG_0.write(*codec.exactly("scaled_mag", self.scaled_mag, 3))
+        return codec.finished(out)
+
+
+_DELTA_THETA_0 = codec.Block("fff", "delta_theta", "delta_theta", "delta_theta")
+
+
+@dataclass(slots=True)
+class DeltaTheta(Data):
+    """Delta theta (0x80,0x07).
+
+    Time integral of the angular rate over the period that the message format sets.
+    The 3DM-GX5-15 gives it in the sensor frame.
+
+    - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
+    - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x07
+    NAME = "sensor.delta_theta"
+    ROLE = "data"
+
+    delta_theta: types.Vector3f
+    """Integral of the angular rate. [rad] Frame: vehicle."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DeltaTheta, int]:
+        v = _DELTA_THETA_0.read(raw, at)
+        at += 12
+        delta_theta = v[0:3]
+        return cls(delta_theta), at
+
+    def _write(self) -> bytes:
+        out = _DELTA_THETA_0.write(*codec.exactly("delta_theta", self.delta_theta, 3))
+        return codec.finished(out)
+
+
+_DELTA_VELOCITY_0 = codec.Block("fff", "delta_velocity", "delta_velocity", "delta_velocity")
+
+
+@dataclass(slots=True)
+class DeltaVelocity(Data):
+    """Delta velocity (0x80,0x08).
+
+    Time integral of the acceleration over the period that the message format sets.
+    Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
+    The 3DM-GX5-15 gives it in the sensor frame.
+
+    - 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08)
+    - 3dm-cv7-gnss-ins: Delta Velocity (0x80,0x08)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x08
+    NAME = "sensor.delta_velocity"
+    ROLE = "data"
+
+    delta_velocity: types.Vector3f
+    """Integral of the acceleration. [g*s] Frame: vehicle."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DeltaVelocity, int]:
+        v = _DELTA_VELOCITY_0.read(raw, at)
+        at += 12
+        delta_velocity = v[0:3]
+        return cls(delta_velocity), at
+
+    def _write(self) -> bytes:
+        out = _DELTA_VELOCITY_0.write(*codec.exactly("delta_velocity", self.delta_velocity, 3))
+        return codec.finished(out)
+
+
+_COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_0 = codec.Block(
+    "fffffffff", "m", "m", "m", "m", "m", "m", "m", "m", "m"
+)
+
+
+@dataclass(slots=True)
+class ComplementaryFilterOrientationMatrix(Data):
+    """Complementary filter orientation matrix (0x80,0x09).
+
+    Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
+    v_vehicle = M * v_ned. The 3DM-GX5-15 has the sensor frame in place of the vehicle frame.
+
+    - 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09)
+    - 3dm-cv7-gnss-ins: Complementary Filter Orientation Matrix (0x80,0x09)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x09
+    NAME = "sensor.complementary_filter_orientation_matrix"
+    ROLE = "data"
+
+    m: types.Matrix3f
+    """Rotation from the NED frame to the vehicle frame. [1]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterOrientationMatrix, int]:
+        v = _COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_0.read(raw, at)
+        at += 36
+        m = v[0:9]
+        return cls(m), at
+
+    def _write(self) -> bytes:
+        out = _COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_0.write(*codec.exactly("m", self.m, 9))
+        return codec.finished(out)
+
+
+_COMPLEMENTARY_FILTER_QUATERNION_0 = codec.Block("ffff", "q", "q", "q", "q")
+
+
+@dataclass(slots=True)
+class ComplementaryFilterQuaternion(Data):
+    """Complementary filter quaternion (0x80,0x0A).
+
+    Attitude by the complementary filter as a quaternion, relative to the NED frame.
+    v_vehicle = q^-1 * v_ned * q. The 3DM-GX5-15 has the sensor frame in place of the vehicle frame.
+
+    - 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A)
+    - 3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x0A
+    NAME = "sensor.complementary_filter_quaternion"
+    ROLE = "data"
+
+    q: types.Quatf
+    """Rotation between the NED frame and the vehicle frame. [1]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterQuaternion, int]:
+        v = _COMPLEMENTARY_FILTER_QUATERNION_0.read(raw, at)
+        at += 16
+        q = v[0:4]
+        return cls(q), at
+
+    def _write(self) -> bytes:
+        out = _COMPLEMENTARY_FILTER_QUATERNION_0.write(*codec.exactly("q", self.q, 4))
+        return codec.finished(out)
+
+
+_COMPLEMENTARY_FILTER_EULER_ANGLES_0 = codec.Block("fff", "roll", "pitch", "yaw")
+
+
+@dataclass(slots=True)
+class ComplementaryFilterEulerAngles(Data):
+    """Complementary filter Euler angles (0x80,0x0C).
+
+    Attitude by the complementary filter as Euler angles, relative to the NED frame.
+    The rotations are in the order yaw, pitch, roll (3-2-1).
+
+    - 3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C)
+    - 3dm-cv7-gnss-ins: Complementary Filter Euler Angles (0x80,0x0C)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x0C
+    NAME = "sensor.complementary_filter_euler_angles"
+    ROLE = "data"
+
+    roll: float
+    """Roll angle. [rad]"""
+    pitch: float
+    """Pitch angle. [rad]"""
+    yaw: float
+    """Yaw angle. [rad]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterEulerAngles, int]:
+        v = _COMPLEMENTARY_FILTER_EULER_ANGLES_0.read(raw, at)
+        at += 12
+        roll = v[0]
+        pitch = v[1]
+        yaw = v[2]
+        return cls(roll, pitch, yaw), at
+
+    def _write(self) -> bytes:
+        out = _COMPLEMENTARY_FILTER_EULER_ANGLES_0.write(self.roll, self.pitch, self.yaw)
+        return codec.finished(out)
+
+
+_COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_0 = codec.Block(
+    "fff", "stabilized_mag", "stabilized_mag", "stabilized_mag"
+)
+
+
+@dataclass(slots=True)
+class ComplementaryFilterStabilizedNorthVector(Data):
+    """Complementary filter stabilized north vector (0x80,0x10).
+
+    Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
+    Without magnetic disturbance it equals the measured magnetic field.
+    A lasting disturbance is not compensated.
+
+    - 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x10
+    NAME = "sensor.complementary_filter_stabilized_north_vector"
+    ROLE = "data"
+
+    stabilized_mag: types.Vector3f
+    """Geomagnetic field. [gauss] Frame: sensor."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterStabilizedNorthVector, int]:
+        v = _COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_0.read(raw, at)
+        at += 12
+        stabilized_mag = v[0:3]
+        return cls(stabilized_mag), at
+
+    def _write(self) -> bytes:
+        out = _COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_0.write(
+            *codec.exactly("stabilized_mag", self.stabilized_mag, 3)
+        )
+        return codec.finished(out)
+
+
+_COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_0 = codec.Block(
+    "fff", "stabilized_accel", "stabilized_accel", "stabilized_accel"
+)
+
+
+@dataclass(slots=True)
+class ComplementaryFilterStabilizedUpVector(Data):
+    """Complementary filter stabilized up vector (0x80,0x11).
+
+    Estimate of the acceleration due to gravity alone by the complementary filter.
+    At rest it equals the measured acceleration.
+
+    - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x11
+    NAME = "sensor.complementary_filter_stabilized_up_vector"
+    ROLE = "data"
+
+    stabilized_accel: types.Vector3f
+    """Acceleration due to gravity. [g] Frame: sensor."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterStabilizedUpVector, int]:
+        v = _COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_0.read(raw, at)
+        at += 12
+        stabilized_accel = v[0:3]
+        return cls(stabilized_accel), at
+
+    def _write(self) -> bytes:
+        out = _COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_0.write(
+            *codec.exactly("stabilized_accel", self.stabilized_accel, 3)
+        )
+        return codec.finished(out)
+
+
+_GPS_TIMESTAMP_0 = codec.Block("dHH", "tow", "week_number", "valid_flags")
+
+
+@dataclass(slots=True)
+class GpsTimestamp(Data):
+    """GPS timestamp (0x80,0x12).
+
+    GPS time of the sensor data.
+    Without a PPS the time runs on the internal clock and jumps when the PPS comes back.
+    The fraction of the time of week is the time since the last pulse.
+    Without external synchronization it is the internal system time.
+    Where the device has it, use the shared GPS timestamp (0xFF,0xD3) instead; this field may be
+    deprecated.
+
+    - 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
+    - 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x12
+    NAME = "sensor.gps_timestamp"
+    ROLE = "data"
+
+    tow: float
+    """GPS time of week. [s] Valid if valid_flags.tow_valid."""
+    week_number: int
+    """GPS week number. [week] Valid if valid_flags.week_number_valid."""
+    valid_flags: types.SensorGpsTimestampFlags
+    """State of the time."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimestamp, int]:
+        v = _GPS_TIMESTAMP_0.read(raw, at)
+        at += 12
+        tow = v[0]
+        week_number = v[1]
+        valid_flags = types.SensorGpsTimestampFlags(v[2])
+        return cls(tow, week_number, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GPS_TIMESTAMP_0.write(self.tow, self.week_number, self.valid_flags)
+        return codec.finished(out)
+
+
+_TEMPERATURE_STATISTICS_0 = codec.Block("fff", "min_temp", "max_temp", "mean_temp")
+
+
+@dataclass(slots=True)
+class TemperatureStatistics(Data):
+    """Temperature statistics (0x80,0x14).
+
+    Temperatures since the last power-on or reset.
+    The values come from the inertial sensors, alone or together with sensors on the board.
+
+    - 3dm-cv7-gnss-ins: Temperature Statistics (0x80,0x14)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x14
+    NAME = "sensor.temperature_statistics"
+    ROLE = "data"
+
+    min_temp: float
+    """Lowest temperature. [degC]"""
+    max_temp: float
+    """Highest temperature. [degC]"""
+    mean_temp: float
+    """Mean temperature. [degC]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[TemperatureStatistics, int]:
+        v = _TEMPERATURE_STATISTICS_0.read(raw, at)
+        at += 12
+        min_temp = v[0]
+        max_temp = v[1]
+        mean_temp = v[2]
+        return cls(min_temp, max_temp, mean_temp), at
+
+    def _write(self) -> bytes:
+        out = _TEMPERATURE_STATISTICS_0.write(self.min_temp, self.max_temp, self.mean_temp)
+        return codec.finished(out)
+
+
+_SCALED_PRESSURE_0 = codec.Block("f", "scaled_pressure")
+
+
+@dataclass(slots=True)
+class ScaledPressure(Data):
+    """Scaled pressure (0x80,0x17).
+
+    Measured ambient pressure, temperature compensated.
+
+    - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
+    - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x17
+    NAME = "sensor.scaled_pressure"
+    ROLE = "data"
+
+    scaled_pressure: float
+    """Ambient pressure. [mbar]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ScaledPressure, int]:
+        v = _SCALED_PRESSURE_0.read(raw, at)
+        at += 4
+        scaled_pressure = v[0]
+        return cls(scaled_pressure), at
+
+    def _write(self) -> bytes:
+        out = _SCALED_PRESSURE_0.write(self.scaled_pressure)
+        return codec.finished(out)
+
+
+_OVERRANGE_STATUS_0 = codec.Block("H", "status")
+
+
+@dataclass(slots=True)
+class OverrangeStatus(Data):
+    """Overrange status (0x80,0x18).
+
+    Which sensor axes are near or outside their range.
+
+    - 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x18
+    NAME = "sensor.overrange_status"
+    ROLE = "data"
+
+    status: OverrangeFlags
+    """One bit for each axis."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[OverrangeStatus, int]:
+        v = _OVERRANGE_STATUS_0.read(raw, at)
+        at += 2
+        status = OverrangeFlags(v[0])
+        return cls(status), at
+
+    def _write(self) -> bytes:
+        out = _OVERRANGE_STATUS_0.write(self.status)
+        return codec.finished(out)
+
+
+_ODOMETER_0 = codec.Block("ffH", "speed", "uncertainty", "valid_flags")
+
+
+@dataclass(slots=True)
+class Odometer(Data):
+    """Odometer data (0x80,0x40).
+
+    Speed by the wheel encoder.
+
+    - 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x40
+    NAME = "sensor.odometer"
+    ROLE = "data"
+
+    speed: float
+    """Average speed over the interval; negative values come from quadrature encoders only. [m/s]
+    Valid if valid_flags.odometer.
+    """
+    uncertainty: float
+    """Uncertainty of the speed. [m/s] Valid if valid_flags.odometer."""
+    valid_flags: OdometerFlags
+    """Whether the values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Odometer, int]:
+        v = _ODOMETER_0.read(raw, at)
+        at += 10
+        speed = v[0]
+        uncertainty = v[1]
+        valid_flags = OdometerFlags(v[2])
+        return cls(speed, uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ODOMETER_0.write(self.speed, self.uncertainty, self.valid_flags)
+        return codec.finished(out)
+
+
+#: The types of each descriptor; several where constants in the data tell layouts apart.
+FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0x04: (ScaledAccel,),
+    0x05: (ScaledGyro,),
+    0x06: (ScaledMag,),
+    0x07: (DeltaTheta,),
+    0x08: (DeltaVelocity,),
+    0x09: (ComplementaryFilterOrientationMatrix,),
+    0x0A: (ComplementaryFilterQuaternion,),
+    0x0C: (ComplementaryFilterEulerAngles,),
+    0x10: (ComplementaryFilterStabilizedNorthVector,),
+    0x11: (ComplementaryFilterStabilizedUpVector,),
+    0x12: (GpsTimestamp,),
+    0x14: (TemperatureStatistics,),
+    0x17: (ScaledPressure,),
+    0x18: (OverrangeStatus,),
+    0x40: (Odometer,),
+}

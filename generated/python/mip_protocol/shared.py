@@ -1,0 +1,303 @@
+"""Shared data (0xFF).
+
+Fields that every data set can hold. No packet has this set: they come in packets of the other data
+sets.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntFlag
+
+from . import codec
+from .field import Data, Field
+
+
+class GpsTimestampFlags(IntFlag):
+    """Which parts of the GPS time are valid."""
+
+    TOW = 1 << 0
+    """The whole seconds of the time of week have been set."""
+    WEEK_NUMBER = 1 << 1
+    """The week number has been set."""
+    TIME_VALID = 0x3
+    """Both are set."""
+
+
+class ExternalTimestampFlags(IntFlag):
+    """Whether the external time is valid."""
+
+    NANOSECONDS = 1 << 0
+    """The time is valid."""
+
+
+class ExternalTimeDeltaFlags(IntFlag):
+    """Whether the difference of external time is valid."""
+
+    DT_NANOS = 1 << 0
+    """The difference is valid."""
+
+
+_EVENT_SOURCE_0 = codec.Block("B", "trigger_id")
+
+
+@dataclass(slots=True)
+class EventSource(Data):
+    """Event source (0xFF,0xD0).
+
+    The event trigger that caused the packet.
+    Put it first in the format of event messages, to tell their packets from scheduled ones.
+
+    - 3dm-cv7-gnss-ins: Event Source (0xFF,0xD0)
+    """
+
+    SET = 0xFF
+    DESCRIPTOR = 0xD0
+    NAME = "shared.event_source"
+    ROLE = "data"
+
+    trigger_id: int
+    """Id of the trigger; 0 means that the packet was scheduled by the message format
+    (0x0C,0x0F).
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EventSource, int]:
+        v = _EVENT_SOURCE_0.read(raw, at)
+        at += 1
+        trigger_id = v[0]
+        return cls(trigger_id), at
+
+    def _write(self) -> bytes:
+        out = _EVENT_SOURCE_0.write(self.trigger_id)
+        return codec.finished(out)
+
+
+_GPS_TIMESTAMP_0 = codec.Block("dHH", "tow", "week_number", "valid_flags")
+
+
+@dataclass(slots=True)
+class GpsTimestamp(Data):
+    """GPS timestamp (0xFF,0xD3).
+
+    External time of the data as GPS time of week and week number.
+    In event messages it is the time of the trigger.
+    It becomes valid after the PPS is locked and (0x01,0x72) has set the time of week and the week
+    number.
+    An internal GNSS receiver as PPS source sets the time by itself.
+
+    - 3dm-cv7-gnss-ins: GPS Timestamp (0xFF,0xD3)
+    """
+
+    SET = 0xFF
+    DESCRIPTOR = 0xD3
+    NAME = "shared.gps_timestamp"
+    ROLE = "data"
+
+    tow: float
+    """GPS time of week. [s] Valid if valid_flags.tow."""
+    week_number: int
+    """GPS week number. [week] Valid if valid_flags.week_number."""
+    valid_flags: GpsTimestampFlags
+    """Which parts are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimestamp, int]:
+        v = _GPS_TIMESTAMP_0.read(raw, at)
+        at += 12
+        tow = v[0]
+        week_number = v[1]
+        valid_flags = GpsTimestampFlags(v[2])
+        return cls(tow, week_number, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GPS_TIMESTAMP_0.write(self.tow, self.week_number, self.valid_flags)
+        return codec.finished(out)
+
+
+_DELTA_TIME_0 = codec.Block("d", "seconds")
+
+
+@dataclass(slots=True)
+class DeltaTime(Data):
+    """Delta time (0xFF,0xD4).
+
+    External time since this field was last sent in the same set and event instance.
+    It is the same as external time delta (0xFF,0xD8), in other units.
+    Sending either restarts the counter that both share, so use only one of them.
+
+    - 3dm-cv7-gnss-ins: Delta Time (0xFF,0xD4)
+    """
+
+    SET = 0xFF
+    DESCRIPTOR = 0xD4
+    NAME = "shared.delta_time"
+    ROLE = "data"
+
+    seconds: float
+    """Time since the last output. [s]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DeltaTime, int]:
+        v = _DELTA_TIME_0.read(raw, at)
+        at += 8
+        seconds = v[0]
+        return cls(seconds), at
+
+    def _write(self) -> bytes:
+        out = _DELTA_TIME_0.write(self.seconds)
+        return codec.finished(out)
+
+
+_REFERENCE_TIMESTAMP_0 = codec.Block("Q", "nanoseconds")
+
+
+@dataclass(slots=True)
+class ReferenceTimestamp(Data):
+    """Reference timestamp (0xFF,0xD5).
+
+    Time of the data by the internal reference clock.
+    The clock starts at power-on, only moves forward and never jumps; the value is always valid.
+    In event messages it is the time of the trigger.
+
+    - 3dm-cv7-gnss-ins: Reference Timestamp (0xFF,0xD5)
+    """
+
+    SET = 0xFF
+    DESCRIPTOR = 0xD5
+    NAME = "shared.reference_timestamp"
+    ROLE = "data"
+
+    nanoseconds: int
+    """Time since initialization. [ns]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ReferenceTimestamp, int]:
+        v = _REFERENCE_TIMESTAMP_0.read(raw, at)
+        at += 8
+        nanoseconds = v[0]
+        return cls(nanoseconds), at
+
+    def _write(self) -> bytes:
+        out = _REFERENCE_TIMESTAMP_0.write(self.nanoseconds)
+        return codec.finished(out)
+
+
+_REFERENCE_TIME_DELTA_0 = codec.Block("Q", "dt_nanos")
+
+
+@dataclass(slots=True)
+class ReferenceTimeDelta(Data):
+    """Reference time delta (0xFF,0xD6).
+
+    Reference time since this field was last sent in the same set and event instance.
+    The value is always valid.
+
+    - 3dm-cv7-gnss-ins: Reference Time Delta (0xFF,0xD6)
+    """
+
+    SET = 0xFF
+    DESCRIPTOR = 0xD6
+    NAME = "shared.reference_time_delta"
+    ROLE = "data"
+
+    dt_nanos: int
+    """Time since the last output. [ns]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ReferenceTimeDelta, int]:
+        v = _REFERENCE_TIME_DELTA_0.read(raw, at)
+        at += 8
+        dt_nanos = v[0]
+        return cls(dt_nanos), at
+
+    def _write(self) -> bytes:
+        out = _REFERENCE_TIME_DELTA_0.write(self.dt_nanos)
+        return codec.finished(out)
+
+
+_EXTERNAL_TIMESTAMP_0 = codec.Block("QH", "nanoseconds", "valid_flags")
+
+
+@dataclass(slots=True)
+class ExternalTimestamp(Data):
+    """External timestamp (0xFF,0xD7).
+
+    Time of the data in the external clock domain.
+    It is the GPS timestamp (0xFF,0xD3) in nanoseconds.
+    In event messages it is the time of the trigger.
+    It becomes valid when the external clock is synchronized through the PPS.
+
+    - 3dm-cv7-gnss-ins: External Timestamp (0xFF,0xD7)
+    """
+
+    SET = 0xFF
+    DESCRIPTOR = 0xD7
+    NAME = "shared.external_timestamp"
+    ROLE = "data"
+
+    nanoseconds: int
+    """External time. [ns] Valid if valid_flags.nanoseconds."""
+    valid_flags: ExternalTimestampFlags
+    """Whether the time is valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ExternalTimestamp, int]:
+        v = _EXTERNAL_TIMESTAMP_0.read(raw, at)
+        at += 10
+        nanoseconds = v[0]
+        valid_flags = ExternalTimestampFlags(v[1])
+        return cls(nanoseconds, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _EXTERNAL_TIMESTAMP_0.write(self.nanoseconds, self.valid_flags)
+        return codec.finished(out)
+
+
+_EXTERNAL_TIME_DELTA_0 = codec.Block("QH", "dt_nanos", "valid_flags")
+
+
+@dataclass(slots=True)
+class ExternalTimeDelta(Data):
+    """External time delta (0xFF,0xD8).
+
+    External time since this field was last sent in the same set and event instance.
+    It is the same as delta time (0xFF,0xD4), in other units.
+    Sending either restarts the counter that both share, so use only one of them.
+
+    - 3dm-cv7-gnss-ins: External Time Delta (0xFF,0xD8)
+    """
+
+    SET = 0xFF
+    DESCRIPTOR = 0xD8
+    NAME = "shared.external_time_delta"
+    ROLE = "data"
+
+    dt_nanos: int
+    """Time since the last output. [ns] Valid if valid_flags.dt_nanos."""
+    valid_flags: ExternalTimeDeltaFlags
+    """Whether the difference is valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ExternalTimeDelta, int]:
+        v = _EXTERNAL_TIME_DELTA_0.read(raw, at)
+        at += 10
+        dt_nanos = v[0]
+        valid_flags = ExternalTimeDeltaFlags(v[1])
+        return cls(dt_nanos, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _EXTERNAL_TIME_DELTA_0.write(self.dt_nanos, self.valid_flags)
+        return codec.finished(out)
+
+
+#: The types of each descriptor; several where constants in the data tell layouts apart.
+FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0xD0: (EventSource,),
+    0xD3: (GpsTimestamp,),
+    0xD4: (DeltaTime,),
+    0xD5: (ReferenceTimestamp,),
+    0xD6: (ReferenceTimeDelta,),
+    0xD7: (ExternalTimestamp,),
+    0xD8: (ExternalTimeDelta,),
+}

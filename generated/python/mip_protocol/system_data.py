@@ -1,0 +1,167 @@
+"""System data (0xA0).
+
+State of the device as a whole.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntFlag
+
+from . import codec, types
+from .field import Data, Field
+
+
+class GpioPinStates(IntFlag):
+    """Level of each GPIO pin, set for high. Bits of pins that do not exist read 0."""
+
+    PIN_1 = 1 << 0
+    """GPIO pin 1."""
+    PIN_2 = 1 << 1
+    """GPIO pin 2."""
+    PIN_3 = 1 << 2
+    """GPIO pin 3."""
+    PIN_4 = 1 << 3
+    """GPIO pin 4."""
+
+
+_BUILT_IN_TEST_0 = codec.Block(
+    "BBBBBBBBBBBBBBBB",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+)
+
+
+@dataclass(slots=True)
+class BuiltInTest(Data):
+    """Built-in test (0xA0,0x01).
+
+    Flags of the tests that run all the time.
+    The field is long; stream it at a low rate or poll it.
+    A flag stays set until it is sent, so a short fault between two messages or during idle is not
+    lost.
+    Each stream and each event action keeps its own copy of the flags.
+    Some flags may be set without a fault, for instance a receiver without a position fix.
+    Unnamed bits are reserved and must be ignored.
+
+    - 3dm-cv7-gnss-ins: Built In Test (0xA0,0x01)
+    """
+
+    SET = 0xA0
+    DESCRIPTOR = 0x01
+    NAME = "system_data.built_in_test"
+    ROLE = "data"
+    READINGS = {
+        "result": (
+            "device",
+            {"3dm-cv7-gnss-ins": types.Cv7ContinuousBuiltInTest},
+        ),
+    }
+
+    result: tuple[int, ...]
+    """Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
+    byte.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[BuiltInTest, int]:
+        v = _BUILT_IN_TEST_0.read(raw, at)
+        at += 16
+        result = v[0:16]
+        return cls(result), at
+
+    def _write(self) -> bytes:
+        out = _BUILT_IN_TEST_0.write(*codec.exactly("result", self.result, 16))
+        return codec.finished(out)
+
+
+_TIME_SYNC_STATUS_0 = codec.Block("BB", "time_sync", "last_pps_rcvd")
+
+
+@dataclass(slots=True)
+class TimeSyncStatus(Data):
+    """Time sync status (0xA0,0x02).
+
+    Whether the device time is locked to the pulse per second.
+
+    - 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02)
+    """
+
+    SET = 0xA0
+    DESCRIPTOR = 0x02
+    NAME = "system_data.time_sync_status"
+    ROLE = "data"
+
+    time_sync: bool
+    """True while the lock is valid; false if the PPS is disabled or no pulse is found."""
+    last_pps_rcvd: int
+    """Time since the last pulse, at most 255. [s]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[TimeSyncStatus, int]:
+        v = _TIME_SYNC_STATUS_0.read(raw, at)
+        at += 2
+        time_sync = codec.truth(v[0])
+        last_pps_rcvd = v[1]
+        return cls(time_sync, last_pps_rcvd), at
+
+    def _write(self) -> bytes:
+        out = _TIME_SYNC_STATUS_0.write(self.time_sync, self.last_pps_rcvd)
+        return codec.finished(out)
+
+
+_GPIO_STATE_0 = codec.Block("B", "states")
+
+
+@dataclass(slots=True)
+class GpioState(Data):
+    """GPIO state (0xA0,0x03).
+
+    Levels of all user GPIO pins.
+    The pins are sampled within one base period of this set; shorter pulses can be missed.
+    Only pins that are configured to the GPIO feature by (0x0C,0x41) are sure to give valid levels.
+    For fast signals and exact times use the timestamp feature and the event system.
+
+    - 3dm-cv7-gnss-ins: GPIO State (0xA0,0x03)
+    """
+
+    SET = 0xA0
+    DESCRIPTOR = 0x03
+    NAME = "system_data.gpio_state"
+    ROLE = "data"
+
+    states: GpioPinStates
+    """One bit for each pin."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpioState, int]:
+        v = _GPIO_STATE_0.read(raw, at)
+        at += 1
+        states = GpioPinStates(v[0])
+        return cls(states), at
+
+    def _write(self) -> bytes:
+        out = _GPIO_STATE_0.write(self.states)
+        return codec.finished(out)
+
+
+#: The types of each descriptor; several where constants in the data tell layouts apart.
+FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0x01: (BuiltInTest,),
+    0x02: (TimeSyncStatus,),
+    0x03: (GpioState,),
+}

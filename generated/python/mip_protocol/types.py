@@ -1,0 +1,891 @@
+"""Types that several descriptor sets use."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntFlag
+from typing import TypeAlias
+
+from . import codec
+from .field import Structure
+
+
+class Gx5BuiltInTest(IntFlag):
+    """Result of the built-in test of the 3DM-GX5-15: processor board, sensor board, filter."""
+
+    WATCHDOG_RESET = 1 << 0
+    """The watchdog has reset the processor; cleared by the first commanded test."""
+    IMU_COMMUNICATION_FAULT = 1 << 8
+    """No communication with the inertial sensor."""
+    MAGNETOMETER_FAULT = 1 << 9
+    """Magnetometer fault, on devices that have one."""
+    PRESSURE_SENSOR_FAULT = 1 << 10
+    """Pressure sensor fault, on devices that have one."""
+    SOLUTION_FAULT = 1 << 24
+    """Fault of the estimation filter solution."""
+
+
+class Cv7BuiltInTest(IntFlag):
+    """Result of the commanded built-in test of the 3DM-CV7-GNSS/INS."""
+
+    GENERAL_HARDWARE_FAULT = 1 << 0
+    """A vital part, such as the oscillator, has failed."""
+    GENERAL_FIRMWARE_FAULT = 1 << 1
+    """The firmware met a serious or unexpected condition."""
+    TIMING_OVERLOAD = 1 << 2
+    """The processor cannot keep up; cleared by reading the result."""
+    BUFFER_OVERRUN = 1 << 3
+    """A data buffer was full, mostly because too much is streamed."""
+    ACCELEROMETER_FAULT = 1 << 12
+    """The accelerometer is damaged or does not work."""
+    GYROSCOPE_FAULT = 1 << 13
+    """The gyroscope is damaged or does not work."""
+    MAGNETOMETER_FAULT = 1 << 14
+    """The magnetometer is damaged or does not work."""
+    PRESSURE_SENSOR_FAULT = 1 << 15
+    """The pressure sensor is damaged or does not work."""
+    CALIBRATION_ERROR = 1 << 18
+    """At least one calibration table of the sensors is invalid."""
+    GENERAL_IMU_FAULT = 1 << 19
+    """A fault of the inertial sensor subsystem that no other bit names."""
+    FILTER_SOLUTION_FAULT = 1 << 22
+    """The filter output is invalid (not a number); reset the filter."""
+    GENERAL_FILTER_FAULT = 1 << 23
+    """A fault of the filter subsystem that no other bit names."""
+
+
+class Cv7ContinuousBuiltInTest(IntFlag):
+    """Flags of the continuous built-in test of the 3DM-CV7-GNSS/INS: bits 0-31 system, 32-63
+    inertial sensors, 64-95 navigation, 96-127 GNSS.
+    """
+
+    SYSTEM_CLOCK_FAILURE = 1 << 0
+    """The system clock does not work properly."""
+    POWER_FAULT = 1 << 1
+    """The supply voltage is out of range, or an internal supply has failed."""
+    FIRMWARE_FAULT = 1 << 4
+    """The firmware met an unexpected condition."""
+    TIMING_OVERLOAD = 1 << 5
+    """The processor cannot keep up."""
+    BUFFER_OVERRUN = 1 << 6
+    """A data buffer was full and data may be lost."""
+    IMU_PROCESS_FAULT = 1 << 16
+    """The inertial sensor subsystem does not run or did not start."""
+    IMU_DATA_PROCESS_TIME_EXCEEDED = 1 << 17
+    """The processing of sensor data took too long."""
+    IMU_DATA_RATE_ERROR = 1 << 18
+    """Sensor data does not come at its base rate."""
+    IMU_STALL = 1 << 19
+    """The inertial sensor subsystem produces no data."""
+    FILTER_PROCESS_FAULT = 0xF00000
+    """Any of these: the filter does not work normally."""
+    FILTER_MAJOR_CYCLE_FAULT = 1 << 20
+    """Major cycle of the filter; bits 22 and 23 say what."""
+    FILTER_MINOR_CYCLE_FAULT = 1 << 21
+    """Minor cycle of the filter; bits 22 and 23 say what."""
+    FILTER_DATA_RATE_ERROR = 1 << 22
+    """A filter process misses its base rate; bits 20 and 21 say which."""
+    FILTER_PROCESS_STALL = 1 << 23
+    """A filter process produces no data; bits 20 and 21 say which."""
+    GNSS_SUBSYSTEM_FAULT = 0xF000000
+    """Any of these: GNSS does not work normally."""
+    GNSS_MAIN_PROCESS_FAULT = 1 << 24
+    """The main GNSS process did not run in time."""
+    GNSS_RECEIVER_1_STALL = 1 << 25
+    """No data from internal receiver 1 in time."""
+    GNSS_RECEIVER_2_STALL = 1 << 26
+    """No data from internal receiver 2 in time."""
+    IMU_COMMUNICATION_FAULT = 1 << 33
+    """No communication with the inertial sensors."""
+    IMU_TIMING_OVERRUN = 1 << 34
+    """Inertial sensor processes take longer than their time."""
+    IMU_CALIBRATION_ERROR_ACCELEROMETER = 1 << 36
+    """Fault of the accelerometer calibration."""
+    IMU_CALIBRATION_ERROR_GYROSCOPE = 1 << 37
+    """Fault of the gyroscope calibration."""
+    IMU_CALIBRATION_ERROR_MAGNETOMETER = 1 << 38
+    """Fault of the magnetometer calibration."""
+    ACCELEROMETER_GENERAL_FAULT = 1 << 40
+    """The accelerometer does not initialize."""
+    ACCELEROMETER_OVER_RANGE = 1 << 41
+    """An axis is near or outside the selected range."""
+    ACCELEROMETER_SELF_TEST_FAIL = 1 << 42
+    """The self test failed; updated by the commanded test."""
+    GYROSCOPE_GENERAL_FAULT = 1 << 44
+    """The gyroscope does not initialize."""
+    GYROSCOPE_OVER_RANGE = 1 << 45
+    """An axis is near or outside the selected range."""
+    GYROSCOPE_SELF_TEST_FAIL = 1 << 46
+    """The self test failed; updated by the commanded test."""
+    MAGNETOMETER_GENERAL_FAULT = 1 << 48
+    """The magnetometer does not initialize."""
+    MAGNETOMETER_OVER_RANGE = 1 << 49
+    """An axis is near or outside the supported range."""
+    MAGNETOMETER_SELF_TEST_FAIL = 1 << 50
+    """The self test failed; updated by the commanded test."""
+    PRESSURE_SENSOR_GENERAL_FAULT = 1 << 52
+    """The pressure sensor does not initialize."""
+    PRESSURE_SENSOR_OVER_RANGE = 1 << 53
+    """The pressure is outside the supported range."""
+    PRESSURE_SENSOR_SELF_TEST_FAIL = 1 << 54
+    """The self test failed; updated by the commanded test."""
+    FACTORY_BITS_INVALID = 1 << 56
+    """The device has lost its factory configuration."""
+    FILTER_TIMING_OVERRUN = 1 << 66
+    """Filter processes take longer than their time."""
+    FILTER_TIMING_UNDERRUN = 1 << 67
+    """Filter processes are skipped."""
+    RECEIVER_1_FAULT = 1 << 105
+    """No communication with internal receiver 1."""
+    RECEIVER_1_NO_SOLUTION = 1 << 108
+    """Internal receiver 1 has no valid solution; mostly no sky view."""
+    RECEIVER_2_FAULT = 1 << 110
+    """No communication with internal receiver 2."""
+    RECEIVER_2_NO_SOLUTION = 1 << 113
+    """Internal receiver 2 has no valid solution; mostly no sky view."""
+
+
+class EventTriggerType(codec.OpenEnum):
+    """Kind of an event trigger."""
+
+    NONE = 0
+    """The slot is free. It is never active and cannot be enabled."""
+    GPIO = 1
+    """Watches a GPIO pin."""
+    THRESHOLD = 2
+    """Compares one value of a data field with thresholds."""
+    COMBINATION = 3
+    """Combines up to four other triggers by a truth table."""
+
+
+class EventActionType(codec.OpenEnum):
+    """Kind of an event action."""
+
+    NONE = 0
+    """The slot is free."""
+    GPIO = 1
+    """Controls a GPIO pin."""
+    MESSAGE = 2
+    """Sends a data packet."""
+
+
+class EventTriggerMode(codec.OpenEnum):
+    """Whether an event trigger works."""
+
+    DISABLED = 0
+    """The trigger is never active; so it is after configuration."""
+    ENABLED = 1
+    """The trigger does what it is configured for."""
+    TEST = 2
+    """The trigger is active all the time."""
+    TEST_PULSE = 3
+    """The trigger is active for one event cycle and then goes back to its earlier mode."""
+
+
+class EventTriggerStatus(IntFlag):
+    """State of an event trigger."""
+
+    ACTIVE = 1 << 0
+    """Active now, by its condition or by a test mode."""
+    ENABLED = 1 << 1
+    """Enabled."""
+    TEST = 1 << 2
+    """In a test mode."""
+
+
+class EventTriggerGpioMode(codec.OpenEnum):
+    """How a GPIO pin activates a trigger."""
+
+    DISABLED = 0
+    """The trigger is never active."""
+    WHILE_HIGH = 1
+    """Active while the pin is high. The pin needs the gpio feature."""
+    WHILE_LOW = 2
+    """Active while the pin is low. The pin needs the gpio feature."""
+    EDGE = 4
+    """Active for one event cycle after an edge. The pin needs the timestamp feature, whose
+    behavior selects the edge.
+    """
+
+
+class EventThresholdType(codec.OpenEnum):
+    """How a threshold trigger compares."""
+
+    WINDOW = 1
+    """The value lies between two thresholds."""
+    INTERVAL = 2
+    """The remainder of the value by an interval is at most a threshold."""
+
+
+class EventActionGpioMode(codec.OpenEnum):
+    """How an action controls a GPIO pin."""
+
+    DISABLED = 0
+    """The pin is left alone."""
+    ACTIVE_HIGH = 1
+    """High while the trigger is active and low otherwise."""
+    ACTIVE_LOW = 2
+    """Low while the trigger is active and high otherwise."""
+    ONESHOT_HIGH = 5
+    """Set high at each activation and never set low."""
+    ONESHOT_LOW = 6
+    """Set low at each activation and never set high."""
+    TOGGLE = 7
+    """Inverted at each activation."""
+
+
+_EVENT_TRIGGER_GPIO_0 = codec.Block("BB", "pin", "mode")
+
+
+@dataclass(slots=True)
+class EventTriggerGpio(Structure):
+    """A trigger on a GPIO pin."""
+
+    pin: int
+    """GPIO pin, counted from 1. Range: 1 to …."""
+    mode: EventTriggerGpioMode
+    """How the pin activates the trigger."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerGpio, int]:
+        v = _EVENT_TRIGGER_GPIO_0.read(raw, at)
+        at += 2
+        pin = v[0]
+        mode = EventTriggerGpioMode(v[1])
+        return cls(pin, mode), at
+
+    def _write(self) -> bytes:
+        out = _EVENT_TRIGGER_GPIO_0.write(self.pin, self.mode)
+        return out
+
+
+_EVENT_THRESHOLD_WINDOW_0 = codec.Block("dd", "low_thres", "high_thres")
+
+
+@dataclass(slots=True)
+class EventThresholdWindow(Structure):
+    """Two thresholds with a window between them."""
+
+    low_thres: float
+    """Lower threshold, in the unit of the watched value."""
+    high_thres: float
+    """Upper threshold, in the unit of the watched value. If it is below the lower one, the
+    trigger is active outside of the window.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EventThresholdWindow, int]:
+        v = _EVENT_THRESHOLD_WINDOW_0.read(raw, at)
+        at += 16
+        low_thres = v[0]
+        high_thres = v[1]
+        return cls(low_thres, high_thres), at
+
+    def _write(self) -> bytes:
+        out = _EVENT_THRESHOLD_WINDOW_0.write(self.low_thres, self.high_thres)
+        return out
+
+
+_EVENT_THRESHOLD_INTERVAL_0 = codec.Block("dd", "int_thres", "interval")
+
+
+@dataclass(slots=True)
+class EventThresholdInterval(Structure):
+    """A threshold inside a repeating interval."""
+
+    int_thres: float
+    """The trigger is active while the remainder is at most this, in the unit of the watched
+    value.
+    """
+    interval: float
+    """Divisor of the remainder, in the unit of the watched value. If it is below the threshold,
+    the two swap roles: the trigger is active while the value modulo int_thres is above this.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EventThresholdInterval, int]:
+        v = _EVENT_THRESHOLD_INTERVAL_0.read(raw, at)
+        at += 16
+        int_thres = v[0]
+        interval = v[1]
+        return cls(int_thres, interval), at
+
+    def _write(self) -> bytes:
+        out = _EVENT_THRESHOLD_INTERVAL_0.write(self.int_thres, self.interval)
+        return out
+
+
+_EVENT_TRIGGER_THRESHOLD_0 = codec.Block("BBBB", "desc_set", "field_desc", "param_id", "type")
+
+
+@dataclass(slots=True)
+class EventTriggerThreshold(Structure):
+    """A trigger on one value of a data field. The value is converted to double before it is
+    compared.
+    """
+
+    desc_set: int
+    """Data descriptor set of the watched value."""
+    field_desc: int
+    """Field descriptor of the watched value."""
+    param_id: int
+    """Number of the value in its field, counted from 1; each element of a vector counts. Range:
+    1 to ….
+    """
+    type: EventThresholdType
+    """Kind of comparison."""
+    thresholds: EventThresholdWindow | EventThresholdInterval | None = None
+    """What the value is compared with."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerThreshold, int]:
+        thresholds: EventThresholdWindow | EventThresholdInterval | None = None
+        v = _EVENT_TRIGGER_THRESHOLD_0.read(raw, at)
+        at += 4
+        desc_set = v[0]
+        field_desc = v[1]
+        param_id = v[2]
+        type = EventThresholdType(v[3])
+        if type == 1:
+            thresholds, at = EventThresholdWindow._read(raw, at)
+        elif type == 2:
+            thresholds, at = EventThresholdInterval._read(raw, at)
+        return cls(desc_set, field_desc, param_id, type, thresholds), at
+
+    def _write(self) -> bytes:
+        out = _EVENT_TRIGGER_THRESHOLD_0.write(
+            self.desc_set, self.field_desc, self.param_id, self.type
+        )
+        if self.type == 1:
+            if not isinstance(self.thresholds, EventThresholdWindow):
+                raise codec.mismatch("thresholds", self.type)
+            out += codec.structure("thresholds", self.thresholds, EventThresholdWindow)
+        elif self.type == 2:
+            if not isinstance(self.thresholds, EventThresholdInterval):
+                raise codec.mismatch("thresholds", self.type)
+            out += codec.structure("thresholds", self.thresholds, EventThresholdInterval)
+        elif self.thresholds is not None:
+            raise codec.mismatch("thresholds", self.type)
+        return out
+
+
+_EVENT_TRIGGER_COMBINATION_0 = codec.Block(
+    "HBBBB", "logic_table", "input_triggers", "input_triggers", "input_triggers", "input_triggers"
+)
+
+
+@dataclass(slots=True)
+class EventTriggerCombination(Structure):
+    """A trigger that combines up to four others."""
+
+    logic_table: int
+    """Bit n is the output when n = a + 2b + 4c + 8d, with a to d the states (0 or 1) of the four
+    inputs.
+    """
+    input_triggers: tuple[int, int, int, int]
+    """Trigger instances for the inputs a to d; 0 is always inactive. An input may name the
+    trigger itself; it is then the output of the event cycle before.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerCombination, int]:
+        v = _EVENT_TRIGGER_COMBINATION_0.read(raw, at)
+        at += 6
+        logic_table = v[0]
+        input_triggers = v[1:5]
+        return cls(logic_table, input_triggers), at
+
+    def _write(self) -> bytes:
+        out = _EVENT_TRIGGER_COMBINATION_0.write(
+            self.logic_table, *codec.exactly("input_triggers", self.input_triggers, 4)
+        )
+        return out
+
+
+_EVENT_ACTION_GPIO_0 = codec.Block("BB", "pin", "mode")
+
+
+@dataclass(slots=True)
+class EventActionGpio(Structure):
+    """An action on a GPIO pin, which needs the gpio feature and an output behavior."""
+
+    pin: int
+    """GPIO pin, counted from 1. Range: 1 to …."""
+    mode: EventActionGpioMode
+    """What happens to the pin."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EventActionGpio, int]:
+        v = _EVENT_ACTION_GPIO_0.read(raw, at)
+        at += 2
+        pin = v[0]
+        mode = EventActionGpioMode(v[1])
+        return cls(pin, mode), at
+
+    def _write(self) -> bytes:
+        out = _EVENT_ACTION_GPIO_0.write(self.pin, self.mode)
+        return out
+
+
+_EVENT_ACTION_MESSAGE_0 = codec.Block("BHB", "desc_set", "decimation", "num_fields")
+
+
+@dataclass(slots=True)
+class EventActionMessage(Structure):
+    """An action that sends data packets."""
+
+    desc_set: int
+    """Data descriptor set of the packet."""
+    decimation: int
+    """0 sends one packet per activation. Any other value streams while the trigger is active, at
+    the base rate of the descriptor set divided by it.
+    """
+    descriptors: tuple[int, ...]
+    """Field descriptors, in order."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[EventActionMessage, int]:
+        v = _EVENT_ACTION_MESSAGE_0.read(raw, at)
+        at += 4
+        desc_set = v[0]
+        decimation = v[1]
+        num_fields = v[2]
+        n = codec.counted(raw, at, num_fields, 1)
+        descriptors = codec.read_numbers("B", raw, at, n)
+        at += n
+        return cls(desc_set, decimation, descriptors), at
+
+    def _write(self) -> bytes:
+        out = _EVENT_ACTION_MESSAGE_0.write(
+            self.desc_set, self.decimation, len(codec.at_most("descriptors", self.descriptors, 255))
+        )
+        out += codec.write_numbers("B", codec.at_most("descriptors", self.descriptors, 249))
+        return out
+
+
+class GnssConstellation(codec.OpenEnum):
+    """Satellite constellation. QZSS has no value."""
+
+    UNKNOWN = 0
+    """Not known."""
+    GPS = 1
+    """GPS."""
+    GLONASS = 2
+    """GLONASS."""
+    GALILEO = 3
+    """Galileo."""
+    BEIDOU = 4
+    """BeiDou."""
+    SBAS = 5
+    """Satellite based augmentation."""
+
+
+class GnssFixType(codec.OpenEnum):
+    """Type of a GNSS position fix."""
+
+    FIX_3D = 0
+    """Fix in three dimensions."""
+    FIX_2D = 1
+    """Fix in two dimensions."""
+    FIX_TIME_ONLY = 2
+    """Time only."""
+    FIX_NONE = 3
+    """No fix."""
+    FIX_INVALID = 4
+    """Fix that is not valid."""
+    FIX_RTK_FLOAT = 5
+    """RTK fix with float ambiguities."""
+    FIX_RTK_FIXED = 6
+    """RTK fix with integer ambiguities."""
+    FIX_DIFFERENTIAL = 7
+    """Differential fix."""
+
+
+class GnssSignal(codec.OpenEnum):
+    """Signal of a satellite."""
+
+    UNKNOWN = 0
+    """Not known."""
+    GPS_L1CA = 1
+    """GPS L1 C/A."""
+    GPS_L1P = 2
+    """GPS L1 P(Y)."""
+    GPS_L1Z = 3
+    """GPS L1 P(Y) by Z-tracking."""
+    GPS_L2CA = 4
+    """GPS L2 C/A."""
+    GPS_L2P = 5
+    """GPS L2 P(Y)."""
+    GPS_L2Z = 6
+    """GPS L2 P(Y) by Z-tracking."""
+    GPS_L2CL = 7
+    """GPS L2C(L)."""
+    GPS_L2CM = 8
+    """GPS L2C(M)."""
+    GPS_L2CML = 9
+    """GPS L2C(M+L)."""
+    GPS_L5I = 10
+    """GPS L5 I."""
+    GPS_L5Q = 11
+    """GPS L5 Q."""
+    GPS_L5IQ = 12
+    """GPS L5 I+Q."""
+    GPS_L1CD = 13
+    """GPS L1C(D)."""
+    GPS_L1CP = 14
+    """GPS L1C(P)."""
+    GPS_L1CDP = 15
+    """GPS L1C(D+P)."""
+    GLONASS_G1CA = 32
+    """GLONASS G1 C/A."""
+    GLONASS_G1P = 33
+    """GLONASS G1 P."""
+    GLONASS_G2C = 34
+    """GLONASS G2 C/A."""
+    GLONASS_G2P = 35
+    """GLONASS G2 P."""
+    GALILEO_E1C = 64
+    """Galileo E1 C."""
+    GALILEO_E1A = 65
+    """Galileo E1 A."""
+    GALILEO_E1B = 66
+    """Galileo E1 B."""
+    GALILEO_E1BC = 67
+    """Galileo E1 B+C."""
+    GALILEO_E1ABC = 68
+    """Galileo E1 A+B+C."""
+    GALILEO_E6C = 69
+    """Galileo E6 C."""
+    GALILEO_E6A = 70
+    """Galileo E6 A."""
+    GALILEO_E6B = 71
+    """Galileo E6 B."""
+    GALILEO_E6BC = 72
+    """Galileo E6 B+C."""
+    GALILEO_E6ABC = 73
+    """Galileo E6 A+B+C."""
+    GALILEO_E5BI = 74
+    """Galileo E5b I."""
+    GALILEO_E5BQ = 75
+    """Galileo E5b Q."""
+    GALILEO_E5BIQ = 76
+    """Galileo E5b I+Q."""
+    GALILEO_E5ABI = 77
+    """Galileo E5 (a+b) I."""
+    GALILEO_E5ABQ = 78
+    """Galileo E5 (a+b) Q."""
+    GALILEO_E5ABIQ = 79
+    """Galileo E5 (a+b) I+Q."""
+    GALILEO_E5AI = 80
+    """Galileo E5a I."""
+    GALILEO_E5AQ = 81
+    """Galileo E5a Q."""
+    GALILEO_E5AIQ = 82
+    """Galileo E5a I+Q."""
+    SBAS_L1CA = 96
+    """SBAS L1 C/A."""
+    SBAS_L5I = 97
+    """SBAS L5 I."""
+    SBAS_L5Q = 98
+    """SBAS L5 Q."""
+    SBAS_L5IQ = 99
+    """SBAS L5 I+Q."""
+    QZSS_L1CA = 128
+    """QZSS L1 C/A."""
+    QZSS_LEXS = 129
+    """QZSS LEX S."""
+    QZSS_LEXL = 130
+    """QZSS LEX L."""
+    QZSS_LEXSL = 131
+    """QZSS LEX S+L."""
+    QZSS_L2CM = 132
+    """QZSS L2C(M)."""
+    QZSS_L2CL = 133
+    """QZSS L2C(L)."""
+    QZSS_L2CML = 134
+    """QZSS L2C(M+L)."""
+    QZSS_L5I = 135
+    """QZSS L5 I."""
+    QZSS_L5Q = 136
+    """QZSS L5 Q."""
+    QZSS_L5IQ = 137
+    """QZSS L5 I+Q."""
+    QZSS_L1CD = 138
+    """QZSS L1C(D)."""
+    QZSS_L1CP = 139
+    """QZSS L1C(P)."""
+    QZSS_L1CDP = 140
+    """QZSS L1C(D+P)."""
+    BEIDOU_B1I = 160
+    """BeiDou B1 I."""
+    BEIDOU_B1Q = 161
+    """BeiDou B1 Q."""
+    BEIDOU_B1IQ = 162
+    """BeiDou B1 I+Q."""
+    BEIDOU_B3I = 163
+    """BeiDou B3 I."""
+    BEIDOU_B3Q = 164
+    """BeiDou B3 Q."""
+    BEIDOU_B3IQ = 165
+    """BeiDou B3 I+Q."""
+    BEIDOU_B2I = 166
+    """BeiDou B2 I."""
+    BEIDOU_B2Q = 167
+    """BeiDou B2 Q."""
+    BEIDOU_B2IQ = 168
+    """BeiDou B2 I+Q."""
+    BEIDOU_B2A = 169
+    """BeiDou B2a."""
+
+
+class GpioFeature(codec.OpenEnum):
+    """What a GPIO pin is used for."""
+
+    UNUSED = 0
+    """Not connected. Reading the pin may work but is not guaranteed."""
+    GPIO = 1
+    """General input or output."""
+    PPS = 2
+    """Input or output of the pulse per second."""
+    ENCODER = 3
+    """Input of a motor encoder or odometer."""
+    TIMESTAMP = 4
+    """Input whose edges get exact timestamps for event triggers."""
+    UART = 5
+    """Data or control line of a UART."""
+
+
+class GpioUnusedBehavior(codec.OpenEnum):
+    """Behavior of a pin whose feature is unused."""
+
+    UNUSED = 0
+    """No other value is defined."""
+
+
+class GpioBehavior(codec.OpenEnum):
+    """Behavior of a pin whose feature is gpio."""
+
+    INPUT = 1
+    """Input; the default."""
+    OUTPUT_LOW = 2
+    """Output, low at first; low again at power-up if the configuration is saved."""
+    OUTPUT_HIGH = 3
+    """Output, high at first; high again at power-up if the configuration is saved."""
+
+
+class GpioPpsBehavior(codec.OpenEnum):
+    """Behavior of a pin whose feature is pps."""
+
+    INPUT = 1
+    """The pin receives the pulse; the PPS source must be gpio. One pin at most."""
+    OUTPUT = 2
+    """The pin sends the pulse of the device."""
+
+
+class GpioEncoderBehavior(codec.OpenEnum):
+    """Behavior of a pin whose feature is encoder."""
+
+    A = 1
+    """Quadrature input A. One pin at most; the latest one configured has it."""
+    B = 2
+    """Quadrature input B. One pin at most; the latest one configured has it."""
+
+
+class GpioTimestampBehavior(codec.OpenEnum):
+    """Behavior of a pin whose feature is timestamp."""
+
+    RISING = 1
+    """Rising edges get timestamps."""
+    FALLING = 2
+    """Falling edges get timestamps."""
+    EITHER = 3
+    """Both edges get timestamps."""
+
+
+class GpioUartBehavior(codec.OpenEnum):
+    """Behavior of a pin whose feature is uart."""
+
+    PORT_2_TX = 33
+    """UART 2 sends."""
+    PORT_2_RX = 34
+    """UART 2 receives."""
+    PORT_3_TX = 49
+    """UART 3 sends."""
+    PORT_3_RX = 50
+    """UART 3 receives."""
+
+
+class GpioPinMode(IntFlag):
+    """Electrical options of a GPIO pin; which are allowed depends on device, pin, feature and
+    behavior.
+    """
+
+    OPEN_DRAIN = 1 << 0
+    """The output drives low or floats. It usually needs a pull-up."""
+    PULLDOWN = 1 << 1
+    """Internal pull-down resistor; not together with the pull-up."""
+    PULLUP = 1 << 2
+    """Internal pull-up resistor; not together with the pull-down. May lower the allowed input
+    voltage.
+    """
+
+
+class NmeaMessageId(codec.OpenEnum):
+    """An NMEA-0183 sentence that a device can send."""
+
+    GGA = 1
+    """GNSS fix. From a GNSS or the filter data set."""
+    GLL = 2
+    """Latitude and longitude. From a GNSS or the filter data set."""
+    GSV = 3
+    """Satellites in view. From a GNSS data set; the talker follows the constellation."""
+    RMC = 4
+    """Recommended minimum GNSS data. From a GNSS or the filter data set."""
+    VTG = 5
+    """Course and speed over ground. From a GNSS or the filter data set."""
+    HDT = 6
+    """True heading. From a GNSS or the filter data set."""
+    ZDA = 7
+    """Time and date. From a GNSS data set."""
+    GST = 8
+    """GNSS error statistics. From a GNSS or the filter data set."""
+    MSRA = 129
+    """Proprietary PMSRA: Euler angles. From the filter data set."""
+    MSRR = 130
+    """Proprietary PMSRR: acceleration and angular rate. From the sensor data set."""
+
+
+class NmeaTalkerId(codec.OpenEnum):
+    """The first letters of an NMEA-0183 sentence, which name its talker."""
+
+    IGNORED = 0
+    """For sentences whose talker is not free (GSV and the proprietary ones)."""
+    GNSS = 1
+    """GN."""
+    GPS = 2
+    """GP."""
+    GALILEO = 3
+    """GA."""
+    GLONASS = 4
+    """GL."""
+
+
+_NMEA_MESSAGE_0 = codec.Block("BBBH", "message_id", "talker_id", "source_desc_set", "decimation")
+
+
+@dataclass(slots=True)
+class NmeaMessage(Structure):
+    """An NMEA-0183 sentence with its talker, its data source and how often it is sent."""
+
+    message_id: NmeaMessageId
+    """The sentence."""
+    talker_id: NmeaTalkerId
+    """The talker that the sentence names."""
+    source_desc_set: int
+    """Data descriptor set that the contents are taken from."""
+    decimation: int
+    """Base rate of the source descriptor set divided by the wanted rate; a poll ignores it."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessage, int]:
+        v = _NMEA_MESSAGE_0.read(raw, at)
+        at += 5
+        message_id = NmeaMessageId(v[0])
+        talker_id = NmeaTalkerId(v[1])
+        source_desc_set = v[2]
+        decimation = v[3]
+        return cls(message_id, talker_id, source_desc_set, decimation), at
+
+    def _write(self) -> bytes:
+        out = _NMEA_MESSAGE_0.write(
+            self.message_id, self.talker_id, self.source_desc_set, self.decimation
+        )
+        return out
+
+
+Vector3f: TypeAlias = tuple[float, float, float]
+"""Three floats. Order: x, y, z."""
+Vector3d: TypeAlias = tuple[float, float, float]
+"""Three doubles. Order: x, y, z."""
+Vector4f: TypeAlias = tuple[float, float, float, float]
+"""Four floats. Order: x, y, z, w."""
+Vector4d: TypeAlias = tuple[float, float, float, float]
+"""Four doubles. Order: x, y, z, w."""
+Matrix3f: TypeAlias = tuple[float, float, float, float, float, float, float, float, float]
+"""Three by three floats in row-major order. Order: m11, m12, m13, m21, m22, m23, m31, m32, m33."""
+Matrix3d: TypeAlias = tuple[float, float, float, float, float, float, float, float, float]
+"""Three by three doubles in row-major order. Order: m11, m12, m13, m21, m22, m23, m31, m32, m33."""
+Quatf: TypeAlias = tuple[float, float, float, float]
+"""A quaternion, scalar part first. Order: w, x, y, z."""
+
+
+class AckCode(codec.OpenEnum):
+    """The result of a command."""
+
+    OK = 0
+    """The command was carried out."""
+    UNKNOWN_COMMAND = 1
+    """The device does not know the command descriptor."""
+    BAD_CHECKSUM = 2
+    """A complete packet had a wrong checksum."""
+    INVALID_PARAMETER = 3
+    """A parameter is out of range, or of the wrong size or type."""
+    COMMAND_FAILED = 4
+    """The device could not carry the command out."""
+    COMMAND_TIMEOUT = 5
+    """The command did not finish in time."""
+    UNKNOWN_DESCRIPTOR_SET = 6
+    """The device does not know the descriptor set."""
+
+
+_DESCRIPTOR_RATE_0 = codec.Block("BH", "descriptor", "decimation")
+
+
+@dataclass(slots=True)
+class DescriptorRate(Structure):
+    """A field of a message format and how often it is sent."""
+
+    descriptor: int
+    """Field descriptor."""
+    decimation: int
+    """Base rate divided by the wanted rate."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DescriptorRate, int]:
+        v = _DESCRIPTOR_RATE_0.read(raw, at)
+        at += 3
+        descriptor = v[0]
+        decimation = v[1]
+        return cls(descriptor, decimation), at
+
+    def _write(self) -> bytes:
+        out = _DESCRIPTOR_RATE_0.write(self.descriptor, self.decimation)
+        return out
+
+
+class SensorGpsTimestampFlags(IntFlag):
+    """State of the GPS time of sensor data."""
+
+    PPS_VALID = 1 << 0
+    """The PPS signal is present."""
+    TIME_REFRESH = 1 << 1
+    """Toggles each time that the time is updated."""
+    TIME_INITIALIZED = 1 << 2
+    """The time has been set at least once."""
+    TOW_VALID = 1 << 3
+    """The time of week is valid."""
+    WEEK_NUMBER_VALID = 1 << 4
+    """The week number is valid."""
+
+
+class Gx5SensorGpsTimestampFlags(IntFlag):
+    """State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits that vouch for
+    the values.
+    """
+
+    PPS_VALID = 1 << 0
+    """The PPS signal is present; without it, the internal clock drives the time."""
+    TIME_REFRESH = 1 << 1
+    """Toggles each time that the time is updated."""
+    TIME_INITIALIZED = 1 << 2
+    """The time has been set at least once."""

@@ -1,0 +1,191 @@
+"""What a value means beside how it is laid out: unit, frame, range, default."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+
+from . import model as m
+from .nodes import Node
+from .problems import nearest
+
+Problem = Callable[[m.Position, str], None]
+Number = int | float
+
+
+def units(node: Node, p: m.Parameter, known: set[str], problem: Problem) -> tuple[str, ...]:
+    """One unit for all elements, or one for each."""
+    given = node.get("unit")
+    if given is None:
+        return ()
+    entries = list(given) if isinstance(given.value, list) else [given]
+    for entry in entries:
+        if entry.value not in known:
+            problem(entry.position, f"unknown unit '{entry.value}'{nearest(entry.value, known)}")
+    width = len(p.element.elements) if isinstance(p.element, m.Vector) else p.length
+    if isinstance(given.value, list) and len(entries) != width:
+        problem(given.position, f"'{p.name}' has {len(entries)} units; give one, or one for each element")
+    return tuple(entry.value for entry in entries)
+
+
+def frame(node: Node, known: set[str], problem: Problem) -> str | None:
+    found: str | None = node.scalar("frame")
+    if found is not None and found not in known:
+        problem(node["frame"].position, f"unknown frame '{found}'{nearest(found, known)}")
+    return found
+
+
+def limits(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None, Number | None]:
+    """The range, if there is one."""
+    if "range" not in node:
+        return None, None
+    element, (low, high) = p.element, node["range"].plain()
+    scalar = element.scalar if isinstance(element, m.Vector) else element
+    if not isinstance(scalar, m.Scalar) or scalar.kind in ("bool", "char"):
+        problem(node["range"].position, f"'{p.name}' is no number, so it has no range; remove it")
+        return None, None
+    for entry in node["range"]:
+        if entry.value is not None:
+            _fits(entry, scalar, f"'{p.name}': the range", problem)
+    if low is not None and high is not None and low > high:
+        problem(node["range"].position, f"the range of '{p.name}' is empty; write the smaller number first")
+    return low, high
+
+
+def bounds(scalar: m.Scalar) -> tuple[Number, Number]:
+    """The smallest and the largest number that a scalar holds.
+
+    >>> bounds(m.SCALARS["s8"]), bounds(m.SCALARS["u16"]), bounds(m.SCALARS["bool"])
+    ((-128, 127), (0, 65535), (0, 1))
+    """
+    bits = 8 * scalar.size
+    match scalar.kind:
+        case "signed":
+            return -(1 << (bits - 1)), (1 << (bits - 1)) - 1
+        case "float":
+            return -math.inf, math.inf
+        case "bool":
+            return 0, 1
+        case _:
+            return 0, (1 << bits) - 1
+
+
+def reserved(node: Node, p: m.Parameter, problem: Problem) -> int | None:
+    """The value to send in place of a reserved parameter."""
+    found: int | None = node.scalar("reserved")
+    if found is None:
+        return None
+    if not (isinstance(p.element, m.Scalar) and p.element.kind in ("unsigned", "signed")):
+        problem(node.keys["reserved"], f"the reserved parameter '{p.name}' must be a whole number, or an array of them")
+    else:
+        _fits(node["reserved"], p.element, f"'{p.name}': the reserved value", problem)
+    return found
+
+
+def default(node: Node, p: m.Parameter, problem: Problem) -> object:
+    """The factory default, in the form of the parameter: a number, a value name, a list."""
+    given = node.get("default")
+    if given is None:
+        return None
+    _Default(p, problem).check(given)
+    value: object = given.plain()
+    return value
+
+
+class _Default:
+    def __init__(self, p: m.Parameter, problem: Problem) -> None:
+        self.p = p
+        self.problem = problem
+
+    def wrong(self, node: Node, wanted: str) -> None:
+        self.problem(node.position, f"the default of '{self.p.name}' must be {wanted}")
+
+    def check(self, node: Node) -> None:
+        p = self.p
+        if p.length is None:
+            self.one(node)
+        elif isinstance(p.element, m.Scalar) and p.element.kind == "char":
+            most = p.length if isinstance(p.length, int) else m.MAX_FIELD_DATA
+            if not isinstance(node.value, str) or len(node.value) > most:
+                self.wrong(node, f"text of at most {most} characters, in quotes")
+        else:
+            self.items(node, p.length)
+
+    def items(self, node: Node, length: int | str) -> None:
+        if not isinstance(node.value, list) or (isinstance(length, int) and len(node.value) != length):
+            self.wrong(node, f"a list of {length} items" if isinstance(length, int) else "a list")
+            return
+        for item in node:
+            self.one(item)
+
+    def one(self, node: Node) -> None:
+        value, element = node.value, self.p.element
+        match element:
+            case m.Vector():
+                if not isinstance(value, list) or len(value) != len(element.elements):
+                    self.wrong(node, f"a list of {len(element.elements)} numbers: {', '.join(element.elements)}")
+                    return
+                for item in node:
+                    self.number(item, element.scalar)
+            case m.Enum() if isinstance(value, str):
+                self.named(node, value, element.name, "value", [v.name for v in element.values])
+            case m.Bitfield() if isinstance(value, list):
+                for item in node:
+                    self.named(item, item.value, element.name, "bit", [b.name for b in element.bits])
+            case m.Enum() | m.Bitfield() if element.scalar is not None:
+                wanted = "the name of a value" if isinstance(element, m.Enum) else "a list of names of bits"
+                if isinstance(value, int) and not isinstance(value, bool):
+                    self.number(node, element.scalar)
+                else:
+                    self.wrong(node, f"{wanted} of '{element.name}', or a number")
+            case m.Scalar():
+                self.number(node, element)
+            case _:
+                self.wrong(node, "left out: a structure, a union or a wide bitfield has none")
+
+    def named(self, node: Node, name: object, owner: str, what: str, known: list[str]) -> None:
+        if name not in known:
+            self.problem(node.position, f"'{owner}' has no {what} '{name}'{nearest(str(name), known)}")
+
+    def number(self, node: Node, scalar: m.Scalar) -> None:
+        value, p = node.value, self.p
+        if scalar.kind == "bool":
+            if not isinstance(value, bool):
+                self.wrong(node, "true or false")
+        elif not isinstance(value, (int, float)) or isinstance(value, bool):
+            self.wrong(node, "a number")
+        elif _fits(node, scalar, f"'{p.name}': the default", self.problem):
+            low = -math.inf if p.minimum is None else p.minimum
+            high = math.inf if p.maximum is None else p.maximum
+            if not low <= value <= high:
+                self.problem(
+                    node.position, f"'{p.name}': the default {value} lies outside of its range {low} to {high}"
+                )
+
+
+def _fits(node: Node, scalar: m.Scalar, what: str, problem: Problem) -> bool:
+    value, (low, high) = node.value, bounds(scalar)
+    if scalar.kind != "float" and isinstance(value, float):
+        problem(node.position, f"{what} {value} must be a whole number, as {scalar.name} is")
+        return False
+    if not low <= value <= high:
+        problem(node.position, f"{what} {value} does not fit into {scalar.name}, which holds {low} to {high}")
+        return False
+    return True
+
+
+def valid_bit(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], problem: Problem) -> None:
+    """`valid: flags.bit` names a bit of a parameter of the same record."""
+    names = {q.name: q for q in beside}
+    flags, _, bit = node["valid"].value.partition(".")
+    place = node["valid"].position
+    other = names.get(flags)
+    if other is None:
+        problem(place, f"there is no parameter '{flags}' beside '{p.name}'{nearest(flags, names)}")
+        return
+    readable = [other.element, *(t for _, t in (other.reading.types if other.reading else ()))]
+    known = {b.name for t in readable if isinstance(t, m.Bitfield) for b in t.bits}
+    if not known:
+        problem(place, f"'{flags}' has no bits, so it cannot vouch for '{p.name}'; name a bitfield")
+    elif bit not in known:
+        problem(place, f"'{flags}' has no bit '{bit}'{nearest(bit, known)}")

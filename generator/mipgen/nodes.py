@@ -1,0 +1,235 @@
+"""YAML as nodes that know their place. Knows files and lines, and nothing of MIP.
+
+YAML is read by the rules of version 1.2 (only true and false are booleans); duplicate keys,
+anchors, aliases and tags are refused.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from .model import Position
+from .problems import Problems
+
+MAX_DEPTH = 50
+
+_DECIMAL = re.compile(r"[-+]?[0-9]{1,40}")
+_HEXADECIMAL = re.compile(r"0x[0-9A-Fa-f]{1,40}")
+_FLOAT = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?")
+
+_Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+#: What an author can do about the words of the YAML parser.
+_REMEDIES = {
+    "mapping values are not allowed": "put text that holds ': ' in quotes",
+    "cannot start any token": "indent with spaces only, and put text that begins with a special character in quotes",
+    "did not find expected ',' or": "close the bracket, or put a comma between the items",
+    "unexpected end of stream": "close the quotes",
+    "did not find expected key": "indent the keys of one mapping alike",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Node:
+    """A YAML value and its place. `value` is a dict or list of nodes, or a plain scalar."""
+
+    value: Any
+    position: Position
+    keys: dict[str, Position] = field(default_factory=dict)  # of a mapping: where each key stands
+
+    def __contains__(self, key: str) -> bool:
+        return isinstance(self.value, dict) and key in self.value
+
+    def __getitem__(self, key: str) -> Node:
+        node: Node = self.value[key]
+        return node
+
+    def get(self, key: str) -> Node | None:
+        return self.value.get(key) if isinstance(self.value, dict) else None
+
+    def scalar(self, key: str, default: Any = None) -> Any:
+        """The plain value below `key`, or `default` where there is none."""
+        node = self.get(key)
+        return default if node is None or node.value is None else node.value
+
+    def items(self) -> Iterator[tuple[str, Node]]:
+        yield from self.value.items()
+
+    def __iter__(self) -> Iterator[Node]:
+        yield from self.value
+
+    def plain(self) -> Any:
+        """The value without places, as JSON has it."""
+        if isinstance(self.value, dict):
+            return {k: v.plain() for k, v in self.value.items()}
+        if isinstance(self.value, list):
+            return [v.plain() for v in self.value]
+        return self.value
+
+    def at(self, path: list[str | int]) -> Position:
+        """The place of what stands at `path` below this node: of its key, if it has one."""
+        return self._follow(path)[0]
+
+    def value_at(self, path: list[str | int]) -> Position:
+        """The place of a plain value at `path`; of its key, where it is none."""
+        position, node = self._follow(path)
+        return position if node.value is None or isinstance(node.value, (dict, list)) else node.position
+
+    def _follow(self, path: list[str | int]) -> tuple[Position, Node]:
+        node, position = self, self.position
+        for step in path:
+            if isinstance(node.value, dict) and step in node.value:
+                position = node.keys[str(step)]
+                node = node.value[step]
+            elif isinstance(node.value, list) and isinstance(step, int) and step < len(node.value):
+                node = node.value[step]
+                position = node.position
+            else:
+                break
+        return position, node
+
+
+def read(path: Path, name: str, problems: Problems) -> Node | None:
+    """Reads one YAML file; None if it cannot be read."""
+    try:
+        data = path.read_bytes()
+        text = data.decode("utf-8")
+        return _Reader(text, name, problems).document()
+    except OSError as error:
+        problems.add(Position(name, 1, 1), f"cannot be read: {error.strerror}")
+    except UnicodeDecodeError as error:
+        before = data[: error.start].decode("utf-8")
+        problems.add(_place(name, before), f"not UTF-8: {error.reason}; save the file as UTF-8")
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        problems.add(_position(name, mark), f"not YAML: {_reason(error)}")
+    except yaml.reader.ReaderError as error:
+        problems.add(_place(name, text[: error.position]), f"not YAML: {error.reason}; remove the character")
+    return None
+
+
+def _position(name: str, mark: Any) -> Position:
+    return Position(name, mark.line + 1, mark.column + 1)
+
+
+def _place(name: str, before: str) -> Position:
+    """The place that follows this text."""
+    return Position(name, before.count("\n") + 1, len(before) - before.rfind("\n"))
+
+
+def _reason(error: yaml.MarkedYAMLError) -> str:
+    reason = error.problem or error.context or "cannot be parsed"
+    if error.context and error.context_mark:
+        reason += f", {error.context} that begins in line {error.context_mark.line + 1}"
+    return reason + next((f"; {remedy}" for words, remedy in _REMEDIES.items() if words in reason), "")
+
+
+class _TooDeep(Exception):
+    pass
+
+
+class _Reader:
+    """Builds nodes from the events of the YAML parser, which know where anchors and aliases stand."""
+
+    def __init__(self, text: str, file: str, problems: Problems) -> None:
+        self.events = yaml.parse(text, Loader=_Loader)
+        self.file = file
+        self.problems = problems
+        self.anchors: dict[str, Node] = {}
+        self.event: Any = None
+
+    def next(self) -> Any:
+        self.event = next(self.events)
+        return self.event
+
+    def document(self) -> Node | None:
+        self.next()
+        if isinstance(self.next(), yaml.StreamEndEvent):
+            self.problem(1, 1, "the file is empty; remove it, or write what belongs into it")
+            return None
+        try:
+            root = self.node(self.next(), 0)
+        except _TooDeep:
+            self.complain(f"nested more than {MAX_DEPTH} deep; is a bracket missing?")
+            return None
+        self.next()
+        if not isinstance(self.next(), yaml.StreamEndEvent):
+            self.complain("a second document begins here; one file holds one document")
+            return None
+        return root
+
+    def problem(self, line: int, column: int, message: str) -> None:
+        self.problems.add(Position(self.file, line, column), message)
+
+    def complain(self, message: str) -> None:
+        """About the current event."""
+        self.problems.add(_position(self.file, self.event.start_mark), message)
+
+    def node(self, event: Any, depth: int) -> Node:
+        position = _position(self.file, event.start_mark)
+        if isinstance(event, yaml.AliasEvent):
+            self.complain(f"aliases (*{event.anchor}) are not used here; write the value out")
+            return Node(self.anchors[event.anchor].value if event.anchor in self.anchors else None, position)
+        if event.anchor is not None:
+            self.complain(f"anchors (&{event.anchor}) are not used here; remove it")
+        if event.tag is not None:
+            self.complain(f"tags (!{event.tag.removeprefix('!')}) are not used here; remove it")
+        if depth > MAX_DEPTH:
+            raise _TooDeep
+        if isinstance(event, yaml.ScalarEvent):
+            found = Node(event.value if event.style else _scalar(event.value), position)
+        elif isinstance(event, yaml.SequenceStartEvent):
+            found = Node(list(self.sequence(depth)), position)
+        else:
+            found = self.mapping(position, depth)
+        if event.anchor is not None:
+            self.anchors[event.anchor] = found
+        return found
+
+    def sequence(self, depth: int) -> Iterator[Node]:
+        while not isinstance(event := self.next(), yaml.SequenceEndEvent):
+            yield self.node(event, depth + 1)
+
+    def mapping(self, position: Position, depth: int) -> Node:
+        mapping: dict[str, Node] = {}
+        keys: dict[str, Position] = {}
+        while not isinstance(event := self.next(), yaml.MappingEndEvent):
+            place = _position(self.file, event.start_mark)
+            if not isinstance(event, yaml.ScalarEvent) or event.anchor is not None or event.tag is not None:
+                self.complain("a key must be a plain word")
+                self.node(event, depth + 1)
+                self.node(self.next(), depth + 1)
+                continue
+            key = event.value
+            value = self.node(self.next(), depth + 1)
+            if key in mapping:
+                self.problems.add(place, f"duplicate key '{key}', first in line {keys[key].line}; remove one")
+                continue
+            keys[key] = place
+            mapping[key] = value
+        return Node(mapping, position, keys)
+
+
+def _scalar(text: str) -> Any:
+    """A plain scalar by the rules of YAML 1.2; numbers of unreasonable length stay text.
+
+    >>> [_scalar(t) for t in ("true", "True", "yes", "~", "null", "", "0x1F", "017", "1_000", "-3", "1e3", ".5")]
+    [True, 'True', 'yes', None, None, None, 31, 17, '1_000', -3, 1000.0, 0.5]
+    """
+    if text in ("", "~", "null"):
+        return None
+    if text in ("true", "false"):
+        return text == "true"
+    if _DECIMAL.fullmatch(text):
+        return int(text)
+    if _HEXADECIMAL.fullmatch(text):
+        return int(text, 16)
+    if _FLOAT.fullmatch(text) and len(text) <= 40:
+        return float(text)
+    return text

@@ -1,0 +1,699 @@
+"""The Rust target: a `no_std` crate with one module per descriptor set."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Union
+
+from .. import model as m
+from ..naming import Escape, Identifier, pascal, upper
+from ..render import File, language
+
+TITLE = "Rust, no_std"
+
+WIDTH = 100
+LANGUAGE = language("rust")
+KEYWORDS = frozenset(LANGUAGE["keywords"])
+
+Record = Union[m.Field, m.Struct]
+
+module = Escape(KEYWORDS, digit_prefix="mip_")
+member = Escape(KEYWORDS | frozenset(LANGUAGE["members"]))
+_method = Escape(KEYWORDS | frozenset(LANGUAGE["bit_methods"]))
+_type = Escape(KEYWORDS | frozenset(LANGUAGE["types"]), digit_prefix="Mip")
+_constant = Escape(frozenset(LANGUAGE["constants"]))
+
+
+def type_name(words: str) -> str:
+    """
+    >>> type_name("pps_source"), type_name("3dm"), type_name("result"), type_name("self")
+    ('PpsSource', 'Mip3dm', 'Result_', 'Self_')
+    """
+    return _type(pascal(words))
+
+
+def constant(words: str) -> str:
+    """
+    >>> constant("receiver_1"), constant("values"), constant("5_hz")
+    ('RECEIVER_1', 'VALUES_', '_5_HZ')
+    """
+    return _constant(upper(words))
+
+
+def constructor(function: m.Function) -> str:
+    name: str = LANGUAGE["constructors"].get(function.name, function.name)
+    return member(name)
+
+
+# --------------------------------------------------------------------------- files
+
+
+def files(model: m.Model) -> Iterable[File]:
+    yield File("Cargo.toml", "Cargo.toml.j2")
+    yield File("README.md", "README.md.j2", {"samples": _samples(model)})
+    for name in ("lib", "types", "protocol", "devices", "registry", "dynamic/mod", "dynamic/types", "dynamic/protocol"):
+        yield File(f"src/{name}.rs", f"{name}.rs.j2")
+    for s in model.sets:
+        yield File(f"src/{module(s.name)}.rs", "set.rs.j2", {"set": s})
+        if s.own_fields:
+            yield File(f"src/dynamic/{module(s.name)}.rs", "dynamic/set.rs.j2", {"set": s})
+
+
+def _samples(model: m.Model) -> dict[str, m.Field | None]:
+    """Fields that the README can show with: whatever the specification has."""
+    commands = [f for f in model.fields if f.role == m.COMMAND]
+    names = _Names(model)
+
+    def is_setting(f: m.Field) -> bool:
+        args = names.arguments(f, f.functions[0]) if f.functions else ()
+        return bool(f.responses) and len(args) == 1 and isinstance(args[0].parameter.element, m.Enum)
+
+    return {
+        "bare": next((f for f in commands if not f.parameters), None),
+        "setting": next((f for f in commands if is_setting(f)), None),
+        "data": next((f for f in model.fields if f.role == m.DATA and _has_vector(f)), None),
+    }
+
+
+def _has_vector(f: m.Field) -> bool:
+    return bool(f.parameters) and isinstance(f.parameters[0].element, m.Vector)
+
+
+# --------------------------------------------------------------------------- members of records
+
+
+@dataclass(frozen=True, slots=True)
+class Member:
+    """A parameter that a Rust type keeps. Counters and constants are not kept."""
+
+    name: str
+    type: str
+    optional: bool  # an Option: its group may be absent
+    group: m.GroupOp | None
+    parameter: m.Parameter
+
+    @property
+    def whole_type(self) -> str:
+        return f"Option<{self.type}>" if self.optional else self.type
+
+
+@dataclass(frozen=True, slots=True)
+class Constructor:
+    name: str
+    description: str
+    arguments: tuple[str, ...]
+    values: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Accessor:
+    """Reads a raw value as the type that gives it its meaning."""
+
+    name: str
+    type: str
+    description: str
+    member: Member
+    tag: Member | None  # what decides, if it is not the device
+    pattern: str  # values of the tag
+
+
+def is_kept(p: m.Parameter) -> bool:
+    return p.constant is None and p.counts is None
+
+
+def home(thing: m.Type | Record) -> str:
+    """The module that a type stands in."""
+    if isinstance(thing, m.Field):
+        return module(thing.set_name)
+    owner = None if isinstance(thing, m.Vector) else thing.owner
+    return module(owner) if owner else "types"
+
+
+def path(thing: m.Type | Record, here: str) -> str:
+    """What a type is called inside the module `here`."""
+    name, where = type_name(thing.name), home(thing)
+    return name if where == here else f"types::{name}" if where == "types" else f"crate::{where}::{name}"
+
+
+class _Names:
+    """What the types of a model are called and made of."""
+
+    def __init__(self, model: m.Model) -> None:
+        self.model = model
+        self.unions: list[tuple[str, str, m.SwitchOp, Record]] = []
+        for record in self.records():
+            for p in record.parameters:
+                if isinstance(p.operation, m.SwitchOp) and self.find_union(home(record), p.operation) is None:
+                    name = type_name(f"{record.name}_{p.name}")
+                    self.unions.append((home(record), name, p.operation, record))
+
+    def records(self) -> Iterator[Record]:
+        yield from (t for t in self.model.types if isinstance(t, m.Struct))
+        yield self.model.protocol.acknowledge
+        for s in self.model.sets:
+            yield from (t for t in s.types if isinstance(t, m.Struct))
+            yield from s.own_fields
+
+    def find_union(self, here: str, op: m.SwitchOp) -> str | None:
+        """Unions of a module that have the same alternatives are one type."""
+        found = (n for h, n, o, _ in self.unions if h == here and (o.tag_type, o.cases) == (op.tag_type, op.cases))
+        return next(found, None)
+
+    def unions_of(self, record: Record) -> list[tuple[str, m.SwitchOp]]:
+        """Those that are defined beside this record."""
+        return [(name, op) for _, name, op, r in self.unions if r is record]
+
+    def rust(self, op: m.Operation, here: str) -> str:
+        """The type of what an operation reads."""
+        match op:
+            case m.ScalarOp() | m.CounterOp() | m.ConstantOp():
+                named = op.type if isinstance(op, m.ScalarOp) else None
+                return path(named, here) if named else str(LANGUAGE["scalars"][op.scalar.name])
+            case m.BitsOp():
+                return path(op.type, here)
+            case m.TextOp():
+                return f"crate::Text<{op.count}>" if op.count is not None else f"crate::VarText<{op.capacity}>"
+            case m.ArrayOp() if op.vector is not None:
+                return path(op.vector, here)
+            case m.ArrayOp():
+                item = self.rust(op.item, here)
+                return f"[{item}; {op.count}]" if op.count is not None else f"crate::List<{item}, {op.capacity}>"
+            case m.StructOp():
+                return path(op.struct, here)
+            case m.SwitchOp():
+                found = self.find_union(here, op)
+                assert found is not None
+                return found
+        raise AssertionError(op)
+
+    def members(self, record: Record) -> list[Member]:
+        groups = {o.member: g for g in record.operations if isinstance(g, m.GroupOp) for o in g.body if not isinstance(o, m.GroupOp)}
+        return [
+            Member(member(p.name), self.rust(p.operation, home(record)), p.name in groups, groups.get(p.name), p)
+            for p in record.parameters
+            if is_kept(p)
+        ]
+
+    # ------------------------------------------------------------------ constructors
+
+    def constructors(self, record: Record) -> list[Constructor]:
+        if isinstance(record, m.Struct):
+            return [self._constructor(record, "new", "Puts the values together.", None)]
+        if record.role != m.COMMAND:
+            return []
+        if not record.functions:
+            return [self._constructor(record, "new", "The command with its parameters.", None)]
+        return [self._constructor(record, constructor(f), f.description, f) for f in record.functions]
+
+    def required(self, record: Record, function: m.Function | None) -> list[Member]:
+        """What must be there: all that is not in a group, and the groups that the function needs."""
+        count = dict(record.required).get(function.value, 0) if function and isinstance(record, m.Field) else 0
+        return [x for x in self.members(record) if x.group is None or x.group.last <= count]
+
+    def arguments(self, record: Record, function: m.Function | None) -> list[Member]:
+        """What the caller gives: no reserved values, and no tag whose union is given."""
+        needed = [x for x in self.required(record, function) if not x.parameter.selector]
+        tags = {x.parameter.tag for x in needed}
+        return [x for x in needed if x.parameter.reserved is None and x.parameter.name not in tags]
+
+    def _constructor(self, record: Record, name: str, description: str, function: m.Function | None) -> Constructor:
+        needed = self.required(record, function)
+        given = self.arguments(record, function)
+        by_tag = {x.parameter.tag: x for x in given}
+        values = []
+        for x in self.members(record):
+            if x not in needed:
+                value = "None"
+            elif x.parameter.selector:
+                assert function is not None
+                value = f"types::{type_name(self.model.protocol.function_selector.name)}::{constant(function.name)}"
+            elif x.parameter.reserved is not None:
+                value = reserved_value(x)
+            elif x.parameter.name in by_tag:
+                value = f"{by_tag[x.parameter.name].name}.tag()"
+            else:
+                value = x.name if _argument(x) == x.type else f"{x.name}.into()"
+            if x.optional and x in needed:
+                value = f"Some({value})"
+            values.append(x.name if value == x.name else f"{x.name}: {value}")
+        return Constructor(name, description, tuple(f"{x.name}: {_argument(x)}" for x in given), tuple(values))
+
+    def accessors(self, record: Record) -> list[Accessor]:
+        """Methods that read a raw value as what it means by a sibling or by the device."""
+        here, members = home(record), {x.parameter.name: x for x in self.members(record)}
+        found: list[Accessor] = []
+        for x in members.values():
+            reading = x.parameter.reading
+            if reading is None:
+                continue
+            keys: dict[str, tuple[m.Enum | m.Bitfield, list[str]]] = {}
+            for key, t in reading.types:
+                if inner(t) == x.type:
+                    keys.setdefault(t.name, (t, []))[1].append(key)
+            tag = members.get(reading.by) if reading.by != "device" else None
+            for t, labels in keys.values():
+                pattern = ""
+                if tag is not None:
+                    pattern = " | ".join(f"{tag.type}::{constant(v)}" for v in labels)
+                    pattern = f"Some({pattern})" if tag.optional else pattern
+                what = f"when `{tag.parameter.name}` is {' or '.join(labels)}" if tag else f"on the {' and the '.join(self._devices(labels))}"
+                found.append(
+                    Accessor(
+                        f"{x.parameter.name}_as_{t.name}", path(t, here),
+                        f"The meaning of `{x.parameter.name}` {what}.", x, tag, pattern,
+                    )  # fmt: skip
+                )
+        return found
+
+    def _devices(self, ids: list[str]) -> list[str]:
+        titles = {d.id: d.title for d in self.model.devices}
+        return [titles.get(i, i) for i in ids]
+
+
+def _argument(x: Member) -> str:
+    """The type of a constructor's argument: what is easy to give."""
+    if x.type == LANGUAGE["scalars"]["bool"]:
+        return "bool"
+    if x.type.startswith("crate::List<") or isinstance(x.parameter.element, m.Vector) and x.parameter.length is None:
+        return f"impl Into<{x.type}>"
+    return x.type
+
+
+def reserved_value(x: Member) -> str:
+    value = str(x.parameter.reserved)
+    return f"[{value}; {x.parameter.length}]" if isinstance(x.parameter.length, int) else value
+
+
+def inner(t: m.Enum | m.Bitfield) -> str:
+    """What a newtype wraps."""
+    return str(LANGUAGE["scalars"][t.scalar.name]) if t.scalar else f"[u8; {t.size}]"
+
+
+def unsigned(bits: m.Bits, here: str) -> str:
+    """The type of some bits: a flag, an enumeration, or the smallest number that holds them."""
+    if bits.enum is not None:
+        return path(bits.enum, here)
+    return "bool" if bits.width == 1 else next(f"u{n}" for n in (8, 16, 32, 64) if n >= bits.width)
+
+
+def is_plain(op: m.Operation) -> bool:
+    """Does the type alone know how to read and write itself?"""
+    return not (op.kind == "switch" or isinstance(op, (m.ArrayOp, m.TextOp)) and op.count is None)
+
+
+def is_long(op: m.Operation) -> bool:
+    """Is it an array that has no Default in Rust?"""
+    return isinstance(op, m.ArrayOp) and op.vector is None and (op.count or 0) > 32
+
+
+def default_of(x: Member) -> str:
+    """The default of a member, as an expression."""
+    default = "core::default::Default::default()"
+    if x.optional:
+        return "None"
+    if x.parameter.reserved:
+        return reserved_value(x)
+    op = x.parameter.operation
+    return f"[{default}; {op.count}]" if is_long(op) and isinstance(op, m.ArrayOp) else default
+
+
+def derives_default(members: Iterable[Member]) -> bool:
+    return not any(not x.optional and (x.parameter.reserved or is_long(x.parameter.operation)) for x in members)
+
+
+def variants(f: m.Field) -> list[tuple[str, str]]:
+    """The variants of what a command with several responses is answered with: name and type."""
+    return [(type_name(r.removeprefix(f"{f.name}_").removesuffix("_response") or r), type_name(r)) for r in f.responses]
+
+
+# --------------------------------------------------------------------------- text
+
+
+def doc(text: str, indent: int = 0, marker: str = "///") -> str:
+    """Paragraphs and lists as documentation comments.
+
+    >>> print(doc("One.\\n\\n- two\\n- three", 4))
+        /// One.
+        ///
+        /// - two
+        /// - three
+    """
+    margin = " " * indent
+    out: list[str] = []
+    for paragraph in _paragraphs(text):
+        hanging = "  " if paragraph.startswith("- ") else ""
+        if out and not (hanging and out[-1].startswith(("- ", "  "))):
+            out.append("")
+        if paragraph.startswith("|"):
+            out += paragraph.split("\n")
+        else:
+            width = WIDTH - indent - len(marker) - 1
+            out += textwrap.wrap(paragraph, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False)
+    return "\n".join(f"{margin}{marker} {line}".rstrip() for line in out)
+
+
+def _paragraphs(text: str) -> Iterator[str]:
+    for block in text.split("\n\n"):
+        lines = [line.strip() for line in block.strip().split("\n") if line.strip()]
+        if lines and lines[0].startswith("|"):
+            yield "\n".join(lines)
+        elif lines and lines[0].startswith("- "):
+            items: list[str] = []
+            for line in lines:
+                if line.startswith("- "):
+                    items.append(line)
+                else:
+                    items[-1] += f" {line}"
+            yield from items
+        elif lines:
+            yield " ".join(lines)
+
+
+def prose(text: str) -> str:
+    """Text of the specification as Markdown: what looks like markup is none, except for code.
+
+    >>> prose("a[1] < `b[2]`")
+    'a\\\\[1\\\\] \\\\< `b[2]`'
+    """
+    parts = " ".join(text.split()).split("`")
+    for i in range(0, len(parts), 2):
+        for character in "[]<>*|":
+            parts[i] = parts[i].replace(character, f"\\{character}")
+    return "`".join(parts)
+
+
+def tidy(text: str) -> str:
+    """Blank lines where they belong: none at the ends of a block and behind comments and attributes.
+
+    >>> tidy("a {\\n\\n\\n    b\\n\\n}\\n")
+    'a {\\n    b\\n}\\n'
+    """
+    text = re.sub(r"[ \t]+\n", "\n", text)
+    text = re.sub(r"\n{3,}", "\n\n", text)
+    text = re.sub(r"([{(]|^ *///.*|^ *#!?\[.*\])\n\n+", r"\1\n", text, flags=re.MULTILINE)
+    return re.sub(r"\n\n+( *[})])", r"\n\1", text).strip("\n") + "\n"
+
+
+def imports(body: str) -> str:
+    """The `use` lines that a module needs."""
+    macros = [name for name in ("bitfield", "open_enum", "vector") if re.search(rf"^{name}! ", body, re.MULTILINE)]
+    values = [n for n in ("FromValue", "Record", "ToValue", "Value", "ValueError") if re.search(rf"\b{n}\b", body)]
+    lines = []
+    if "ToValue for" in body:
+        lines.append(f"use crate::dynamic::{{{', '.join(values)}}};")
+    if macros:
+        lines.append(f"use crate::macros::{macros[0]};" if len(macros) == 1 else f"use crate::macros::{{{', '.join(macros)}}};")
+    if re.search(r"(?<![:\w])types::", body):
+        lines.append("use crate::types;")
+    return "".join(f"{line}\n" for line in lines) + ("\n" if lines else "")
+
+
+def string(text: str) -> str:
+    """A string literal.
+
+    >>> print(string('say "µ"'))
+    "say \\"µ\\""
+    """
+    escaped = " ".join(text.split()).replace("\\", "\\\\").replace('"', '\\"')
+    return f'"{escaped}"'
+
+
+def fit(items: Sequence[str], head: str, tail: str, indent: int, pad: str = "") -> str:
+    """A list in brackets, on one line if it fits, else one item per line, as rustfmt has it.
+
+    >>> fit(["a: u8", "b: u8"], "pub fn new(", ") -> Self {", 4)
+    'pub fn new(a: u8, b: u8) -> Self {'
+    """
+    line = f"{head}{pad}{', '.join(items)}{pad}{tail}"
+    if indent + len(line) <= WIDTH and "\n" not in line:
+        return line
+    margin = " " * indent
+    return f"{head}\n" + "".join(f"{margin}    {item},\n" for item in items) + f"{margin}{tail}"
+
+
+def link(head: str, name: str) -> str:
+    """An empty implementation of a trait."""
+    line = f"impl {head} for {name} {{}}"
+    return line if len(line) <= WIDTH else f"impl {head}\n    for {name}\n{{\n}}"
+
+
+def number(value: float | int) -> str:
+    """A floating-point literal.
+
+    >>> number(250), number(0.5)
+    ('250.0', '0.5')
+    """
+    return repr(float(value))
+
+
+def bounds(p: m.Parameter) -> str:
+    low, high = p.minimum, p.maximum
+    if low is None and high is None:
+        return ""
+    return f"at most {high}" if low is None else f"at least {low}" if high is None else f"{low} to {high}"
+
+
+def literal(name: str, values: Sequence[str], indent: int) -> str:
+    """A structure as an expression."""
+    return fit(values, f"{name} {{", "}", indent, " ")
+
+
+def array(items: Iterable[object], indent: int) -> str:
+    """Short numbers as a constant slice, as many on a line as fit."""
+    words = [str(item) for item in items]
+    line = f"&[{', '.join(words)}]"
+    if indent + len(line) < WIDTH:
+        return line
+    inside, margin = " " * (indent + 4), " " * indent
+    return "&[\n" + textwrap.fill(f"{', '.join(words)},", WIDTH, initial_indent=inside, subsequent_indent=inside) + f"\n{margin}]"
+
+
+def option(value: object | None) -> str:
+    return "None" if value is None else f"Some({value})"
+
+
+# --------------------------------------------------------------------------- what templates may use
+
+
+def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
+    names = _Names(model)
+    functions = {f.value: f for f in model.protocol.functions}
+
+    def required_arms(f: m.Field) -> list[tuple[str, int]]:
+        """How many parameters the functions need, as patterns; those that need none are left out."""
+        counts = sorted({count for _, count in f.required if count}, reverse=True)
+        return [(" | ".join(f"F::{constant(functions[v].name)}" for v, c in f.required if c == count), count) for count in counts]
+
+    def condition(op: m.GroupOp, f: m.Field) -> str:
+        """When a group must be there."""
+        return f"required >= {op.last}" if any(count >= op.last for _, count in f.required) else "false"
+
+    def selected(f: m.Field, what: str) -> list[str]:
+        """The function selectors that are answered by a response, or not even acknowledged."""
+        selector = type_name(model.protocol.function_selector.name)
+        chosen = [x for x in f.functions if (x.responds if what == "responds" else not x.reply)]
+        return [f"types::{selector}::{constant(x.name)}" for x in chosen]
+
+    def condition_value(c: m.Condition, f: m.Field) -> str:
+        """The value of a condition, as what a member is compared with."""
+        x = next(x for x in names.members(f) if x.parameter.name == c.parameter)
+        element = x.parameter.element
+        value = str(c.value)
+        if isinstance(element, m.Enum):
+            known = element.by_name(c.label)
+            value = f"{x.type}::{constant(known.name)}" if known else f"{x.type}({c.value})"
+        elif x.type == LANGUAGE["scalars"]["bool"]:
+            value = f"{x.type}({c.value})"
+        return f"Some({value})" if x.optional else value
+
+    def conversions() -> list[tuple[m.Enum | m.Bitfield, m.Enum | m.Bitfield, list[m.Device]]]:
+        """Types that devices read as other types: from, to, and by which devices."""
+        known = {t.name: t for t in (*model.types, *(t for s in model.sets for t in s.types))}
+        found: dict[tuple[str, str], tuple[Any, Any, list[m.Device]]] = {}
+        for d in model.devices:
+            for name, to in d.readings:
+                raw = known.get(name)
+                if isinstance(raw, (m.Enum, m.Bitfield)) and inner(raw) == inner(to):
+                    found.setdefault((name, to.name), (raw, to, []))[2].append(d)
+        return list(found.values())
+
+    def commands_of(f: m.Field) -> list[m.Field]:
+        """The commands that a response answers."""
+        of = model.set(f.set)
+        return [c for c in of.fields if f.name in c.responses] if of and f.role == m.RESPONSE else []
+
+    def sets_of(f: m.Field) -> list[int]:
+        """The sets that have the field, its own first."""
+        return [f.set, *(x.set for x in model.fields if x.definition == f.full_name)]
+
+    def set_range(f: m.Field) -> tuple[int, int]:
+        """The sets whose packets can hold the field, if it is not repeated."""
+        if f.set_name == model.protocol.acknowledge.set_name:
+            return 0x01, 0x7F
+        return (0x80, 0xFF) if f.set == 0xFF else (f.set, f.set)
+
+    def set_pattern(f: m.Field) -> str:
+        """The sets of a field as a pattern, where they are more than its own."""
+        first, last = set_range(f)
+        if first != last:
+            return f"0x{first:02X}..=0x{last:02X}"
+        numbers = sets_of(f)
+        return " | ".join(f"0x{n:02X}" for n in numbers) if len(numbers) > 1 else ""
+
+    def linked(f: m.Field) -> list[str]:
+        """The responses of a command, or the commands of a response."""
+        return [f"{f.set_name}.{name}" for name in (f.responses or [c.name for c in commands_of(f)])]
+
+    def ports(d: m.Device) -> list[str]:
+        return [
+            literal(
+                "Port",
+                [
+                    f"name: {string(p.name)}",
+                    f"id: {option(f'0x{p.id:02X}' if p.id is not None else None)}",
+                    f"baud_rates: {array(p.baud_rates, 12)}",
+                    f"protocols: {fit([string(x) for x in p.protocols], '&[', ']', 12)}",
+                ],
+                8,
+            )
+            for p in d.ports
+        ]
+
+    def limits(d: m.Device) -> list[str]:
+        return [
+            literal(
+                "Limit",
+                [
+                    f"name: {string(x.name)}",
+                    f"value: {number(x.value)}",
+                    f"unit: {option(string(x.unit) if x.unit else None)}",
+                    f"description: {string(x.description)}",
+                ],
+                8,
+            )
+            for x in d.limits
+        ]
+
+    def base_rates(d: m.Device) -> list[str]:
+        sets = {s.name: s.number for s in model.sets}
+        return [literal("BaseRate", [f"set: 0x{sets[name]:02X}", f"hertz: {number(rate)}"], 8) for name, rate in d.base_rates]
+
+    def readings(d: m.Device) -> list[str]:
+        return [literal("Reading", [f"of: {string(of)}", f"read_as: {string(t.name)}"], 8) for of, t in d.readings]
+
+    def ack_codes(d: m.Device) -> list[str]:
+        names_of = {v.value: v.name for v in model.protocol.ack_code.values}
+        return [f"{type_name(model.protocol.ack_code.name)}::{constant(names_of[c])}" for c in d.ack_codes]
+
+    def layouts(f: m.Field) -> int:
+        """How many layouts the descriptor has."""
+        return len(model.candidates(f.set, f.descriptor))
+
+    def original(f: m.Field) -> m.Field:
+        found = model.field(f.definition) if f.definition else f
+        assert found is not None
+        return found
+
+    def structs(types: Iterable[m.Type]) -> list[m.Struct]:
+        return [t for t in types if isinstance(t, m.Struct)]
+
+    def supported(d: m.Device) -> list[tuple[m.Field, str]]:
+        """The fields of a device, each with the letters of the functions that it takes there."""
+        letters = dict(d.functions)
+        found = []
+        for name in d.fields:
+            f = model.field(name)
+            assert f is not None
+            found.append((f, letters.get(name, "".join(x.letter for x in f.functions))))
+        return found
+
+    def group_members(op: m.GroupOp, record: Record) -> list[Member]:
+        return [x for x in names.members(record) if x.group is op]
+
+    def tag_of(op: m.SwitchOp, record: Record) -> Member:
+        return next(x for x in names.members(record) if x.parameter.name == op.tag)
+
+    def default_case(op: m.SwitchOp) -> m.Case | None:
+        return next((c for c in op.cases if c.tag.value == 0), None)
+
+    return {
+        "module": module, "member": member, "method": _method, "type_name": type_name, "constant": constant,
+        "path": path, "home": home, "rust": names.rust, "inner": inner, "bits_type": unsigned,
+        "members": names.members, "constructors": names.constructors, "accessors": names.accessors,
+        "unions_of": names.unions_of, "find_union": names.find_union, "group_members": group_members, "tag_of": tag_of,
+        "default_case": default_case, "default_of": default_of, "derives_default": derives_default, "is_long": is_long,
+        "variants": variants, "required_arms": required_arms, "condition": condition, "selected": selected,
+        "condition_value": condition_value, "conversions": lambda _: conversions(), "commands_of": commands_of, "sets_of": sets_of,
+        "layouts": layouts, "original": original, "structs": structs, "supported": supported, "is_kept": is_kept,
+        "doc": doc, "prose": prose, "string": string, "fit": fit, "link": link, "number": number, "bounds": bounds,
+        "tidy": tidy, "imports": imports, "is_plain": is_plain, "set_range": set_range, "set_pattern": set_pattern,
+        "linked": linked, "ports": ports, "limits": limits, "base_rates": base_rates, "readings": readings,
+        "ack_codes": ack_codes, "option": option, "hex": lambda n: f"0x{n:02X}",
+        "some": lambda name: f"Some({name})", "reference": lambda name: f"&{name}",
+        "scalar": lambda scalar: LANGUAGE["scalars"][scalar.name],
+        "condition_text": lambda c: f"`{c.parameter}` is {c.label}",
+        "qualified": lambda name, where: f"types::{name}" if where == "types" else f"crate::{where}::{name}",
+        "functions_by": lambda f, letters: [constant(x.name) for x in f.functions if x.letter in letters],
+    }  # fmt: skip
+
+
+# --------------------------------------------------------------------------- identifiers
+
+
+def identifiers(model: m.Model) -> Iterable[Identifier]:
+    names = _Names(model)
+    for fixed in LANGUAGE["modules"]:
+        yield Identifier("the crate", fixed, f"the module {fixed}", None)
+    for s in model.sets:
+        yield Identifier("the crate", module(s.name), s.name, s.position)
+    everything = (*model.types, model.protocol.function_selector, *(t for s in model.sets for t in s.types))
+    for t in everything:
+        position = None if isinstance(t, m.Vector) else t.position
+        yield Identifier(home(t), type_name(t.name), t.name, position)
+        yield from _inside(names, t)
+    for s in model.sets:
+        for f in s.fields:
+            yield Identifier(module(s.name), type_name(f.name), f.full_name, f.position)
+            yield Identifier("registry", type_name(f"{s.name}_{f.name}"), f.full_name, f.position)
+            if len(f.responses) > 1:
+                yield Identifier(module(s.name), type_name(f"{f.name}_responses"), f"the responses of {f.full_name}", f.position)
+                for name, kind in variants(f):
+                    yield Identifier(f"the responses of {f.full_name}", name, kind, f.position)
+        for f in s.own_fields:
+            yield from _record(names, f, f.full_name)
+    for here, name, op, record in names.unions:
+        yield Identifier(here, name, f"the union {op.member} of {record.name}", record.position)
+        yield Identifier(f"{here}::{name}", "Other", "an unknown tag", record.position)
+        for case in op.cases:
+            yield Identifier(f"{here}::{name}", type_name(case.tag.name), case.tag.name, record.position)
+    for d in model.devices:
+        yield Identifier("devices", constant(d.name), d.name, d.position)
+
+
+def _inside(names: _Names, t: m.Type) -> Iterator[Identifier]:
+    where = f"{home(t)}::{type_name(t.name)}"
+    match t:
+        case m.Enum():
+            for v in t.values:
+                yield Identifier(where, constant(v.name), v.name, t.position)
+        case m.Bitfield():
+            for b in t.bits:
+                for name in (constant(b.name), _method(b.name), f"set_{b.name}", f"with_{b.name}"):
+                    yield Identifier(where, name, b.name, t.position)
+        case m.Vector():
+            for e in t.elements:
+                yield Identifier(where, member(e), e, None)
+        case m.Struct():
+            yield from _record(names, t, t.name)
+
+
+def _record(names: _Names, record: Record, what: str) -> Iterator[Identifier]:
+    for x in names.members(record):
+        yield Identifier(what, x.name, x.parameter.name, x.parameter.position)
+    for c in names.constructors(record):
+        yield Identifier(f"the methods of {what}", c.name, c.name, record.position)
+    for a in names.accessors(record):
+        yield Identifier(f"the methods of {what}", a.name, a.name, record.position)

@@ -1,0 +1,322 @@
+"""The three languages against the reference, and so against each other."""
+
+from __future__ import annotations
+
+import random
+from functools import cache
+from typing import Any
+
+import pytest
+from hypothesis import HealthCheck, Phase, given, settings
+from mipgen import codec
+from mipgen import model as m
+from strategies import field_values
+from support import (
+    LANGUAGES,
+    SPECS,
+    all_fields,
+    decode_request,
+    differences,
+    driver,
+    encode_request,
+    expected,
+    model,
+    set_of,
+)
+
+both = [pytest.mark.parametrize("language", LANGUAGES), pytest.mark.parametrize("spec", sorted(SPECS))]
+def relaxed(examples: int) -> Any:
+    return settings(
+        max_examples=examples,
+        deadline=None,
+        database=None,
+        derandomize=True,
+        phases=[Phase.generate],
+        suppress_health_check=list(HealthCheck),
+    )
+
+
+def each(test: Any) -> Any:
+    for mark in both:
+        test = mark(test)
+    return test
+
+
+def compare(language: str, spec: str, requests: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Asks the driver and holds its answers against the reference."""
+    answers = driver(language, spec).ask(requests)
+    wrong = differences(requests, [expected(model(spec), r) for r in requests], answers)
+    assert not wrong, wrong
+    return answers
+
+
+# --------------------------------------------------------------------------- printed packets
+
+
+@each
+def test_examples_decode_to_their_values(language: str, spec: str) -> None:
+    examples = model(spec).examples
+    answers = compare(language, spec, [decode_request(e.packet) for e in examples])
+    for example, answer in zip(examples, answers, strict=True):
+        for field, got in zip(example.fields, answer["fields"], strict=True):
+            assert got.get("values") == field.values, example.id
+            assert got.get("name") == field.field, example.id
+            for name, value in (field.stated or {}).items():
+                assert got["values"][name] == value, (example.id, name)
+
+
+@each
+def test_examples_encode_to_their_bytes(language: str, spec: str) -> None:
+    examples = [e for e in model(spec).examples if not any(f.trailing for f in e.fields)]
+    requests = []
+    for e in examples:
+        fields = [
+            {"descriptor": f.descriptor, "raw": f.data.hex()}
+            if f.field is None
+            else {"descriptor": f.descriptor, "name": f.field, "values": f.values}
+            for f in e.fields
+        ]
+        requests.append({"op": "encode", "set": e.set, "fields": fields})
+    for example, answer in zip(examples, compare(language, spec, requests), strict=True):
+        assert answer == {"packet": example.packet.hex()}, example.id
+
+
+@each
+def test_every_prefix_of_every_packet_is_refused(language: str, spec: str) -> None:
+    packets = {e.packet for e in model(spec).examples}
+    prefixes = sorted({p[:n] for p in packets for n in range(len(p))})
+    for answer in compare(language, spec, [decode_request(p) for p in prefixes]):
+        assert answer["error"] in ("sync", "length")
+
+
+@each
+def test_every_changed_byte_is_refused(language: str, spec: str) -> None:
+    packets = sorted({e.packet for e in model(spec).examples})
+    changed = [p[:i] + bytes([p[i] ^ 0x10]) + p[i + 1 :] for p in packets for i in range(len(p))]
+    for answer in compare(language, spec, [decode_request(p) for p in changed]):
+        assert answer.get("error") in ("sync", "length", "checksum")
+
+
+# --------------------------------------------------------------------------- random values
+
+
+@each
+def test_random_values_of_every_field_round_trip(language: str, spec: str) -> None:
+    of = model(spec)
+    drawn = random_values(spec)
+    assert {f.full_name for f, _ in drawn} == {f.full_name for f in all_fields(of)}
+    requests = [encode_request(set_of(f, of), f, values) for f, values in drawn]
+    packets = [a["packet"] for a in compare(language, spec, requests)]
+    decoded = compare(language, spec, [{"op": "decode", "packet": p} for p in packets])
+    again = []
+    for (f, _), answer in zip(drawn, decoded, strict=True):
+        (got,) = answer["fields"]
+        assert got["trailing"] == 0, f.full_name
+        again.append(encode_request(set_of(f, of), f, got["values"]))
+    assert [a["packet"] for a in compare(language, spec, again)] == packets
+
+
+@cache
+def random_values(spec: str) -> list[tuple[m.Field, dict[str, Any]]]:
+    """Values for every field, drawn first and sent in one batch: a process for each would take minutes."""
+    found: list[tuple[m.Field, dict[str, Any]]] = []
+    for f in all_fields(model(spec)):
+
+        @relaxed(8)
+        @given(field_values(f))
+        def draw(values: dict[str, Any], f: m.Field = f) -> None:
+            found.append((f, values))
+
+        draw()
+    return found
+
+
+@each
+def test_every_prefix_of_every_field(language: str, spec: str) -> None:
+    """A field that is too short is an error, unless what is there is a shorter form."""
+    of, chance = model(spec), random.Random(1)
+    requests = []
+    for f in all_fields(of):
+        for data in samples(f, chance):
+            for n in range(len(data) + 1):
+                requests.append(decode_request(codec.build(of, set_of(f, of), [(f.descriptor, data[:n])])))
+    compare(language, spec, requests)
+
+
+@each
+def test_random_bytes_in_every_field(language: str, spec: str) -> None:
+    of, chance = model(spec), random.Random(2)
+    requests = []
+    for f in all_fields(of):
+        for _ in range(12):
+            data = mutated(chance, samples(f, chance)[0], f)
+            requests.append(decode_request(codec.build(of, set_of(f, of), [(f.descriptor, data)])))
+    answers = compare(language, spec, requests)
+    back = []
+    for answer in answers:
+        for got in answer["fields"]:
+            if "values" in got:
+                back.append({"op": "encode", "set": answer["set"], "fields": [got]})
+    encoded = compare(language, spec, back)
+    for request, answer in zip(back, encoded, strict=True):
+        if request["fields"][0]["trailing"] == 0:
+            assert {"op": "decode", "packet": answer["packet"]} in requests
+
+
+def samples(f: Any, chance: random.Random) -> list[bytes]:
+    """Whole data of a field: the bytes of some random values, one for each function."""
+    found = []
+    for function in [x.value for x in f.functions] or [None]:
+        size = f.max_size
+        data = bytearray(chance.randrange(4) for _ in range(size))
+        if function is not None:
+            data[0] = function
+        for at, op in f.constants:
+            data[at : at + op.size] = op.value.to_bytes(op.size, "big")
+        try:
+            values, trailing = codec.decode(f, bytes(data))
+            found.append(codec.encode(f, values))
+        except codec.CodecError:
+            found.append(bytes(data))
+    return found
+
+
+def mutated(chance: random.Random, data: bytes, f: Any) -> bytes:
+    out = bytearray(data)
+    for _ in range(chance.randrange(4)):
+        if out:
+            out[chance.randrange(len(out))] = chance.choice([0, 1, 2, 3, 4, 5, 6, 0x7F, 0x80, 0xFF, chance.randrange(256)])
+    tail = chance.randrange(-3, 4)
+    out = out[:tail] if tail < 0 else out + bytes(chance.randrange(256) for _ in range(tail))
+    return bytes(out[:253])
+
+
+# --------------------------------------------------------------------------- wrong values
+
+
+@each
+def test_wrong_values_are_refused(language: str, spec: str) -> None:
+    """One fault at a time; the reference says which it is."""
+    of, chance = model(spec), random.Random(3)
+    requests = []
+    for f in all_fields(of):
+        data = samples(f, chance)[0]
+        try:
+            values, _ = codec.decode(f, data)
+        except codec.CodecError:
+            continue
+        requests += [encode_request(set_of(f, of), f, wrong) for wrong in faults(f, values)]
+    answers = compare(language, spec, requests)
+    kinds = {a["error"] for a in answers if "error" in a}
+    assert kinds >= {"missing", "range", "count", "unknown"}
+
+
+def faults(f: Any, values: dict[str, Any]) -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = [{**values, "no_such_parameter": 1}]
+    counters = {p.name for p in f.parameters if p.counts}
+    tags = {p.tag for p in f.parameters if p.tag}
+    for name, value in values.items():
+        if name in tags or name in counters:
+            continue
+        array = next((p for p in f.parameters if p.name == name and isinstance(p.length, str)), None)
+        if array is None and name != "function":
+            found.append({k: v for k, v in values.items() if k != name})
+        if isinstance(value, int) and name != "function":
+            found.append({**values, name: 1 << 64})
+            found.append({**values, name: -(1 << 63) - 1})
+        if isinstance(value, list) and array is None:
+            found.append({**values, name: [*value, value[0]] if value else value})
+            found.append({**values, name: value[:-1]})
+        if isinstance(value, str) and not value.startswith("0x") and array is None:
+            found.append({**values, name: value + "x"})
+    for name in counters:
+        if name in values:
+            found.append({**values, name: (values[name] + 1) % 256})
+    for p in f.parameters:
+        if p.tag and p.name in values:
+            for other in p.cases:
+                if other.tag.value != values[p.tag] and other.operation is not None:
+                    found.append({**values, p.tag: other.tag.value})
+                    break
+    return found
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_what_does_not_fit_is_refused(language: str) -> None:
+    ping = {"descriptor": 1, "raw": ""}
+    requests: list[dict[str, Any]] = [
+        {"op": "encode", "set": 1, "fields": [ping] * 127},
+        {"op": "encode", "set": 1, "fields": [ping] * 128},
+        {"op": "encode", "set": 1, "fields": []},
+        {"op": "encode", "set": 1, "fields": [{"descriptor": 9, "raw": "00" * 253}]},
+        {"op": "encode", "set": 1, "fields": [{"descriptor": 9, "raw": "00" * 254}]},
+        {"op": "encode", "set": 1, "fields": [{"descriptor": 1, "name": "no.such", "values": {}}]},
+    ]
+    answers = compare(language, "invented", requests)
+    assert [a.get("error") for a in answers] == [None, "length", None, None, "length", "unknown"]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_no_request_kills_a_driver(language: str) -> None:
+    requests: list[Any] = [
+        1, None, [], {}, {"op": 1}, {"op": "none"}, {"op": "decode"}, {"op": "decode", "packet": "xx"},
+        {"op": "decode", "packet": 5}, {"op": "decode", "packet": "756"}, {"op": "parse", "stream": "00"},
+        {"op": "encode", "set": 1}, {"op": "encode", "set": 1, "fields": 3}, {"op": "encode", "fields": []},
+    ]  # fmt: skip
+    assert driver(language, "invented").ask(requests) == [{"error": "request"}] * len(requests)
+
+
+# --------------------------------------------------------------------------- streams
+
+NMEA = b"$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\r\n"
+
+
+def streams(spec: str) -> list[bytes]:
+    """Packets among all that can come between them."""
+    chance = random.Random(4)
+    packets = sorted({e.packet for e in model(spec).examples})
+    packets.append(codec.build(model(spec), 1, []))
+    found = []
+    for _ in range(60):
+        parts = []
+        for _ in range(chance.randrange(1, 12)):
+            packet = chance.choice(packets)
+            parts.append(
+                chance.choice(
+                    [
+                        packet,
+                        packet,
+                        NMEA,
+                        b"ue",
+                        b"u",
+                        b"ueue",
+                        b"ue\x00\x00",
+                        b"ue\x80\xff" + packet,
+                        packet[: chance.randrange(len(packet))],
+                        packet[:-1] + bytes([packet[-1] ^ 1]),
+                        bytes(chance.choice([0x75, 0x65, 0, 1, chance.randrange(256)]) for _ in range(chance.randrange(40))),
+                    ]
+                )
+            )
+        found.append(b"".join(parts))
+    return found
+
+
+@each
+def test_streams_in_many_chunkings(language: str, spec: str) -> None:
+    requests = []
+    for stream in streams(spec):
+        for chunk in (1, 2, 3, 7, 64, 1000):
+            requests.append({"op": "parse", "stream": stream.hex(), "chunk": chunk})
+    compare(language, spec, requests)
+
+
+@each
+def test_every_intact_packet_comes_out(language: str, spec: str) -> None:
+    """Between packets stand things that contain no packet themselves, so all of these must be found."""
+    packets = sorted({e.packet for e in model(spec).examples})
+    between = [NMEA, b"", b"\x75", b"\x75\x65", b"\x75\x65\x80", b"ue\x00", b"noise", b"\xff" * 9]
+    stream = b"".join(p + between[i % len(between)] for i, p in enumerate(packets))
+    answers = compare(language, spec, [{"op": "parse", "stream": stream.hex(), "chunk": n} for n in (1, 5, 4096)])
+    for answer in answers:
+        assert answer["packets"] == [p.hex() for p in packets]

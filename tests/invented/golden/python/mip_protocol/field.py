@@ -1,0 +1,125 @@
+"""What all fields have in common."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar, TypeVar
+
+from .errors import DecodeError
+from .packet import Packet, PacketBuilder, RawField
+
+F = TypeVar("F", bound="Field")
+S = TypeVar("S", bound="Structure")
+
+
+class Structure:
+    """Named values that stand together, inside a field or as one."""
+
+    __slots__ = ()
+
+    #: Numbers whose names depend on another value: name -> (what decides, {its value: type}).
+    READINGS: ClassVar[dict[str, tuple[str, dict[object, type]]]] = {}
+
+    @classmethod
+    def _read(cls: type[S], data: bytes, at: int) -> tuple[S, int]:
+        """The values at a place, and where they end."""
+        raise NotImplementedError
+
+    def _write(self) -> bytes:
+        raise NotImplementedError
+
+    def meaning(self, name: str, device: str | None = None) -> Any:
+        """The value `name` as the enumeration or bitfield that gives it its meaning.
+
+        What decides is another value of this field, or the device (its id, "3dm-gx5-15").
+        Where nothing gives it a meaning, it is returned as it is.
+        """
+        value = getattr(self, name)
+        by, types = self.READINGS.get(name, ("device", {}))
+        kind = types.get(device if by == "device" else getattr(self, by))
+        return value if kind is None or value is None else kind(value)
+
+
+class Field(Structure):
+    """One field: a command, a response or data."""
+
+    __slots__ = ()
+
+    SET: ClassVar[int]
+    DESCRIPTOR: ClassVar[int]
+    NAME: ClassVar[str]  # in the specification: "base.ping"
+    ROLE: ClassVar[str]  # "command", "response" or "data"
+
+    def encode(self) -> bytes:
+        """The data of the field, without its length and descriptor. Raises EncodeError."""
+        return self._write()
+
+    @classmethod
+    def decode(cls: type[F], data: bytes) -> F:
+        """The values of a field's data. Raises DecodeError; bytes left over are no error."""
+        return cls._read(data, 0)[0]
+
+    @classmethod
+    def decode_with_trailing(cls: type[F], data: bytes) -> tuple[F, int]:
+        """The values, and how many bytes are left over (newer devices send more)."""
+        value, end = cls._read(data, 0)
+        return value, len(data) - end
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        """Can this be its data? Looks at the constants that tell layouts of one descriptor apart."""
+        return True
+
+    def packet(self) -> Packet:
+        """A packet with just this field."""
+        return PacketBuilder(self.SET).add(self.DESCRIPTOR, self.encode()).build()
+
+    @classmethod
+    def find(cls: type[F], packet: Packet) -> F | None:
+        """The first field of this type in a packet, if there is one."""
+        shared = cls.SET == 0xFF and packet.set >= 0x80
+        ack = cls.SET == 0 and packet.set < 0x80
+        if packet.set == cls.SET or shared or ack:
+            for raw in packet:
+                if raw.descriptor == cls.DESCRIPTOR and cls.matches(raw.data):
+                    return cls.decode(raw.data)
+        return None
+
+
+class Response(Field):
+    """Follows the acknowledge of a command."""
+
+    __slots__ = ()
+
+    COMMANDS: ClassVar[tuple[type[Command], ...]] = ()
+
+
+class Command(Field):
+    """Is acknowledged by the device, with a response or without."""
+
+    __slots__ = ()
+
+    RESPONSES: ClassVar[tuple[type[Response], ...]] = ()
+    TIMEOUT: ClassVar[float | None] = None  # seconds, where the device may take long
+    #: Function selector -> how many parameters it requires; others may be None.
+    REQUIRED: ClassVar[dict[int, int]] = {}
+
+    @property
+    def answered(self) -> bool:
+        """Does the device acknowledge it, with these values?"""
+        return True
+
+
+class Data(Field):
+    """A measurement."""
+
+    __slots__ = ()
+
+
+def chosen(types: tuple[type[Field], ...], raw: RawField) -> type[Field] | None:
+    """The layout that the data of a field have, if several belong to its descriptor."""
+    if len(types) == 1:
+        return types[0]
+    return next((t for t in types if t.matches(raw.data)), None)
+
+
+__all__ = ["Command", "Data", "DecodeError", "Field", "Response", "Structure", "chosen"]

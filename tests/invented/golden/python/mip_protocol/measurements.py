@@ -1,0 +1,381 @@
+"""Measurements (0x80).
+
+Data of every type.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from . import codec, types
+from .errors import Truncated
+from .field import Data, Field
+
+_ACCEL_0 = codec.Block("fffH", "scaled_accel", "scaled_accel", "scaled_accel", "valid_flags")
+
+
+@dataclass(slots=True)
+class Accel(Data):
+    """Acceleration (0x80,0x01).
+
+    A vector whose elements are valid together.
+    Sent at 100 Hz at most.
+
+    - guide: Acceleration
+    - leaflet: Acceleration
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x01
+    NAME = "measurements.accel"
+    ROLE = "data"
+
+    scaled_accel: types.Vector3f
+    """Specific force. [g] Frame: sensor. Valid if valid_flags.ready."""
+    valid_flags: types.StateFlags
+    """What is valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Accel, int]:
+        v = _ACCEL_0.read(raw, at)
+        at += 14
+        scaled_accel = v[0:3]
+        valid_flags = types.StateFlags(v[3])
+        return cls(scaled_accel, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ACCEL_0.write(*codec.exactly("scaled_accel", self.scaled_accel, 3), self.valid_flags)
+        return codec.finished(out)
+
+
+_NUMBERS_0 = codec.Block(
+    "BHIQbhiqfdBB",
+    "u8",
+    "u16",
+    "u32",
+    "u64",
+    "s8",
+    "s16",
+    "s32",
+    "s64",
+    "float_",
+    "double",
+    "bool_",
+    "char",
+)
+
+
+@dataclass(slots=True)
+class Numbers(Data):
+    """Numbers (0x80,0x02).
+
+    One of each.
+
+    - guide: Numbers
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x02
+    NAME = "measurements.numbers"
+    ROLE = "data"
+
+    u8: int
+    """Unsigned."""
+    u16: int
+    """Unsigned."""
+    u32: int
+    """Unsigned."""
+    u64: int
+    """Unsigned."""
+    s8: int
+    """Signed."""
+    s16: int
+    """Signed."""
+    s32: int
+    """Signed."""
+    s64: int
+    """Signed."""
+    float_: float
+    """Four bytes."""
+    double: float
+    """Eight bytes."""
+    bool_: bool
+    """True or false."""
+    char: int
+    """One character."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Numbers, int]:
+        v = _NUMBERS_0.read(raw, at)
+        at += 44
+        u8 = v[0]
+        u16 = v[1]
+        u32 = v[2]
+        u64 = v[3]
+        s8 = v[4]
+        s16 = v[5]
+        s32 = v[6]
+        s64 = v[7]
+        float_ = v[8]
+        double = v[9]
+        bool_ = codec.truth(v[10])
+        char = v[11]
+        return cls(u8, u16, u32, u64, s8, s16, s32, s64, float_, double, bool_, char), at
+
+    def _write(self) -> bytes:
+        out = _NUMBERS_0.write(
+            self.u8,
+            self.u16,
+            self.u32,
+            self.u64,
+            self.s8,
+            self.s16,
+            self.s32,
+            self.s64,
+            self.float_,
+            self.double,
+            self.bool_,
+            self.char,
+        )
+        return codec.finished(out)
+
+
+_STRINGS_0 = codec.Block("B", "length")
+
+
+@dataclass(slots=True)
+class Strings(Data):
+    """Strings (0x80,0x03).
+
+    Fixed, counted, and to the end.
+
+    - guide: Strings
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x03
+    NAME = "measurements.strings"
+    ROLE = "data"
+
+    model: str
+    """Padded with spaces."""
+    name: str
+    """The name."""
+    rest: str
+    """All that follows."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Strings, int]:
+        model = codec.take(raw, at, 16).decode("latin-1")
+        at += 16
+        v = _STRINGS_0.read(raw, at)
+        at += 1
+        length = v[0]
+        n = codec.counted(raw, at, length, 1)
+        name = codec.take(raw, at, n).decode("latin-1")
+        at += n
+        n = codec.remaining(raw, at, 1)
+        rest = codec.take(raw, at, n).decode("latin-1")
+        at += n
+        return cls(model, name, rest), at
+
+    def _write(self) -> bytes:
+        codec.exactly("model", self.model, 16)
+        out = codec.text("model", self.model)
+        out += _STRINGS_0.write(len(codec.at_most("name", self.name, 255)))
+        codec.at_most("name", self.name, 236)
+        out += codec.text("name", self.name)
+        codec.at_most("rest", self.rest, 236)
+        out += codec.text("rest", self.rest)
+        return codec.finished(out)
+
+
+_HEALTH_0 = codec.Block(
+    "BBBBBBBBBBBBBBBBI",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "result",
+    "code",
+)
+
+
+@dataclass(slots=True)
+class Health(Data):
+    """Health (0x80,0x04).
+
+    The wide bitfield.
+    Deprecated: use measurements.numbers instead
+
+    - guide: Health
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x04
+    NAME = "measurements.health"
+    ROLE = "data"
+
+    result: types.Health
+    """The bits."""
+    code: types.WideCode
+    """An enumeration over four bytes."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Health, int]:
+        v = _HEALTH_0.read(raw, at)
+        at += 20
+        result = types.Health(int.from_bytes(bytes(v[0:16]), "little"))
+        code = types.WideCode(v[16])
+        return cls(result, code), at
+
+    def _write(self) -> bytes:
+        out = _HEALTH_0.write(*codec.little("result", self.result, 16), self.code)
+        return codec.finished(out)
+
+
+_ARRAYS_0 = codec.Block("BBBHH", "modes", "modes", "modes", "flags", "flags")
+_ARRAYS_1 = codec.Block("bbbb", "offsets", "offsets", "offsets", "offsets")
+
+
+@dataclass(slots=True)
+class Arrays(Data):
+    """Arrays (0x80,0x05).
+
+    Arrays of all that can stand in one.
+
+    - guide: Arrays
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x05
+    NAME = "measurements.arrays"
+    ROLE = "data"
+
+    modes: tuple[types.Mode, ...]
+    """Enumerations."""
+    flags: tuple[types.StateFlags, ...]
+    """Bitfields."""
+    vectors: tuple[types.Vector3f, types.Vector3f]
+    """Vectors."""
+    points: tuple[types.Point, ...]
+    """Structures. [m]"""
+    track: types.Segment
+    """A nested structure."""
+    offsets: tuple[int, int, int, int] = (0,) * 4
+    """Reserved."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Arrays, int]:
+        v = _ARRAYS_0.read(raw, at)
+        at += 7
+        modes = tuple(map(types.Mode, v[0:3]))
+        flags = tuple(map(types.StateFlags, v[3:5]))
+        vectors = codec.read_vectors("f", 3, raw, at, 2)
+        at += 2 * 12
+        points, at = codec.read_structures(types.Point, raw, at, 2)
+        track, at = types.Segment._read(raw, at)
+        v = _ARRAYS_1.read(raw, at)
+        at += 4
+        offsets = v[0:4]
+        return cls(modes, flags, vectors, points, track, offsets), at
+
+    def _write(self) -> bytes:
+        out = _ARRAYS_0.write(
+            *codec.exactly("modes", self.modes, 3), *codec.exactly("flags", self.flags, 2)
+        )
+        out += codec.write_vectors("f", 3, codec.exactly("vectors", self.vectors, 2))
+        out += codec.write_structures(
+            "points", codec.exactly("points", self.points, 2), types.Point
+        )
+        out += codec.structure("track", self.track, types.Segment)
+        out += _ARRAYS_1.write(*codec.exactly("offsets", self.offsets, 4))
+        return codec.finished(out)
+
+
+_GROWING_0 = codec.Block("H", "first")
+_GROWING_1 = codec.Block("H", "second")
+_GROWING_2 = codec.Block("f", "third")
+_GROWING_GROUPS = ((2, ("second",), False), (3, ("third",), False))
+
+
+@dataclass(slots=True)
+class Growing(Data):
+    """Growing (0x80,0x06).
+
+    Newer devices send more of it.
+
+    - guide: Growing
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x06
+    NAME = "measurements.growing"
+    ROLE = "data"
+
+    first: int
+    """Always there."""
+    second: int | None = None
+    """From version 2 on."""
+    third: float | None = None
+    """From version 3 on."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Growing, int]:
+        second: int | None = None
+        third: float | None = None
+        v = _GROWING_0.read(raw, at)
+        at += 2
+        first = v[0]
+        required = 1
+        done, end = 1, at
+        try:
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _GROWING_1.read(raw, at)
+            at += 2
+            second = v[0]
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _GROWING_2.read(raw, at)
+            at += 4
+            third = v[0]
+            done, end = 3, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(first, second, third), at
+
+    def _write(self) -> bytes:
+        out = _GROWING_0.write(self.first)
+        required = 1
+        there = codec.present(self, required, _GROWING_GROUPS)
+        if there >= 2:
+            out += _GROWING_1.write(self.second)
+        if there >= 3:
+            out += _GROWING_2.write(self.third)
+        return codec.finished(out)
+
+
+#: The types of each descriptor; several where constants in the data tell layouts apart.
+FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0x01: (Accel,),
+    0x02: (Numbers,),
+    0x03: (Strings,),
+    0x04: (Health,),
+    0x05: (Arrays,),
+    0x06: (Growing,),
+}

@@ -1,0 +1,51 @@
+"""More measurements (0x81).
+
+A second sensor with the fields of the first.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from . import codec, types
+from .field import Data, Field
+from .measurements import Accel, Strings
+
+_OWN_0 = codec.Block("B", "mode")
+
+
+@dataclass(slots=True)
+class Own(Data):
+    """Own (0x81,0x07).
+
+    Beside those that it repeats.
+
+    - guide: Own
+    """
+
+    SET = 0x81
+    DESCRIPTOR = 0x07
+    NAME = "more.own"
+    ROLE = "data"
+
+    mode: types.Mode
+    """Of the second sensor."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Own, int]:
+        v = _OWN_0.read(raw, at)
+        at += 1
+        mode = types.Mode(v[0])
+        return cls(mode), at
+
+    def _write(self) -> bytes:
+        out = _OWN_0.write(self.mode)
+        return codec.finished(out)
+
+
+#: The types of each descriptor; several where constants in the data tell layouts apart.
+FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0x01: (Accel,),
+    0x03: (Strings,),
+    0x07: (Own,),
+}

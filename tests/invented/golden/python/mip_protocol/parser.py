@@ -1,0 +1,71 @@
+"""Finds packets in a stream of bytes."""
+
+from __future__ import annotations
+
+from .packet import OVERHEAD, SYNC, Packet, checksum
+
+
+class Parser:
+    """Takes bytes in pieces of any size and gives the packets among them.
+
+    Whatever else is in the stream (NMEA sentences, noise, packets with a bad checksum) is passed
+    over and counted in `skipped`. The result does not depend on how the stream is cut.
+
+    >>> parser = Parser()
+    >>> parser.feed(b"$GP*00" + bytes.fromhex("756501020201e0"))
+    []
+    >>> parser.feed(b"\\xc6")
+    [Packet(756501020201e0c6)]
+    >>> parser.skipped
+    6
+    """
+
+    def __init__(self) -> None:
+        self._buffer = bytearray()
+        self.skipped = 0
+
+    @property
+    def pending(self) -> int:
+        """Bytes that may be the beginning of a packet."""
+        return len(self._buffer)
+
+    def feed(self, data: bytes) -> list[Packet]:
+        """The packets that are complete with these bytes."""
+        self._buffer += data
+        return self._scan(final=False)
+
+    def flush(self) -> list[Packet]:
+        """Gives up the packet that is not complete, after a time-out say, and looks behind it."""
+        return self._scan(final=True)
+
+    def _scan(self, final: bool) -> list[Packet]:
+        buffer, at, packets = self._buffer, 0, []
+        end = len(buffer)
+        while True:
+            found = buffer.find(SYNC, at)
+            if found < 0:
+                last = not final and end > at and buffer[end - 1] == SYNC[0]
+                found = end - 1 if last else end
+                self.skipped += found - at
+                at = found
+                break
+            self.skipped += found - at
+            at = found
+            size = buffer[at + 3] + OVERHEAD if end - at > 3 else OVERHEAD
+            if end - at > 2 and buffer[at + 2] == 0:
+                whole = False
+            elif end - at < size:
+                if not final:
+                    break
+                whole = False
+            else:
+                packet = bytes(buffer[at : at + size])
+                whole = checksum(packet[:-2]) == packet[-2:]
+            if whole:
+                packets.append(Packet._trusted(packet))
+                at += size
+            else:
+                self.skipped += 1
+                at += 1
+        del buffer[:at]
+        return packets

@@ -1,0 +1,255 @@
+"""What fields are made of, for tools that treat all of them alike.
+
+Importing this module imports all descriptor sets.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from . import (
+    measurements,
+    mip_3d,
+    more,
+    protocol,
+    shared,
+    tools,
+    types,
+)
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One value on the wire, in wire order. `name` is that of the specification."""
+
+    name: str
+    attribute: str
+    kind: str  # scalar, constant, counter, bits, text, array, struct or switch
+    scalar: str = ""  # u8 … s64, float, double, bool, char; bits: a bitfield in `size` bytes
+    size: int = 0
+    elements: tuple[str, ...] = ()  # of a vector
+    length: int | str | None = None  # a number, the counter's name, or "rest"
+    constant: int | None = None
+    counts: str = ""  # attribute of the array that a counter counts
+    type: Any = None  # enumeration, bitfield or structure
+    tag: str = ""  # attribute that selects a union's member
+    cases: dict[int, Parameter | None] = field(default_factory=dict)
+    units: tuple[str, ...] = ()
+
+
+#: Fields and structures -> their parameters.
+PARAMETERS: dict[type, tuple[Parameter, ...]] = {
+    protocol.Acknowledge: (
+        Parameter("command", "command", "scalar", scalar="u8"),
+        Parameter("code", "code", "scalar", scalar="u8", type=types.AckCode),
+    ),
+    types.Point: (
+        Parameter("x", "x", "scalar", scalar="s16", units=("m",)),
+        Parameter("y", "y", "scalar", scalar="s16", units=("m",)),
+    ),
+    types.Segment: (
+        Parameter("from", "from_", "struct", type=types.Point),
+        Parameter("to", "to", "struct", type=types.Point),
+        Parameter("weights", "weights", "array", scalar="u8", length=2),
+    ),
+    tools.Stripes: (
+        Parameter("width", "width", "scalar", scalar="double", units=("m",)),
+        Parameter("angle", "angle", "scalar", scalar="float", units=("deg",)),
+    ),
+    tools.Circle: (
+        Parameter("center", "center", "struct", type=types.Point),
+        Parameter("fill", "fill", "scalar", scalar="u8", type=tools.Fill),
+        Parameter(
+            "filling",
+            "filling",
+            "switch",
+            tag="fill",
+            cases={
+                0: None,
+                1: Parameter("solid", "solid", "scalar", scalar="u32"),
+                2: Parameter("striped", "striped", "struct", type=tools.Stripes),
+            },
+        ),
+    ),
+    tools.Path: (
+        Parameter("closed", "closed", "scalar", scalar="bool"),
+        Parameter("num_points", "num_points", "counter", scalar="u8", counts="points"),
+        Parameter("points", "points", "array", length="num_points", type=types.Point),
+    ),
+    tools.Ping: (),
+    tools.Settings: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("port", "port", "scalar", scalar="u8"),
+        Parameter("mode", "mode", "scalar", scalar="u8", type=types.Mode),
+        Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",)),
+        Parameter("limit", "limit", "scalar", scalar="u16"),
+        Parameter("reserved", "reserved", "scalar", scalar="u8"),
+    ),
+    tools.SetTime: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("part", "part", "scalar", scalar="u8", type=types.Mode),
+        Parameter("value", "value", "scalar", scalar="u32", units=("s",)),
+    ),
+    tools.Status: (
+        Parameter("model", "model", "constant", scalar="u16", constant=4711),
+        Parameter("selector", "selector", "scalar", scalar="u8"),
+    ),
+    tools.Bias: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("g",)),
+    ),
+    tools.CaptureBias: (Parameter("time", "time", "scalar", scalar="u16", units=("s",)),),
+    tools.Formats: (
+        Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
+        Parameter("num_segments", "num_segments", "counter", scalar="u8", counts="segments"),
+        Parameter("checkpoint", "checkpoint", "scalar", scalar="u8"),
+        Parameter("segments", "segments", "array", length="num_segments", type=types.Segment),
+    ),
+    tools.Choice: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("instance", "instance", "scalar", scalar="u8"),
+        Parameter("shape", "shape", "scalar", scalar="u8", type=tools.Shape),
+        Parameter(
+            "parameters",
+            "parameters",
+            "switch",
+            tag="shape",
+            cases={
+                0: None,
+                1: Parameter("circle", "circle", "struct", type=tools.Circle),
+                2: Parameter("path", "path", "struct", type=tools.Path),
+                3: Parameter(
+                    "rotation", "rotation", "array", scalar="float", elements=("w", "x", "y", "z")
+                ),
+                4: Parameter("label", "label", "text", scalar="char", length=8),
+            },
+        ),
+    ),
+    tools.List: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("count", "count", "counter", scalar="u8", counts="items"),
+        Parameter("items", "items", "array", scalar="u16", length="count"),
+    ),
+    tools.Inventory: (),
+    tools.Pin: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("drive", "drive", "scalar", scalar="u8", type=tools.Drive),
+        Parameter("use", "use", "scalar", scalar="u8"),
+    ),
+    tools.SettingsResponse: (
+        Parameter("port", "port", "scalar", scalar="u8"),
+        Parameter("mode", "mode", "scalar", scalar="u8", type=types.Mode),
+        Parameter("baud", "baud", "scalar", scalar="u32", units=("Bd",)),
+        Parameter("limit", "limit", "scalar", scalar="u16"),
+        Parameter("reserved", "reserved", "scalar", scalar="u8"),
+    ),
+    tools.SetTimeFastResponse: (Parameter("value", "value", "scalar", scalar="u32", units=("s",)),),
+    tools.SetTimeSlowResponse: (Parameter("value", "value", "scalar", scalar="u32", units=("s",)),),
+    tools.ChoiceResponse: (
+        Parameter("instance", "instance", "scalar", scalar="u8"),
+        Parameter("shape", "shape", "scalar", scalar="u8", type=tools.Shape),
+        Parameter(
+            "parameters",
+            "parameters",
+            "switch",
+            tag="shape",
+            cases={
+                0: None,
+                1: Parameter("circle", "circle", "struct", type=tools.Circle),
+                2: Parameter("path", "path", "struct", type=tools.Path),
+                3: Parameter(
+                    "rotation", "rotation", "array", scalar="float", elements=("w", "x", "y", "z")
+                ),
+                4: Parameter("label", "label", "text", scalar="char", length=8),
+            },
+        ),
+    ),
+    tools.ListResponse: (
+        Parameter("count", "count", "counter", scalar="u8", counts="items"),
+        Parameter("items", "items", "array", scalar="u16", length="count"),
+    ),
+    tools.InventoryResponse: (
+        Parameter("descriptors", "descriptors", "array", scalar="u16", length="rest"),
+    ),
+    tools.PinResponse: (
+        Parameter("drive", "drive", "scalar", scalar="u8", type=tools.Drive),
+        Parameter("use", "use", "scalar", scalar="u8"),
+    ),
+    tools.StatusShort: (
+        Parameter("model", "model", "constant", scalar="u16", constant=4711),
+        Parameter("selector", "selector", "constant", scalar="u8", constant=1),
+        Parameter("flags", "flags", "scalar", scalar="u32"),
+    ),
+    tools.StatusLong: (
+        Parameter("model", "model", "constant", scalar="u16", constant=4711),
+        Parameter("selector", "selector", "constant", scalar="u8", constant=2),
+        Parameter("flags", "flags", "scalar", scalar="u32"),
+        Parameter("uptime", "uptime", "scalar", scalar="u64", units=("s",)),
+    ),
+    tools.BiasVector: (
+        Parameter("bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("g",)),
+    ),
+    mip_3d.Default: (
+        Parameter("class", "class_", "scalar", scalar="u8"),
+        Parameter("type", "type", "scalar", scalar="u8"),
+        Parameter("register", "register", "scalar", scalar="u8"),
+        Parameter("self", "self_", "scalar", scalar="u8"),
+        Parameter("present", "present", "scalar", scalar="u8"),
+    ),
+    measurements.Accel: (
+        Parameter(
+            "scaled_accel",
+            "scaled_accel",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("g",),
+        ),
+        Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=types.StateFlags),
+    ),
+    measurements.Numbers: (
+        Parameter("u8", "u8", "scalar", scalar="u8"),
+        Parameter("u16", "u16", "scalar", scalar="u16"),
+        Parameter("u32", "u32", "scalar", scalar="u32"),
+        Parameter("u64", "u64", "scalar", scalar="u64"),
+        Parameter("s8", "s8", "scalar", scalar="s8"),
+        Parameter("s16", "s16", "scalar", scalar="s16"),
+        Parameter("s32", "s32", "scalar", scalar="s32"),
+        Parameter("s64", "s64", "scalar", scalar="s64"),
+        Parameter("float", "float_", "scalar", scalar="float"),
+        Parameter("double", "double", "scalar", scalar="double"),
+        Parameter("bool", "bool_", "scalar", scalar="bool"),
+        Parameter("char", "char", "scalar", scalar="char"),
+    ),
+    measurements.Strings: (
+        Parameter("model", "model", "text", scalar="char", length=16),
+        Parameter("length", "length", "counter", scalar="u8", counts="name"),
+        Parameter("name", "name", "text", scalar="char", length="length"),
+        Parameter("rest", "rest", "text", scalar="char", length="rest"),
+    ),
+    measurements.Health: (
+        Parameter("result", "result", "bits", scalar="bits", size=16, type=types.Health),
+        Parameter("code", "code", "scalar", scalar="u32", type=types.WideCode),
+    ),
+    measurements.Arrays: (
+        Parameter("modes", "modes", "array", scalar="u8", length=3, type=types.Mode),
+        Parameter("flags", "flags", "array", scalar="u16", length=2, type=types.StateFlags),
+        Parameter(
+            "vectors", "vectors", "array", scalar="float", elements=("x", "y", "z"), length=2
+        ),
+        Parameter("points", "points", "array", length=2, type=types.Point, units=("m",)),
+        Parameter("track", "track", "struct", type=types.Segment),
+        Parameter("offsets", "offsets", "array", scalar="s8", length=4),
+    ),
+    measurements.Growing: (
+        Parameter("first", "first", "scalar", scalar="u16"),
+        Parameter("second", "second", "scalar", scalar="u16"),
+        Parameter("third", "third", "scalar", scalar="float"),
+    ),
+    more.Own: (Parameter("mode", "mode", "scalar", scalar="u8", type=types.Mode),),
+    shared.Timestamp: (
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+        Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=types.StateFlags),
+    ),
+}

@@ -1,0 +1,95 @@
+"""Finds the type of any field. Sets are imported when they are first asked for."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib import import_module
+
+from .errors import PacketError
+from .field import Field, chosen
+from .packet import Packet, RawField
+from .protocol import Acknowledge
+
+#: Descriptor set -> module of this package.
+MODULES: dict[int, str] = {
+    0x01: "tools",
+    0x0C: "mip_3d",
+    0x80: "measurements",
+    0x81: "more",
+    0xFF: "shared",
+}
+
+SHARED_SET = 0xFF
+
+
+@cache
+def types(set: int, descriptor: int) -> tuple[type[Field], ...]:
+    """The types that a descriptor has inside a packet of that set; empty if it is unknown.
+
+    Several mean that constants in the data tell them apart.
+    """
+    if set < 0x80 and descriptor == Acknowledge.DESCRIPTOR:
+        return (Acknowledge,)
+    found = _fields(set).get(descriptor, ())
+    if not found and set >= 0x80:
+        found = _fields(SHARED_SET).get(descriptor, ())
+    return found
+
+
+@cache
+def _fields(set: int) -> dict[int, tuple[type[Field], ...]]:
+    name = MODULES.get(set)
+    if name is None:
+        return {}
+    fields: dict[int, tuple[type[Field], ...]] = import_module(f".{name}", __package__).FIELDS
+    return fields
+
+
+def all_types() -> list[tuple[int, type[Field]]]:
+    """Every (set, type) of the specification, in order."""
+    found: list[tuple[int, type[Field]]] = [(0, Acknowledge)]
+    for number in MODULES:
+        for group in _fields(number).values():
+            found += [(number, t) for t in group]
+    return found
+
+
+def name(set: int, type: type[Field]) -> str:
+    """The full name of a field inside a packet of that set: a type may serve several sets."""
+    own = type.NAME.partition(".")[2]
+    table = _NAMES.get(set)
+    repeated = table is not None and set != type.SET and type.SET not in (0, SHARED_SET)
+    return f"{table}.{own}" if repeated else type.NAME
+
+
+#: Descriptor set -> its name in the specification.
+_NAMES: dict[int, str] = {
+    0x01: "tools",
+    0x0C: "3d",
+    0x80: "measurements",
+    0x81: "more",
+    0xFF: "shared",
+}
+
+
+def decode(raw: RawField) -> Field | None:
+    """A field with its values; None if its descriptor is unknown. Raises DecodeError."""
+    kind = chosen(types(raw.set, raw.descriptor), raw)
+    return None if kind is None else kind.decode(raw.data)
+
+
+def decode_packet(packet: Packet) -> list[Field | RawField]:
+    """All fields of a packet; those that are unknown or cannot be decoded stay raw.
+
+    Stops at a malformed field, as nothing behind it can be found.
+    """
+    found: list[Field | RawField] = []
+    try:
+        for raw in packet:
+            try:
+                found.append(decode(raw) or raw)
+            except ValueError:
+                found.append(raw)
+    except PacketError:
+        pass
+    return found

@@ -1,0 +1,51 @@
+"""Shared (0xFF).
+
+Valid in every data set.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from . import codec, types
+from .field import Data, Field
+
+_TIMESTAMP_0 = codec.Block("dH", "tow", "valid_flags")
+
+
+@dataclass(slots=True)
+class Timestamp(Data):
+    """Timestamp (0xFF,0xD3).
+
+    When the packet was sent.
+
+    - guide: Timestamp
+    """
+
+    SET = 0xFF
+    DESCRIPTOR = 0xD3
+    NAME = "shared.timestamp"
+    ROLE = "data"
+
+    tow: float
+    """Time of week. [s] Valid if valid_flags.ready."""
+    valid_flags: types.StateFlags
+    """What is valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Timestamp, int]:
+        v = _TIMESTAMP_0.read(raw, at)
+        at += 10
+        tow = v[0]
+        valid_flags = types.StateFlags(v[1])
+        return cls(tow, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _TIMESTAMP_0.write(self.tow, self.valid_flags)
+        return codec.finished(out)
+
+
+#: The types of each descriptor; several where constants in the data tell layouts apart.
+FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0xD3: (Timestamp,),
+}

@@ -1,0 +1,1396 @@
+"""Tools (0x01).
+
+Commands of every shape.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntFlag
+
+from . import codec, types
+from .errors import Truncated
+from .field import Command, Field, Response, Structure
+from .protocol import FunctionSelector
+
+
+class ModelAFaults(IntFlag):
+    """Of the model A."""
+
+    CLOCK = 1 << 0
+    SENSOR = 1 << 8
+    SOLUTION = 1 << 24
+
+
+class ModelBFaults(IntFlag):
+    """Of the model B."""
+
+    GENERAL = 1 << 0
+    OVERLOAD = 1 << 1
+    ACCEL = 1 << 12
+
+
+class Shape(codec.OpenEnum):
+    """Which member the union has."""
+
+    NONE = 0
+    CIRCLE = 1
+    PATH = 2
+    TURN = 3
+    LABEL = 4
+
+
+class Fill(codec.OpenEnum):
+    """How a circle is filled."""
+
+    EMPTY = 0
+    SOLID = 1
+    STRIPED = 2
+
+
+_STRIPES_0 = codec.Block("df", "width", "angle")
+
+
+@dataclass(slots=True)
+class Stripes(Structure):
+    """Two numbers."""
+
+    width: float
+    """Of a stripe. [m]"""
+    angle: float
+    """Of all stripes. [deg] Range: -180 to 180."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Stripes, int]:
+        v = _STRIPES_0.read(raw, at)
+        at += 12
+        width = v[0]
+        angle = v[1]
+        return cls(width, angle), at
+
+    def _write(self) -> bytes:
+        out = _STRIPES_0.write(self.width, self.angle)
+        return out
+
+
+_CIRCLE_0 = codec.Block("B", "fill")
+_CIRCLE_1 = codec.Block("I", "filling")
+
+
+@dataclass(slots=True)
+class Circle(Structure):
+    """Ends in a union of its own."""
+
+    center: types.Point
+    """The middle."""
+    fill: Fill
+    """Which member follows."""
+    filling: int | Stripes | None = None
+    """How it is filled."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Circle, int]:
+        filling: int | Stripes | None = None
+        center, at = types.Point._read(raw, at)
+        v = _CIRCLE_0.read(raw, at)
+        at += 1
+        fill = Fill(v[0])
+        if fill == 1:
+            v = _CIRCLE_1.read(raw, at)
+            at += 4
+            filling = v[0]
+        elif fill == 2:
+            filling, at = Stripes._read(raw, at)
+        return cls(center, fill, filling), at
+
+    def _write(self) -> bytes:
+        out = codec.structure("center", self.center, types.Point)
+        out += _CIRCLE_0.write(self.fill)
+        if self.fill == 1:
+            if self.filling is None or isinstance(self.filling, Structure):
+                raise codec.mismatch("filling", self.fill)
+            out += _CIRCLE_1.write(self.filling)
+        elif self.fill == 2:
+            if not isinstance(self.filling, Stripes):
+                raise codec.mismatch("filling", self.fill)
+            out += codec.structure("filling", self.filling, Stripes)
+        elif self.filling is not None:
+            raise codec.mismatch("filling", self.fill)
+        return out
+
+
+_PATH_0 = codec.Block("BB", "closed", "num_points")
+
+
+@dataclass(slots=True)
+class Path(Structure):
+    """A counted array at its end."""
+
+    closed: bool
+    """Does it return to its start?"""
+    points: tuple[types.Point, ...]
+    """The points."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Path, int]:
+        v = _PATH_0.read(raw, at)
+        at += 2
+        closed = codec.truth(v[0])
+        num_points = v[1]
+        n = codec.counted(raw, at, num_points, 4)
+        points, at = codec.read_structures(types.Point, raw, at, n)
+        return cls(closed, points), at
+
+    def _write(self) -> bytes:
+        out = _PATH_0.write(self.closed, len(codec.at_most("points", self.points, 255)))
+        out += codec.write_structures(
+            "points", codec.at_most("points", self.points, 62), types.Point
+        )
+        return out
+
+
+class Drive(codec.OpenEnum):
+    """What drives a pin."""
+
+    OFF = 0
+    PULSE = 1
+    SERIAL = 2
+
+
+class PulseUse(codec.OpenEnum):
+    """Of a pulse."""
+
+    INPUT = 1
+    OUTPUT = 2
+
+
+class SerialUse(codec.OpenEnum):
+    """Of a serial line."""
+
+    RECEIVE = 1
+    TRANSMIT = 33
+
+
+_SETTINGS_RESPONSE_0 = codec.Block("BBIHB", "port", "mode", "baud", "limit", "reserved")
+
+
+@dataclass(slots=True)
+class SettingsResponse(Response):
+    """Settings response (0x01,0x82).
+
+    Answers Settings (0x01,0x02).
+
+    - guide: Settings
+    - leaflet: Settings
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x82
+    NAME = "tools.settings_response"
+    ROLE = "response"
+
+    port: int
+    """Number of the port, 0 for all. Range: 0 to 8."""
+    mode: types.Mode
+    """What to do. Factory default: fast."""
+    baud: int
+    """Speed. [Bd] Factory default: 115200."""
+    limit: int
+    """Required by no function, not even by write."""
+    reserved: int = 1
+    """Reserved."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SettingsResponse, int]:
+        v = _SETTINGS_RESPONSE_0.read(raw, at)
+        at += 9
+        port = v[0]
+        mode = types.Mode(v[1])
+        baud = v[2]
+        limit = v[3]
+        reserved = v[4]
+        return cls(port, mode, baud, limit, reserved), at
+
+    def _write(self) -> bytes:
+        out = _SETTINGS_RESPONSE_0.write(self.port, self.mode, self.baud, self.limit, self.reserved)
+        return codec.finished(out)
+
+
+_SET_TIME_FAST_RESPONSE_0 = codec.Block("I", "value")
+
+
+@dataclass(slots=True)
+class SetTimeFastResponse(Response):
+    """Set time response (0x01,0x83).
+
+    Answers Set time (0x01,0x03).
+
+    - guide: Set time
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x83
+    NAME = "tools.set_time_fast_response"
+    ROLE = "response"
+
+    value: int
+    """The fast half. [s]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SetTimeFastResponse, int]:
+        v = _SET_TIME_FAST_RESPONSE_0.read(raw, at)
+        at += 4
+        value = v[0]
+        return cls(value), at
+
+    def _write(self) -> bytes:
+        out = _SET_TIME_FAST_RESPONSE_0.write(self.value)
+        return codec.finished(out)
+
+
+_SET_TIME_SLOW_RESPONSE_0 = codec.Block("I", "value")
+
+
+@dataclass(slots=True)
+class SetTimeSlowResponse(Response):
+    """Set time response (0x01,0x84).
+
+    Answers Set time (0x01,0x03).
+
+    - guide: Set time
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x84
+    NAME = "tools.set_time_slow_response"
+    ROLE = "response"
+
+    value: int
+    """The slow half. [s]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SetTimeSlowResponse, int]:
+        v = _SET_TIME_SLOW_RESPONSE_0.read(raw, at)
+        at += 4
+        value = v[0]
+        return cls(value), at
+
+    def _write(self) -> bytes:
+        out = _SET_TIME_SLOW_RESPONSE_0.write(self.value)
+        return codec.finished(out)
+
+
+_CHOICE_RESPONSE_0 = codec.Block("BB", "instance", "shape")
+_CHOICE_RESPONSE_1 = codec.Block("ffff", "parameters", "parameters", "parameters", "parameters")
+
+
+@dataclass(slots=True)
+class ChoiceResponse(Response):
+    """Choice response (0x01,0x88).
+
+    Answers Choice (0x01,0x08).
+
+    - guide: Choice
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x88
+    NAME = "tools.choice_response"
+    ROLE = "response"
+
+    instance: int
+    """Which one."""
+    shape: Shape
+    """Which member follows."""
+    parameters: Circle | Path | types.Quatf | str | None = None
+    """The member."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ChoiceResponse, int]:
+        parameters: Circle | Path | types.Quatf | str | None = None
+        v = _CHOICE_RESPONSE_0.read(raw, at)
+        at += 2
+        instance = v[0]
+        shape = Shape(v[1])
+        if shape == 1:
+            parameters, at = Circle._read(raw, at)
+        elif shape == 2:
+            parameters, at = Path._read(raw, at)
+        elif shape == 3:
+            v = _CHOICE_RESPONSE_1.read(raw, at)
+            at += 16
+            parameters = v[0:4]
+        elif shape == 4:
+            parameters = codec.take(raw, at, 8).decode("latin-1")
+            at += 8
+        return cls(instance, shape, parameters), at
+
+    def _write(self) -> bytes:
+        out = _CHOICE_RESPONSE_0.write(self.instance, self.shape)
+        if self.shape == 1:
+            if not isinstance(self.parameters, Circle):
+                raise codec.mismatch("parameters", self.shape)
+            out += codec.structure("parameters", self.parameters, Circle)
+        elif self.shape == 2:
+            if not isinstance(self.parameters, Path):
+                raise codec.mismatch("parameters", self.shape)
+            out += codec.structure("parameters", self.parameters, Path)
+        elif self.shape == 3:
+            if self.parameters is None or isinstance(self.parameters, Structure):
+                raise codec.mismatch("parameters", self.shape)
+            out += _CHOICE_RESPONSE_1.write(*codec.exactly("parameters", self.parameters, 4))
+        elif self.shape == 4:
+            if self.parameters is None or isinstance(self.parameters, Structure):
+                raise codec.mismatch("parameters", self.shape)
+            codec.exactly("parameters", self.parameters, 8)
+            out += codec.text("parameters", self.parameters)
+        elif self.parameters is not None:
+            raise codec.mismatch("parameters", self.shape)
+        return codec.finished(out)
+
+
+_LIST_RESPONSE_0 = codec.Block("B", "count")
+
+
+@dataclass(slots=True)
+class ListResponse(Response):
+    """List response (0x01,0x89).
+
+    Answers List (0x01,0x09).
+
+    - guide: List
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x89
+    NAME = "tools.list_response"
+    ROLE = "response"
+
+    items: tuple[int, ...]
+    """The items."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ListResponse, int]:
+        v = _LIST_RESPONSE_0.read(raw, at)
+        at += 1
+        count = v[0]
+        n = codec.counted(raw, at, count, 2)
+        items = codec.read_numbers("H", raw, at, n)
+        at += n * 2
+        return cls(items), at
+
+    def _write(self) -> bytes:
+        out = _LIST_RESPONSE_0.write(len(codec.at_most("items", self.items, 255)))
+        out += codec.write_numbers("H", codec.at_most("items", self.items, 126))
+        return codec.finished(out)
+
+
+@dataclass(slots=True)
+class InventoryResponse(Response):
+    """Inventory response (0x01,0x8A).
+
+    Answers Inventory (0x01,0x0A).
+
+    - guide: Inventory
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x8A
+    NAME = "tools.inventory_response"
+    ROLE = "response"
+
+    descriptors: tuple[int, ...]
+    """As many as there are."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[InventoryResponse, int]:
+        n = codec.remaining(raw, at, 2)
+        descriptors = codec.read_numbers("H", raw, at, n)
+        at += n * 2
+        return cls(descriptors), at
+
+    def _write(self) -> bytes:
+        out = codec.write_numbers("H", codec.at_most("descriptors", self.descriptors, 126))
+        return codec.finished(out)
+
+
+_PIN_RESPONSE_0 = codec.Block("BB", "drive", "use")
+
+
+@dataclass(slots=True)
+class PinResponse(Response):
+    """Pin response (0x01,0x8B).
+
+    Answers Pin (0x01,0x0B).
+
+    - guide: Pin
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x8B
+    NAME = "tools.pin_response"
+    ROLE = "response"
+    READINGS = {
+        "use": (
+            "drive",
+            {1: PulseUse, 2: SerialUse},
+        ),
+    }
+
+    drive: Drive
+    """What drives it."""
+    use: int
+    """How it is used."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PinResponse, int]:
+        v = _PIN_RESPONSE_0.read(raw, at)
+        at += 2
+        drive = Drive(v[0])
+        use = v[1]
+        return cls(drive, use), at
+
+    def _write(self) -> bytes:
+        out = _PIN_RESPONSE_0.write(self.drive, self.use)
+        return codec.finished(out)
+
+
+_STATUS_SHORT_0 = codec.Block("H", "model")
+_STATUS_SHORT_1 = codec.Block("B", "selector")
+_STATUS_SHORT_2 = codec.Block("I", "flags")
+
+
+@dataclass(slots=True)
+class StatusShort(Response):
+    """Status response (0x01,0x90).
+
+    Answers Status (0x01,0x04).
+
+    - guide: Status
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x90
+    NAME = "tools.status_short"
+    ROLE = "response"
+    READINGS = {
+        "flags": (
+            "device",
+            {"model-a": ModelAFaults, "model-b": ModelBFaults},
+        ),
+    }
+
+    flags: int
+    """Faults."""
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return data[0:2] == b"\x12\x67" and data[2:3] == b"\x01"
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[StatusShort, int]:
+        v = _STATUS_SHORT_0.read(raw, at)
+        at += 2
+        codec.constant(v[0], 4711)
+        v = _STATUS_SHORT_1.read(raw, at)
+        at += 1
+        codec.constant(v[0], 1)
+        v = _STATUS_SHORT_2.read(raw, at)
+        at += 4
+        flags = v[0]
+        return cls(flags), at
+
+    def _write(self) -> bytes:
+        out = _STATUS_SHORT_0.write(4711)
+        out += _STATUS_SHORT_1.write(1)
+        out += _STATUS_SHORT_2.write(self.flags)
+        return codec.finished(out)
+
+
+_STATUS_LONG_0 = codec.Block("H", "model")
+_STATUS_LONG_1 = codec.Block("B", "selector")
+_STATUS_LONG_2 = codec.Block("IQ", "flags", "uptime")
+
+
+@dataclass(slots=True)
+class StatusLong(Response):
+    """Status response (0x01,0x90).
+
+    Answers Status (0x01,0x04).
+
+    - guide: Status
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x90
+    NAME = "tools.status_long"
+    ROLE = "response"
+    READINGS = {
+        "flags": (
+            "device",
+            {"model-a": ModelAFaults, "model-b": ModelBFaults},
+        ),
+    }
+
+    flags: int
+    """Faults."""
+    uptime: int
+    """Since start. [s]"""
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return data[0:2] == b"\x12\x67" and data[2:3] == b"\x02"
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[StatusLong, int]:
+        v = _STATUS_LONG_0.read(raw, at)
+        at += 2
+        codec.constant(v[0], 4711)
+        v = _STATUS_LONG_1.read(raw, at)
+        at += 1
+        codec.constant(v[0], 2)
+        v = _STATUS_LONG_2.read(raw, at)
+        at += 12
+        flags = v[0]
+        uptime = v[1]
+        return cls(flags, uptime), at
+
+    def _write(self) -> bytes:
+        out = _STATUS_LONG_0.write(4711)
+        out += _STATUS_LONG_1.write(2)
+        out += _STATUS_LONG_2.write(self.flags, self.uptime)
+        return codec.finished(out)
+
+
+_BIAS_VECTOR_0 = codec.Block("fff", "bias", "bias", "bias")
+
+
+@dataclass(slots=True)
+class BiasVector(Response):
+    """Bias response (0x01,0x9B).
+
+    Answers Bias (0x01,0x05).
+
+    - guide: Bias
+    - leaflet: Bias
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x9B
+    NAME = "tools.bias_vector"
+    ROLE = "response"
+
+    bias: types.Vector3f
+    """Taken off the measurement. [g] Frame: sensor."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[BiasVector, int]:
+        v = _BIAS_VECTOR_0.read(raw, at)
+        at += 12
+        bias = v[0:3]
+        return cls(bias), at
+
+    def _write(self) -> bytes:
+        out = _BIAS_VECTOR_0.write(*codec.exactly("bias", self.bias, 3))
+        return codec.finished(out)
+
+
+@dataclass(slots=True)
+class Ping(Command):
+    """Ping (0x01,0x01).
+
+    Tests the line.
+
+    - guide: Ping
+    - leaflet: Ping
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x01
+    NAME = "tools.ping"
+    ROLE = "command"
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Ping, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+_SETTINGS_0 = codec.Block("B", "function")
+_SETTINGS_1 = codec.Block("B", "port")
+_SETTINGS_2 = codec.Block("B", "mode")
+_SETTINGS_3 = codec.Block("I", "baud")
+_SETTINGS_4 = codec.Block("H", "limit")
+_SETTINGS_5 = codec.Block("B", "reserved")
+_SETTINGS_GROUPS = (
+    (1, ("port",), False),
+    (2, ("mode",), False),
+    (3, ("baud",), False),
+    (4, ("limit",), False),
+    (5, ("reserved",), False),
+)
+
+
+@dataclass(slots=True)
+class Settings(Command):
+    """Settings (0x01,0x02).
+
+    Every function, and a prefix of parameters for each.
+
+    - guide: Settings
+    - leaflet: Settings
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x02
+    NAME = "tools.settings"
+    ROLE = "command"
+    RESPONSES = (SettingsResponse,)
+    REQUIRED = {1: 3, 2: 2, 3: 1, 4: 1, 5: 1, 6: 3}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    port: int | None = None
+    """Number of the port, 0 for all. Range: 0 to 8."""
+    mode: types.Mode | None = None
+    """What to do. Factory default: fast."""
+    baud: int | None = None
+    """Speed. [Bd] Factory default: 115200."""
+    limit: int | None = None
+    """Required by no function, not even by write."""
+    reserved: int | None = None
+    """Reserved."""
+
+    @classmethod
+    def write(cls, port: int, mode: types.Mode, baud: int, limit: int | None = None) -> Settings:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, port=port, mode=mode, baud=baud, limit=limit)
+
+    @classmethod
+    def read(cls, port: int, mode: types.Mode) -> Settings:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ, port=port, mode=mode)
+
+    @classmethod
+    def save(cls, port: int) -> Settings:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE, port=port)
+
+    @classmethod
+    def load(cls, port: int) -> Settings:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD, port=port)
+
+    @classmethod
+    def default(cls, port: int) -> Settings:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT, port=port)
+
+    @classmethod
+    def apply(cls, port: int, mode: types.Mode, baud: int, limit: int | None = None) -> Settings:
+        """Apply the new setting and send no acknowledge (5-series devices)."""
+        return cls(FunctionSelector.APPLY, port=port, mode=mode, baud=baud, limit=limit)
+
+    @property
+    def answered(self) -> bool:
+        return not (self.function == 6)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Settings, int]:
+        port: int | None = None
+        mode: types.Mode | None = None
+        baud: int | None = None
+        limit: int | None = None
+        reserved: int | None = None
+        v = _SETTINGS_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SETTINGS_1.read(raw, at)
+            at += 1
+            port = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _SETTINGS_2.read(raw, at)
+            at += 1
+            mode = types.Mode(v[0])
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _SETTINGS_3.read(raw, at)
+            at += 4
+            baud = v[0]
+            done, end = 3, at
+            if at == len(raw) and required < 4:
+                raise Truncated(1, 0)
+            v = _SETTINGS_4.read(raw, at)
+            at += 2
+            limit = v[0]
+            done, end = 4, at
+            if at == len(raw) and required < 5:
+                raise Truncated(1, 0)
+            v = _SETTINGS_5.read(raw, at)
+            at += 1
+            reserved = v[0]
+            done, end = 5, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, port, mode, baud, limit, reserved), at
+
+    def _write(self) -> bytes:
+        out = _SETTINGS_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _SETTINGS_GROUPS)
+        if there >= 1:
+            out += _SETTINGS_1.write(self.port)
+        if there >= 2:
+            out += _SETTINGS_2.write(self.mode)
+        if there >= 3:
+            out += _SETTINGS_3.write(self.baud)
+        if there >= 4:
+            out += _SETTINGS_4.write(self.limit)
+        if there >= 5:
+            out += _SETTINGS_5.write(self.reserved)
+        return codec.finished(out)
+
+
+_SET_TIME_0 = codec.Block("B", "function")
+_SET_TIME_1 = codec.Block("B", "part")
+_SET_TIME_2 = codec.Block("I", "value")
+_SET_TIME_GROUPS = ((1, ("part",), False), (2, ("value",), False))
+
+
+@dataclass(slots=True)
+class SetTime(Command):
+    """Set time (0x01,0x03).
+
+    Two responses for one command.
+    Send it once a second.
+
+    - guide: Set time
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x03
+    NAME = "tools.set_time"
+    ROLE = "command"
+    RESPONSES = (SetTimeFastResponse, SetTimeSlowResponse)
+    REQUIRED = {1: 2, 2: 1, 6: 2}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    part: types.Mode | None = None
+    """Which half of the time."""
+    value: int | None = None
+    """The new value. [s]"""
+
+    @classmethod
+    def write(cls, part: types.Mode, value: int) -> SetTime:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, part=part, value=value)
+
+    @classmethod
+    def read(cls, part: types.Mode) -> SetTime:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ, part=part)
+
+    @classmethod
+    def apply(cls, part: types.Mode, value: int) -> SetTime:
+        """Apply the new setting and send no acknowledge (5-series devices)."""
+        return cls(FunctionSelector.APPLY, part=part, value=value)
+
+    @property
+    def answered(self) -> bool:
+        return not (self.function == 6)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SetTime, int]:
+        part: types.Mode | None = None
+        value: int | None = None
+        v = _SET_TIME_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SET_TIME_1.read(raw, at)
+            at += 1
+            part = types.Mode(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _SET_TIME_2.read(raw, at)
+            at += 4
+            value = v[0]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, part, value), at
+
+    def _write(self) -> bytes:
+        out = _SET_TIME_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _SET_TIME_GROUPS)
+        if there >= 1:
+            out += _SET_TIME_1.write(self.part)
+        if there >= 2:
+            out += _SET_TIME_2.write(self.value)
+        return codec.finished(out)
+
+
+_STATUS_0 = codec.Block("H", "model")
+_STATUS_1 = codec.Block("B", "selector")
+
+
+@dataclass(slots=True)
+class Status(Command):
+    """Status (0x01,0x04).
+
+    Two layouts of one response, told apart by constants.
+    For advanced use.
+
+    - guide: Status
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x04
+    NAME = "tools.status"
+    ROLE = "command"
+    RESPONSES = (StatusShort, StatusLong)
+    TIMEOUT = 2.5
+
+    selector: int
+    """Which layout. Range: 1 to 2."""
+
+    @classmethod
+    def matches(cls, data: bytes) -> bool:
+        return data[0:2] == b"\x12\x67"
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Status, int]:
+        v = _STATUS_0.read(raw, at)
+        at += 2
+        codec.constant(v[0], 4711)
+        v = _STATUS_1.read(raw, at)
+        at += 1
+        selector = v[0]
+        return cls(selector), at
+
+    def _write(self) -> bytes:
+        out = _STATUS_0.write(4711)
+        out += _STATUS_1.write(self.selector)
+        return codec.finished(out)
+
+
+_BIAS_0 = codec.Block("B", "function")
+_BIAS_1 = codec.Block("fff", "bias", "bias", "bias")
+_BIAS_GROUPS = ((1, ("bias",), False),)
+
+
+@dataclass(slots=True)
+class Bias(Command):
+    """Bias (0x01,0x05).
+
+    Its response serves another command too.
+
+    - guide: Bias
+    - leaflet: Bias
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x05
+    NAME = "tools.bias"
+    ROLE = "command"
+    RESPONSES = (BiasVector,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    bias: types.Vector3f | None = None
+    """Taken off the measurement. [g] Frame: sensor."""
+
+    @classmethod
+    def write(cls, bias: types.Vector3f) -> Bias:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, bias=bias)
+
+    @classmethod
+    def read(cls) -> Bias:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> Bias:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> Bias:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> Bias:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Bias, int]:
+        bias: types.Vector3f | None = None
+        v = _BIAS_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _BIAS_1.read(raw, at)
+            at += 12
+            bias = v[0:3]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, bias), at
+
+    def _write(self) -> bytes:
+        out = _BIAS_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _BIAS_GROUPS)
+        if there >= 1:
+            out += _BIAS_1.write(*codec.exactly("bias", self.bias, 3))
+        return codec.finished(out)
+
+
+_CAPTURE_BIAS_0 = codec.Block("H", "time")
+
+
+@dataclass(slots=True)
+class CaptureBias(Command):
+    """Capture bias (0x01,0x06).
+
+    Measures the bias.
+
+    - guide: Capture bias
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x06
+    NAME = "tools.capture_bias"
+    ROLE = "command"
+    RESPONSES = (BiasVector,)
+
+    time: int
+    """How long. [s] Range: 1 to 30."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[CaptureBias, int]:
+        v = _CAPTURE_BIAS_0.read(raw, at)
+        at += 2
+        time = v[0]
+        return cls(time), at
+
+    def _write(self) -> bytes:
+        out = _CAPTURE_BIAS_0.write(self.time)
+        return codec.finished(out)
+
+
+_FORMATS_0 = codec.Block("BBB", "suppress_ack", "num_segments", "checkpoint")
+
+
+@dataclass(slots=True)
+class Formats(Command):
+    """Formats (0x01,0x07).
+
+    Counted arrays of structures and of numbers; not answered if told so.
+
+    - guide: Formats
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x07
+    NAME = "tools.formats"
+    ROLE = "command"
+
+    suppress_ack: bool
+    """Send no acknowledge."""
+    checkpoint: int
+    """Between a counter and its array."""
+    segments: tuple[types.Segment, ...]
+    """The segments."""
+
+    @property
+    def answered(self) -> bool:
+        return not (self.suppress_ack == 1)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Formats, int]:
+        v = _FORMATS_0.read(raw, at)
+        at += 3
+        suppress_ack = codec.truth(v[0])
+        num_segments = v[1]
+        checkpoint = v[2]
+        n = codec.counted(raw, at, num_segments, 10)
+        segments, at = codec.read_structures(types.Segment, raw, at, n)
+        return cls(suppress_ack, checkpoint, segments), at
+
+    def _write(self) -> bytes:
+        out = _FORMATS_0.write(
+            self.suppress_ack, len(codec.at_most("segments", self.segments, 255)), self.checkpoint
+        )
+        out += codec.write_structures(
+            "segments", codec.at_most("segments", self.segments, 25), types.Segment
+        )
+        return codec.finished(out)
+
+
+_CHOICE_0 = codec.Block("B", "function")
+_CHOICE_1 = codec.Block("B", "instance")
+_CHOICE_2 = codec.Block("B", "shape")
+_CHOICE_3 = codec.Block("ffff", "parameters", "parameters", "parameters", "parameters")
+_CHOICE_GROUPS = ((1, ("instance",), False), (2, ("shape",), False), (3, ("parameters",), True))
+
+
+@dataclass(slots=True)
+class Choice(Command):
+    """Choice (0x01,0x08).
+
+    A tagged union with an empty variant, nested unions, arrays and strings in it.
+
+    - guide: Choice
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x08
+    NAME = "tools.choice"
+    ROLE = "command"
+    RESPONSES = (ChoiceResponse,)
+    REQUIRED = {1: 3, 2: 1}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    instance: int | None = None
+    """Which one."""
+    shape: Shape | None = None
+    """Which member follows."""
+    parameters: Circle | Path | types.Quatf | str | None = None
+    """The member."""
+
+    @classmethod
+    def write(
+        cls, instance: int, shape: Shape, parameters: Circle | Path | types.Quatf | str | None
+    ) -> Choice:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, instance=instance, shape=shape, parameters=parameters)
+
+    @classmethod
+    def read(cls, instance: int) -> Choice:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ, instance=instance)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Choice, int]:
+        instance: int | None = None
+        shape: Shape | None = None
+        parameters: Circle | Path | types.Quatf | str | None = None
+        v = _CHOICE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _CHOICE_1.read(raw, at)
+            at += 1
+            instance = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _CHOICE_2.read(raw, at)
+            at += 1
+            shape = Shape(v[0])
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            if shape == 1:
+                parameters, at = Circle._read(raw, at)
+            elif shape == 2:
+                parameters, at = Path._read(raw, at)
+            elif shape == 3:
+                v = _CHOICE_3.read(raw, at)
+                at += 16
+                parameters = v[0:4]
+            elif shape == 4:
+                parameters = codec.take(raw, at, 8).decode("latin-1")
+                at += 8
+            done, end = 3, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, instance, shape, parameters), at
+
+    def _write(self) -> bytes:
+        out = _CHOICE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _CHOICE_GROUPS)
+        if there >= 1:
+            out += _CHOICE_1.write(self.instance)
+        if there >= 2:
+            out += _CHOICE_2.write(self.shape)
+        if there >= 3:
+            if self.shape == 1:
+                if not isinstance(self.parameters, Circle):
+                    raise codec.mismatch("parameters", self.shape)
+                out += codec.structure("parameters", self.parameters, Circle)
+            elif self.shape == 2:
+                if not isinstance(self.parameters, Path):
+                    raise codec.mismatch("parameters", self.shape)
+                out += codec.structure("parameters", self.parameters, Path)
+            elif self.shape == 3:
+                if self.parameters is None or isinstance(self.parameters, Structure):
+                    raise codec.mismatch("parameters", self.shape)
+                out += _CHOICE_3.write(*codec.exactly("parameters", self.parameters, 4))
+            elif self.shape == 4:
+                if self.parameters is None or isinstance(self.parameters, Structure):
+                    raise codec.mismatch("parameters", self.shape)
+                codec.exactly("parameters", self.parameters, 8)
+                out += codec.text("parameters", self.parameters)
+            elif self.parameters is not None:
+                raise codec.mismatch("parameters", self.shape)
+        return codec.finished(out)
+
+
+_LIST_0 = codec.Block("B", "function")
+_LIST_1 = codec.Block("B", "count")
+_LIST_GROUPS = ((2, ("items",), False),)
+
+
+@dataclass(slots=True)
+class List(Command):
+    """List (0x01,0x09).
+
+    Optional counted array; a read may carry a zero count.
+
+    - guide: List
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x09
+    NAME = "tools.list"
+    ROLE = "command"
+    RESPONSES = (ListResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    items: tuple[int, ...] | None = None
+    """The items."""
+
+    @classmethod
+    def write(cls, items: tuple[int, ...]) -> List:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, items=items)
+
+    @classmethod
+    def read(cls) -> List:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> List:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[List, int]:
+        items: tuple[int, ...] | None = None
+        v = _LIST_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _LIST_1.read(raw, at)
+            at += 1
+            count = v[0]
+            n = codec.counted(raw, at, count, 2)
+            items = codec.read_numbers("H", raw, at, n)
+            at += n * 2
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, items), at
+
+    def _write(self) -> bytes:
+        out = _LIST_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _LIST_GROUPS)
+        if there >= 2:
+            out += _LIST_1.write(len(codec.at_most("items", self.items, 255)))
+            out += codec.write_numbers("H", codec.at_most("items", self.items, 125))
+        return codec.finished(out)
+
+
+@dataclass(slots=True)
+class Inventory(Command):
+    """Inventory (0x01,0x0A).
+
+    Answers with an array to the end of the field.
+
+    - guide: Inventory
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x0A
+    NAME = "tools.inventory"
+    ROLE = "command"
+    RESPONSES = (InventoryResponse,)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Inventory, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+_PIN_0 = codec.Block("B", "function")
+_PIN_1 = codec.Block("B", "drive")
+_PIN_2 = codec.Block("B", "use")
+_PIN_GROUPS = ((1, ("drive",), False), (2, ("use",), False))
+
+
+@dataclass(slots=True)
+class Pin(Command):
+    """Pin (0x01,0x0B).
+
+    The names of one number depend on another.
+
+    - guide: Pin
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x0B
+    NAME = "tools.pin"
+    ROLE = "command"
+    RESPONSES = (PinResponse,)
+    REQUIRED = {1: 2, 2: 1}
+    READINGS = {
+        "use": (
+            "drive",
+            {1: PulseUse, 2: SerialUse},
+        ),
+    }
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    drive: Drive | None = None
+    """What drives it."""
+    use: int | None = None
+    """How it is used."""
+
+    @classmethod
+    def write(cls, drive: Drive, use: int) -> Pin:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, drive=drive, use=use)
+
+    @classmethod
+    def read(cls, drive: Drive) -> Pin:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ, drive=drive)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Pin, int]:
+        drive: Drive | None = None
+        use: int | None = None
+        v = _PIN_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _PIN_1.read(raw, at)
+            at += 1
+            drive = Drive(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _PIN_2.read(raw, at)
+            at += 1
+            use = v[0]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, drive, use), at
+
+    def _write(self) -> bytes:
+        out = _PIN_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _PIN_GROUPS)
+        if there >= 1:
+            out += _PIN_1.write(self.drive)
+        if there >= 2:
+            out += _PIN_2.write(self.use)
+        return codec.finished(out)
+
+
+SettingsResponse.COMMANDS = (Settings,)
+SetTimeFastResponse.COMMANDS = (SetTime,)
+SetTimeSlowResponse.COMMANDS = (SetTime,)
+ChoiceResponse.COMMANDS = (Choice,)
+ListResponse.COMMANDS = (List,)
+InventoryResponse.COMMANDS = (Inventory,)
+PinResponse.COMMANDS = (Pin,)
+StatusShort.COMMANDS = (Status,)
+StatusLong.COMMANDS = (Status,)
+BiasVector.COMMANDS = (Bias, CaptureBias)
+
+
+#: The types of each descriptor; several where constants in the data tell layouts apart.
+FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0x01: (Ping,),
+    0x02: (Settings,),
+    0x03: (SetTime,),
+    0x04: (Status,),
+    0x05: (Bias,),
+    0x06: (CaptureBias,),
+    0x07: (Formats,),
+    0x08: (Choice,),
+    0x09: (List,),
+    0x0A: (Inventory,),
+    0x0B: (Pin,),
+    0x82: (SettingsResponse,),
+    0x83: (SetTimeFastResponse,),
+    0x84: (SetTimeSlowResponse,),
+    0x88: (ChoiceResponse,),
+    0x89: (ListResponse,),
+    0x8A: (InventoryResponse,),
+    0x8B: (PinResponse,),
+    0x90: (StatusShort, StatusLong),
+    0x9B: (BiasVector,),
+}

@@ -1,0 +1,161 @@
+"""Types that several descriptor sets use."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntFlag
+from typing import TypeAlias
+
+from . import codec
+from .errors import EncodeError
+from .field import Structure
+
+Vector3f: TypeAlias = tuple[float, float, float]
+"""Three floats. Order: x, y, z."""
+Quatf: TypeAlias = tuple[float, float, float, float]
+"""A quaternion, scalar part first. Order: w, x, y, z."""
+
+
+class AckCode(codec.OpenEnum):
+    """The result of a command."""
+
+    OK = 0
+    """Done."""
+    UNKNOWN_COMMAND = 1
+    """No such command."""
+    INVALID_PARAMETER = 3
+    """A parameter is out of range."""
+
+
+class Mode(codec.OpenEnum):
+    """What the device does."""
+
+    DEFAULT = 0
+    """A keyword in three languages."""
+    FAST = 1
+    """Quick."""
+    SLOW = 2
+    """Careful. Deprecated."""
+
+
+class WideCode(codec.OpenEnum):
+    """An enumeration over four bytes."""
+
+    LOW = 1
+    HIGH = 0xFFFF0000
+
+
+class StateFlags(IntFlag):
+    """Bits of all kinds."""
+
+    READY = 1 << 0
+    """Ready to measure."""
+    HOT = 1 << 1
+    """Too hot."""
+    LEVEL = 0x70
+    """A number from 0 to 7."""
+    MODE = 0x300
+    """An enumeration inside the bitfield."""
+    ANY = 0x3
+    """Ready or hot."""
+
+    @property
+    def level(self) -> int:
+        """Bits 4 to 6 as a number."""
+        return int((self >> 4) & 0x7)
+
+    def with_level(self, value: int) -> StateFlags:
+        """The same with bits 4 to 6 set to a number."""
+        if not 0 <= value <= 0x7:
+            raise EncodeError("range", f"level: {value} does not fit into 3 bits")
+        return StateFlags(self & ~StateFlags.LEVEL | value << 4)
+
+    @property
+    def mode(self) -> Mode:
+        """Bits 8 to 9 as a number."""
+        return Mode((self >> 8) & 0x3)
+
+    def with_mode(self, value: int) -> StateFlags:
+        """The same with bits 8 to 9 set to a number."""
+        if not 0 <= value <= 0x3:
+            raise EncodeError("range", f"mode: {value} does not fit into 2 bits")
+        return StateFlags(self & ~StateFlags.MODE | value << 8)
+
+
+class Health(IntFlag):
+    """One hundred and twenty-eight bits, least significant byte first."""
+
+    CLOCK = 1 << 0
+    """The clock has failed."""
+    POWER = 1 << 9
+    """The supply is out of range."""
+    COUNT = 0x3C0000000
+    """A number across two bytes."""
+    LAST = 1 << 127
+    """The very last bit."""
+
+    @property
+    def count(self) -> int:
+        """Bits 30 to 33 as a number."""
+        return int((self >> 30) & 0xF)
+
+    def with_count(self, value: int) -> Health:
+        """The same with bits 30 to 33 set to a number."""
+        if not 0 <= value <= 0xF:
+            raise EncodeError("range", f"count: {value} does not fit into 4 bits")
+        return Health(self & ~Health.COUNT | value << 30)
+
+
+_POINT_0 = codec.Block("hh", "x", "y")
+
+
+@dataclass(slots=True)
+class Point(Structure):
+    """A place in a plane."""
+
+    x: int
+    """Eastward. [m]"""
+    y: int
+    """Northward. [m]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Point, int]:
+        v = _POINT_0.read(raw, at)
+        at += 4
+        x = v[0]
+        y = v[1]
+        return cls(x, y), at
+
+    def _write(self) -> bytes:
+        out = _POINT_0.write(self.x, self.y)
+        return out
+
+
+_SEGMENT_0 = codec.Block("BB", "weights", "weights")
+
+
+@dataclass(slots=True)
+class Segment(Structure):
+    """Two places, nested."""
+
+    from_: Point
+    """Begins here."""
+    to: Point
+    """Ends here."""
+    weights: tuple[int, int]
+    """Of its ends."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Segment, int]:
+        from_, at = Point._read(raw, at)
+        to, at = Point._read(raw, at)
+        v = _SEGMENT_0.read(raw, at)
+        at += 2
+        weights = v[0:2]
+        return cls(from_, to, weights), at
+
+    def _write(self) -> bytes:
+        out = codec.structure("from_", self.from_, Point)
+        out += codec.structure("to", self.to, Point)
+        out += _SEGMENT_0.write(*codec.exactly("weights", self.weights, 2))
+        return out

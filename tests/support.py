@@ -1,0 +1,189 @@
+"""What the tests of all languages share: models, drivers, and an oracle for streams."""
+
+from __future__ import annotations
+
+import fcntl
+import json
+import os
+import shutil
+import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from mipgen import codec
+from mipgen import model as m
+from mipgen.resolve import load_model
+
+ROOT = Path(__file__).parents[1]
+BUILD = ROOT / "build"
+LANGUAGES = ("python",)
+
+#: Specification -> where it is and where its output is.
+SPECS = {
+    "real": (ROOT / "spec", ROOT / "generated"),
+    "invented": (ROOT / "tests/invented/spec", ROOT / "tests/invented/golden"),
+}
+
+
+@cache
+def model(spec: str) -> m.Model:
+    return load_model(SPECS[spec][0])
+
+
+def need(tool: str) -> str:
+    """The path of a tool; a missing one is an error, never a skip."""
+    path = shutil.which(tool)
+    assert path is not None, f"{tool} is missing; `make test` says how to get it"
+    return path
+
+
+@dataclass(frozen=True)
+class Driver:
+    """A conformance driver, run once for each batch of requests."""
+
+    language: str
+    command: list[str]
+    environment: dict[str, str]
+
+    def ask(self, requests: list[dict[str, Any]]) -> list[dict[str, Any]]:
+        lines = "".join(json.dumps(r) + "\n" for r in requests)
+        done = subprocess.run(
+            self.command, input=lines, capture_output=True, text=True, env={**os.environ, **self.environment}
+        )
+        assert done.returncode == 0, f"{self.language}: exit {done.returncode}: {done.stderr[-4000:]}"
+        answers = [json.loads(line) for line in done.stdout.splitlines()]
+        assert len(answers) == len(requests), f"{self.language}: {len(answers)} answers to {len(requests)} requests"
+        return answers
+
+
+@contextmanager
+def locked(folder: Path) -> Iterator[None]:
+    """Keeps other test processes out of a build folder."""
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with open(f"{folder}.lock", "w") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        yield
+
+
+@cache
+def driver(language: str, spec: str) -> Driver:
+    """The driver of a language for a specification's output; C runs under the sanitizers."""
+    environment = {"PYTHON": os.environ.get("PYTHON", "") or need("python3")}
+    if language == "c":
+        environment |= {"MIP_SANITIZE": "1", "ASAN_OPTIONS": "detect_leaks=0", "UBSAN_OPTIONS": "halt_on_error=1"}
+    script = ROOT / "tests" / language / "build_driver.sh"
+    build = BUILD / f"conformance-{spec}-{language}"
+    with locked(build):
+        done = subprocess.run(
+            [str(script), str(SPECS[spec][1] / language), str(build)],
+            capture_output=True, text=True, env={**os.environ, **environment},
+        )  # fmt: skip
+    assert done.returncode == 0, f"{script}: {done.stdout}{done.stderr}"
+    return Driver(language, done.stdout.splitlines()[-1].split(), environment)
+
+
+# --------------------------------------------------------------------------- the reference's answers
+
+
+def expected(of: m.Model, request: dict[str, Any]) -> dict[str, Any]:
+    """What a driver must answer, by the generator's own interpreter of the model."""
+    if request["op"] == "parse":
+        return expected_parse(bytes.fromhex(request["stream"]))
+    if request["op"] == "decode":
+        return expected_decode(of, bytes.fromhex(request["packet"]))
+    return expected_encode(of, request)
+
+
+def expected_parse(stream: bytes) -> dict[str, Any]:
+    """Every place is tried in order; a packet is taken whole."""
+    packets, at = [], 0
+    while at < len(stream):
+        size = stream[at + 3] + 6 if at + 3 < len(stream) else len(stream) + 1
+        whole = stream[at : at + size]
+        good = len(whole) == size and whole[:2] == b"ue" and whole[2] != 0
+        if good and codec.checksum(whole[:-2]) == whole[-2:]:
+            packets.append(whole.hex())
+            at += size
+        else:
+            at += 1
+    return {"packets": packets, "skipped": len(stream) - sum(len(p) // 2 for p in packets)}
+
+
+def expected_decode(of: m.Model, packet: bytes) -> dict[str, Any]:
+    try:
+        codec.split(of, packet)
+    except codec.CodecError as error:
+        if error.kind != "field_length":
+            return {"error": error.kind}
+    fields: list[dict[str, Any]] = []
+    payload = packet[4:-2]
+    while payload:
+        length = payload[0]
+        if length < 2 or length > len(payload):
+            fields.append({"error": "field_length"})
+            break
+        fields.append(expected_field(of, packet[2], payload[1], payload[2:length]))
+        payload = payload[length:]
+    return {"set": packet[2], "fields": fields}
+
+
+def expected_field(of: m.Model, number: int, descriptor: int, data: bytes) -> dict[str, Any]:
+    field = codec.choose(of.candidates(number, descriptor), data)
+    if field is None:
+        return {"descriptor": descriptor, "raw": data.hex()}
+    try:
+        values, trailing = codec.decode(field, data)
+    except codec.CodecError as error:
+        return {"descriptor": descriptor, "error": error.kind, "raw": data.hex()}
+    return {
+        "descriptor": descriptor, "name": field.full_name, "role": field.role, "values": values, "trailing": trailing,
+    }  # fmt: skip
+
+
+def expected_encode(of: m.Model, request: dict[str, Any]) -> dict[str, Any]:
+    try:
+        parts = []
+        for f in request["fields"]:
+            if "raw" in f:
+                parts.append((f["descriptor"], bytes.fromhex(f["raw"])))
+                continue
+            field = next((c for c in of.candidates(request["set"], f["descriptor"]) if c.full_name == f["name"]), None)
+            if field is None:
+                raise codec.CodecError("unknown", f["name"])
+            parts.append((field.descriptor, codec.encode(field, f["values"])))
+        return {"packet": codec.build(of, request["set"], parts).hex()}
+    except codec.CodecError as error:
+        return {"error": error.kind}
+
+
+def differences(requests: list[Any], wanted: list[Any], answers: list[Any]) -> str:
+    """The first few answers that are not what they should be, to read; empty if there is none."""
+    wrong = [(r, w, a) for r, w, a in zip(requests, wanted, answers, strict=True) if w != a]
+    shown = "".join(f"\nrequest  {json.dumps(r)}\nexpected {json.dumps(w)}\nanswered {json.dumps(a)}" for r, w, a in wrong[:3])
+    return f"{len(wrong)} of {len(requests)} answers are wrong{shown}" if wrong else ""
+
+
+def set_of(field: m.Field, of: m.Model) -> int:
+    """A descriptor set in whose packets the field can stand."""
+    if field.set == 0:
+        return next(s.number for s in of.sets if s.kind == "command")
+    if field.set == 0xFF:
+        return next(s.number for s in of.sets if s.kind == "data")
+    return field.set
+
+
+def all_fields(of: m.Model) -> list[m.Field]:
+    return [*of.fields, of.protocol.acknowledge]
+
+
+def decode_request(packet: bytes) -> dict[str, Any]:
+    return {"op": "decode", "packet": packet.hex()}
+
+
+def encode_request(number: int, field: m.Field, values: dict[str, Any]) -> dict[str, Any]:
+    entry = {"descriptor": field.descriptor, "name": field.full_name, "values": values}
+    return {"op": "encode", "set": number, "fields": [entry]}
