@@ -103,13 +103,13 @@ def test_every_changed_byte_is_refused(language: str, spec: str) -> None:
 @each
 def test_random_values_of_every_field_round_trip(language: str, spec: str) -> None:
     of = model(spec)
-    drawn = random_values(spec)
-    assert {f.full_name for f, _ in drawn} == {f.full_name for f in all_fields(of)}
-    requests = [encode_request(set_of(f, of), f, values) for f, values in drawn]
+    cases = random_values(spec)
+    assert {f.full_name for f, _ in cases} == {f.full_name for f in all_fields(of)}
+    requests = [encode_request(set_of(f, of), f, values) for f, values in cases]
     packets = [a["packet"] for a in compare(language, spec, requests)]
     decoded = compare(language, spec, [{"op": "decode", "packet": p} for p in packets])
     again = []
-    for (f, _), answer in zip(drawn, decoded, strict=True):
+    for (f, _), answer in zip(cases, decoded, strict=True):
         (got,) = answer["fields"]
         assert got["trailing"] == 0, f.full_name
         again.append(encode_request(set_of(f, of), f, got["values"]))
@@ -119,15 +119,18 @@ def test_random_values_of_every_field_round_trip(language: str, spec: str) -> No
 @cache
 def random_values(spec: str) -> list[tuple[m.Field, dict[str, Any]]]:
     """Values for every field, drawn first and sent in one batch: a process for each would take minutes."""
-    found: list[tuple[m.Field, dict[str, Any]]] = []
-    for f in all_fields(model(spec)):
+    return [(f, values) for f in all_fields(model(spec)) for values in drawn(f)]
 
-        @relaxed(8)
-        @given(field_values(f))
-        def draw(values: dict[str, Any], f: m.Field = f) -> None:
-            found.append((f, values))
 
-        draw()
+def drawn(f: m.Field) -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = []
+
+    @relaxed(8)
+    @given(field_values(f))
+    def draw(values: dict[str, Any]) -> None:
+        found.append(values)
+
+    draw()
     return found
 
 

@@ -128,7 +128,7 @@ impl<const N: usize> Storage for [u8; N] {
 
     fn get(self, first: u16, last: u16) -> u64 {
         (first..=last).rev().fold(0, |value, bit| {
-            let byte = self.get(usize::from(bit / 8)).copied().unwrap_or_default();
+            let byte = self.as_slice().get(usize::from(bit / 8)).copied().unwrap_or_default();
             (value << 1) | u64::from((byte >> (bit % 8)) & 1)
         })
     }

@@ -286,8 +286,7 @@ impl<'p, const N: usize> Iterator for Events<'_, 'p, N> {
         loop {
             let field = self.fields.next()?.ok()?;
             let Some(Ok(ack)) = field.get::<Acknowledge>() else { continue };
-            let answered =
-                |p: &Pending| p.set == field.set && p.descriptor == ack.command;
+            let answered = |p: &Pending| p.set == field.set && p.descriptor == ack.command;
             let Some(index) = self.client.pending.iter().position(answered) else { continue };
             let Pending { id, set, descriptor, .. } = self.client.remove(index)?;
             let behind = self.fields.clone().next().and_then(Result::ok);

@@ -179,9 +179,8 @@ impl PacketBuilder {
     #[must_use]
     pub fn new(set: u8) -> Self {
         let mut bytes = [0; MAX_PACKET];
-        if let [sync_1, sync_2, number, ..] = &mut bytes {
-            (*sync_1, *sync_2, *number) = (SYNC[0], SYNC[1], set);
-        }
+        let [sync_1, sync_2, number, ..] = &mut bytes;
+        (*sync_1, *sync_2, *number) = (SYNC[0], SYNC[1], set);
         let mut builder = Self { bytes, payload: 0 };
         builder.seal();
         builder
@@ -261,9 +260,8 @@ impl PacketBuilder {
 
     /// Sets payload length and checksum.
     fn seal(&mut self) {
-        if let [_, _, _, length, ..] = &mut self.bytes {
-            *length = self.payload;
-        }
+        let [_, _, _, length, ..] = &mut self.bytes;
+        *length = self.payload;
         let end = HEADER.saturating_add(self.payload.into());
         let sums = checksum(self.bytes.get(..end).unwrap_or_default());
         for (byte, sum) in self.bytes.iter_mut().skip(end).zip(sums) {

@@ -46,10 +46,11 @@ impl<R: Read> PacketReader<R> {
     /// What the source reports; after a time-out, for instance, it can be called again.
     pub fn next_packet(&mut self) -> io::Result<Option<Packet<'_>>> {
         loop {
-            let chunk = self.chunk.get(self.start..self.end).unwrap_or_default();
-            let mut rest = chunk;
+            let mut rest = self.chunk.get(self.start..self.end).unwrap_or_default();
             if let Some(found) = self.parser.step(&mut rest) {
-                self.start = self.end.saturating_sub(rest.len());
+                let left = rest.len();
+                let chunk = self.chunk.get(self.start..self.end).unwrap_or_default();
+                self.start = self.end.saturating_sub(left);
                 return Ok(self.parser.packet(found, chunk));
             }
             (self.start, self.end) = (0, 0);
