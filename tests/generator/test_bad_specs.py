@@ -26,14 +26,14 @@ REPORTERS = {"add", "problem", "complain", "wrong", "named", "_fits", "_Wrong"}
 #: Sites that no specification can reach; each has its own test.
 UNREACHABLE = {
     "loader: yield ([], f'{inside}: {error.message}')": "test_a_rule_without_words",
-    "nodes: problems.add(Position(name, 1, 1), f'cannot be read: {error.strerror}')": "test_unreadable",
+    "nodes: problems.add(Position(name, 1, 1), f'cannot be read: {error.strerror}')": "test_a_folder_in_place_of_a_file",
     "evidence: raise _Wrong(place, f\"'{field.full_name}' does not encode to its own bytes, but to {again.hex(' ')}\")":
         "test_an_example_that_does_not_encode_to_its_own_bytes",
 }  # fmt: skip
 
 
 def test_the_base_is_good() -> None:
-    assert len(load_model(BASE).fields) == 4
+    assert len(load_model(BASE).fields) == 5
 
 
 @pytest.mark.parametrize("bad", bad_specs(), ids=lambda bad: bad.name)
@@ -44,7 +44,7 @@ def test_message(bad: BadSpec) -> None:
 
 @pytest.mark.parametrize("bad", bad_specs(), ids=lambda bad: bad.name)
 def test_small(bad: BadSpec) -> None:
-    assert len(bad.data.splitlines()) <= 45
+    assert len(bad.data.splitlines()) <= 50
     assert bad.data.isascii() or bad.name == "yaml_not_utf8"
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import os
 import random
 from pathlib import Path
 from typing import Any
@@ -11,18 +12,42 @@ import pytest
 import yaml
 from corpus import BASE
 
-from mipgen import nodes
+from mipgen import loader, nodes
 from mipgen.loader import LAYOUT
 from mipgen.problems import Problems, SpecError
 from mipgen.resolve import load_model
 
 INVENTED = Path(__file__).parents[1] / "invented/spec"
-SEED = int(__import__("os").environ.get("SEED", "20260101"))
-MUTATIONS = int(__import__("os").environ.get("N", "400"))
+#: For a longer search: MUTATIONS=5000 SEED=7 pytest tests/generator/test_mutations.py
+SEED = int(os.environ.get("SEED", "20260101"))
+MUTATIONS = int(os.environ.get("MUTATIONS", "400"))
 
 ODD_VALUES = [None, True, 0, -1, 3, 255, 256, 2.5, 1e400, 1 << 70, "", "x", "rest", "u8", "0x80", "²", [], {}, [1], {"x": 1}]
 
 Tree = Any
+
+
+@pytest.fixture(autouse=True)
+def only_what_changed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Files that are as they were are neither parsed nor judged again."""
+    good: dict[tuple[str, bytes], nodes.Node] = {}
+    judge = loader._Schemas.judge
+
+    def quick_read(path: Path, name: str, problems: Problems) -> nodes.Node | None:
+        key = (name, path.read_bytes())
+        return good[key] if key in good else nodes.read(path, name, problems)
+
+    def quick_judge(self: Any, kind: str, root: nodes.Node, problems: Problems) -> bool:
+        if any(root is known for known in good.values()):
+            return True
+        fine = judge(self, kind, root, problems)
+        if fine and not problems:
+            path = Path(root.position.file)
+            good[root.position.file, (Path.cwd() / path).read_bytes()] = root
+        return fine
+
+    monkeypatch.setattr(loader, "read", quick_read)
+    monkeypatch.setattr(loader._Schemas, "judge", quick_judge)
 
 
 def files(spec: Path) -> dict[str, Tree]:
@@ -40,6 +65,8 @@ def places(tree: Tree) -> list[tuple[Tree, Any]]:
 
 def mutate(tree: Tree, chance: random.Random, others: list[Tree]) -> str:
     """Changes one place of a tree, and says how."""
+    if not places(tree):
+        return "nothing"
     container, key = chance.choice(places(tree))
     kind = chance.choice(["delete", "retype", "retype", "duplicate", "move", "rename", "graft"])
     if kind == "delete":
@@ -51,7 +78,7 @@ def mutate(tree: Tree, chance: random.Random, others: list[Tree]) -> str:
     elif kind == "rename" and isinstance(container, dict):
         container[chance.choice(["name", "type", "values", str(key) + "_x"])] = container.pop(key)
     else:
-        source, other = chance.choice(places(tree if kind == "move" else chance.choice(others)))
+        source, other = chance.choice(places(tree if kind == "move" else chance.choice(others)) or [([None], 0)])
         container[key] = copy.deepcopy(source[other])
     return f"{kind} {key!r}"
 

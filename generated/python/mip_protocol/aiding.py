@@ -72,6 +72,7 @@ class MeasurementTime(Structure):
         return out
 
 
+@codec.open_flag
 class AxisFlags(IntFlag):
     """Which axes of a measurement are valid; the others are ignored."""
 
@@ -83,6 +84,7 @@ class AxisFlags(IntFlag):
     """Third axis."""
 
 
+@codec.open_flag
 class LlhAxisFlags(IntFlag):
     """Which coordinates of a position are valid; the others are ignored."""
 

@@ -14,6 +14,7 @@ from .field import Command, Field, Response
 from .protocol import FunctionSelector
 
 
+@codec.open_flag
 class EstimatedStates(IntFlag):
     """States that the filter estimates."""
 
@@ -52,6 +53,7 @@ class HeadingUpdateSource(codec.OpenEnum):
     """The heading messages that the user sends."""
 
 
+@codec.open_flag
 class TareAxes(IntFlag):
     """Axes to tare; 0 resets all axes."""
 
@@ -63,6 +65,7 @@ class TareAxes(IntFlag):
     """Tare yaw."""
 
 
+@codec.open_flag
 class MeasurementFlags(IntFlag):
     """Measurements that the filter uses."""
 
@@ -141,6 +144,7 @@ class InitialConditionSource(codec.OpenEnum):
     """Position, velocity and attitude are given."""
 
 
+@codec.open_flag
 class HeadingAlignment(IntFlag):
     """Ways in which the device may find its initial heading."""
 

@@ -13,6 +13,7 @@ from .errors import EncodeError
 from .field import Data, Field
 
 
+@codec.open_flag
 class ValidFlags(IntFlag):
     """Whether the values of a field may be used."""
 
@@ -64,6 +65,7 @@ class Cv7DynamicsMode(codec.OpenEnum):
     """The only mode."""
 
 
+@codec.open_flag
 class Gx5StatusFlags(IntFlag):
     """Problems of the filter of a 5-series device. The `init` bits count in filter state `init`,
     the others while the filter runs.
@@ -116,6 +118,7 @@ class FilterCondition(codec.OpenEnum):
     """Estimates are unstable or recovering."""
 
 
+@codec.open_flag
 class Cv7StatusFlags(IntFlag):
     """Condition and warnings of the filter of a 3DM-CV7."""
 
@@ -151,7 +154,7 @@ class Cv7StatusFlags(IntFlag):
         """The same with bits 0 to 1 set to a number."""
         if not 0 <= value <= 0x3:
             raise EncodeError("range", f"filter_condition: {value} does not fit into 2 bits")
-        return Cv7StatusFlags(self & ~Cv7StatusFlags.FILTER_CONDITION | value << 0)
+        return Cv7StatusFlags(int(self) & ~0x3 | value << 0)
 
     @property
     def solution_error(self) -> int:
@@ -162,9 +165,10 @@ class Cv7StatusFlags(IntFlag):
         """The same with bits 12 to 15 set to a number."""
         if not 0 <= value <= 0xF:
             raise EncodeError("range", f"solution_error: {value} does not fit into 4 bits")
-        return Cv7StatusFlags(self & ~Cv7StatusFlags.SOLUTION_ERROR | value << 12)
+        return Cv7StatusFlags(int(self) & ~0xF000 | value << 12)
 
 
+@codec.open_flag
 class HeadingSourceFlags(IntFlag):
     """Sources of heading updates; 0 if heading updates are disabled."""
 
@@ -172,6 +176,7 @@ class HeadingSourceFlags(IntFlag):
     """Heading messages that the user sends."""
 
 
+@codec.open_flag
 class GnssAidingStatus(IntFlag):
     """How the filter uses one GNSS receiver."""
 
@@ -246,6 +251,7 @@ class AidingMeasurementType(codec.OpenEnum):
     """Pressure by command."""
 
 
+@codec.open_flag
 class AidingMeasurementIndicator(IntFlag):
     """What the filter did with an aiding measurement."""
 
@@ -274,6 +280,7 @@ class DualAntennaFixType(codec.OpenEnum):
     """Solution with fixed ambiguities."""
 
 
+@codec.open_flag
 class DualAntennaStatusFlags(IntFlag):
     """What the heading solution of two antennas has to work with."""
 

@@ -44,6 +44,7 @@ class ReceiverInfoEntry(Structure):
         return out
 
 
+@codec.open_flag
 class GpsSignals(IntFlag):
     """GPS signals that are enabled."""
 
@@ -55,6 +56,7 @@ class GpsSignals(IntFlag):
     """L5."""
 
 
+@codec.open_flag
 class GlonassSignals(IntFlag):
     """GLONASS signals that are enabled."""
 
@@ -64,6 +66,7 @@ class GlonassSignals(IntFlag):
     """L2OF."""
 
 
+@codec.open_flag
 class GalileoSignals(IntFlag):
     """Galileo signals that are enabled."""
 
@@ -75,6 +78,7 @@ class GalileoSignals(IntFlag):
     """E5a."""
 
 
+@codec.open_flag
 class BeidouSignals(IntFlag):
     """BeiDou signals that are enabled."""
 

@@ -12,6 +12,7 @@ from . import codec, types
 from .field import Data, Field
 
 
+@codec.open_flag
 class GnssLlhPositionFlags(IntFlag):
     """Which parts of the position are valid."""
 
@@ -29,6 +30,7 @@ class GnssLlhPositionFlags(IntFlag):
     """All of them."""
 
 
+@codec.open_flag
 class GnssEcefPositionFlags(IntFlag):
     """Which parts of the position are valid."""
 
@@ -40,6 +42,7 @@ class GnssEcefPositionFlags(IntFlag):
     """All of them."""
 
 
+@codec.open_flag
 class NedVelocityFlags(IntFlag):
     """Which parts of the velocity are valid."""
 
@@ -59,6 +62,7 @@ class NedVelocityFlags(IntFlag):
     """All of them."""
 
 
+@codec.open_flag
 class GnssEcefVelocityFlags(IntFlag):
     """Which parts of the velocity are valid."""
 
@@ -70,6 +74,7 @@ class GnssEcefVelocityFlags(IntFlag):
     """All of them."""
 
 
+@codec.open_flag
 class DopFlags(IntFlag):
     """Which dilutions of precision are valid."""
 
@@ -91,6 +96,7 @@ class DopFlags(IntFlag):
     """All of them."""
 
 
+@codec.open_flag
 class UtcTimeFlags(IntFlag):
     """How far the UTC time is valid."""
 
@@ -102,6 +108,7 @@ class UtcTimeFlags(IntFlag):
     """All of them."""
 
 
+@codec.open_flag
 class GpsTimeFlags(IntFlag):
     """Which parts of the time are valid."""
 
@@ -113,6 +120,7 @@ class GpsTimeFlags(IntFlag):
     """All of them."""
 
 
+@codec.open_flag
 class FixFlags(IntFlag):
     """What the fix makes use of."""
 
@@ -122,6 +130,7 @@ class FixFlags(IntFlag):
     """Differential corrections."""
 
 
+@codec.open_flag
 class FixInfoFlags(IntFlag):
     """Which parts of the fix information are valid."""
 
@@ -172,6 +181,7 @@ class AntennaPower(codec.OpenEnum):
     """Not known."""
 
 
+@codec.open_flag
 class GnssHardwareStatusFlags(IntFlag):
     """Which parts of the hardware status are valid."""
 
@@ -185,6 +195,7 @@ class GnssHardwareStatusFlags(IntFlag):
     """All of them."""
 
 
+@codec.open_flag
 class ClockInfo2Flags(IntFlag):
     """Which clock parameters are valid."""
 
@@ -200,6 +211,7 @@ class ClockInfo2Flags(IntFlag):
     """All of them."""
 
 
+@codec.open_flag
 class GpsLeapSecondsFlags(IntFlag):
     """Whether the leap seconds are valid. Bit 0 is not used."""
 
@@ -222,6 +234,7 @@ class SbasSystem(codec.OpenEnum):
     """India."""
 
 
+@codec.open_flag
 class SbasStatus(IntFlag):
     """What the SBAS service offers."""
 
@@ -235,6 +248,7 @@ class SbasStatus(IntFlag):
     """The service is in test mode."""
 
 
+@codec.open_flag
 class SbasInfoFlags(IntFlag):
     """Which parts of the SBAS status are valid."""
 
@@ -254,6 +268,7 @@ class SbasInfoFlags(IntFlag):
     """All of them."""
 
 
+@codec.open_flag
 class SatelliteStatusFlags(IntFlag):
     """Which parts of the satellite status are valid."""
 
@@ -292,6 +307,7 @@ class SignalQuality(codec.OpenEnum):
     """Fully locked."""
 
 
+@codec.open_flag
 class RawFlags(IntFlag):
     """Which parts of the observation are valid."""
 
@@ -331,6 +347,7 @@ class RawFlags(IntFlag):
     """All of them."""
 
 
+@codec.open_flag
 class EphemerisFlags(IntFlag):
     """What an ephemeris of GPS, Galileo or BeiDou holds."""
 
@@ -353,6 +370,7 @@ class GlonassSatelliteType(codec.OpenEnum):
     """GLONASS-M."""
 
 
+@codec.open_flag
 class GlonassEphemerisFlags(IntFlag):
     """Whether the ephemeris is valid."""
 

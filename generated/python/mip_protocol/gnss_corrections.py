@@ -12,6 +12,7 @@ from . import codec, types
 from .field import Data, Field
 
 
+@codec.open_flag
 class BaseStationIndicators(IntFlag):
     """Properties of a base station, as its RTCM message gives them."""
 
@@ -35,6 +36,7 @@ class BaseStationIndicators(IntFlag):
     """Quarter cycle indicator."""
 
 
+@codec.open_flag
 class BaseStationInfoFlags(IntFlag):
     """Which values are valid."""
 
@@ -54,6 +56,7 @@ class BaseStationInfoFlags(IntFlag):
     """All of them."""
 
 
+@codec.open_flag
 class RtkEpochStatus(IntFlag):
     """Corrections that came during an epoch."""
 
@@ -77,6 +80,7 @@ class RtkEpochStatus(IntFlag):
     """The status of the dongle could not be read."""
 
 
+@codec.open_flag
 class RtkCorrectionsStatusFlags(IntFlag):
     """Which values are valid."""
 

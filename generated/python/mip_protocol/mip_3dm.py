@@ -62,6 +62,7 @@ class LegacyDataStream(codec.OpenEnum):
     """Estimation filter data (0x82)."""
 
 
+@codec.open_flag
 class SbasOptions(IntFlag):
     """How SBAS is used."""
 

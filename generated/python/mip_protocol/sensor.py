@@ -12,6 +12,7 @@ from . import codec, types
 from .field import Data, Field
 
 
+@codec.open_flag
 class OverrangeFlags(IntFlag):
     """Sensor axes that were near or outside their range."""
 
@@ -37,6 +38,7 @@ class OverrangeFlags(IntFlag):
     """Pressure sensor."""
 
 
+@codec.open_flag
 class OdometerFlags(IntFlag):
     """Whether the odometer values are valid."""
 

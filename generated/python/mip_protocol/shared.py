@@ -13,6 +13,7 @@ from . import codec
 from .field import Data, Field
 
 
+@codec.open_flag
 class GpsTimestampFlags(IntFlag):
     """Which parts of the GPS time are valid."""
 
@@ -24,6 +25,7 @@ class GpsTimestampFlags(IntFlag):
     """Both are set."""
 
 
+@codec.open_flag
 class ExternalTimestampFlags(IntFlag):
     """Whether the external time is valid."""
 
@@ -31,6 +33,7 @@ class ExternalTimestampFlags(IntFlag):
     """The time is valid."""
 
 
+@codec.open_flag
 class ExternalTimeDeltaFlags(IntFlag):
     """Whether the difference of external time is valid."""
 

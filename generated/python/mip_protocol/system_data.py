@@ -12,6 +12,7 @@ from . import codec, types
 from .field import Data, Field
 
 
+@codec.open_flag
 class GpioPinStates(IntFlag):
     """Level of each GPIO pin, set for high. Bits of pins that do not exist read 0."""
 

@@ -10,6 +10,7 @@ from . import codec
 from .field import Structure
 
 
+@codec.open_flag
 class Gx5BuiltInTest(IntFlag):
     """Result of the built-in test of the 3DM-GX5-15: processor board, sensor board, filter."""
 
@@ -25,6 +26,7 @@ class Gx5BuiltInTest(IntFlag):
     """Fault of the estimation filter solution."""
 
 
+@codec.open_flag
 class Cv7BuiltInTest(IntFlag):
     """Result of the commanded built-in test of the 3DM-CV7-GNSS/INS."""
 
@@ -54,6 +56,7 @@ class Cv7BuiltInTest(IntFlag):
     """A fault of the filter subsystem that no other bit names."""
 
 
+@codec.open_flag
 class Cv7ContinuousBuiltInTest(IntFlag):
     """Flags of the continuous built-in test of the 3DM-CV7-GNSS/INS: bits 0-31 system, 32-63
     inertial sensors, 64-95 navigation, 96-127 GNSS.
@@ -182,6 +185,7 @@ class EventTriggerMode(codec.OpenEnum):
     """The trigger is active for one event cycle and then goes back to its earlier mode."""
 
 
+@codec.open_flag
 class EventTriggerStatus(IntFlag):
     """State of an event trigger."""
 
@@ -715,6 +719,7 @@ class GpioUartBehavior(codec.OpenEnum):
     """UART 3 receives."""
 
 
+@codec.open_flag
 class GpioPinMode(IntFlag):
     """Electrical options of a GPIO pin; which are allowed depends on device, pin, feature and
     behavior.
@@ -863,6 +868,7 @@ class DescriptorRate(Structure):
         return out
 
 
+@codec.open_flag
 class SensorGpsTimestampFlags(IntFlag):
     """State of the GPS time of sensor data."""
 
@@ -878,6 +884,7 @@ class SensorGpsTimestampFlags(IntFlag):
     """The week number is valid."""
 
 
+@codec.open_flag
 class Gx5SensorGpsTimestampFlags(IntFlag):
     """State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits that vouch for
     the values.

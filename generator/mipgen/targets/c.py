@@ -32,7 +32,8 @@ def files(model: m.Model) -> Iterator[File]:
         yield File(f"src/{name}.c", f"{name}.c.j2")
     for s in model.sets:
         yield File(f"include/mip/{module(s.name)}.h", "set.h.j2", {"set": s})
-        yield File(f"src/{module(s.name)}.c", "set.c.j2", {"set": s})
+        if has_code(s):
+            yield File(f"src/{module(s.name)}.c", "set.c.j2", {"set": s})
     yield File("src/registry.c", "registry.c.j2")
     yield File("src/reflection.c", "reflection.c.j2")
     yield File("include/mip/devices.h", "devices.h.j2")
@@ -43,7 +44,12 @@ def files(model: m.Model) -> Iterator[File]:
 
 def _sources(model: m.Model) -> list[str]:
     fixed = ["client", "core", "devices", "error", "lookup", "parser", "protocol", "reflect", "reflection", "registry"]
-    return sorted([*fixed, "types", *(module(s.name) for s in model.sets)])
+    return sorted([*fixed, "types", *(module(s.name) for s in model.sets if has_code(s))])
+
+
+def has_code(s: m.Set) -> bool:
+    """Sets that only repeat others' fields need no source."""
+    return bool(s.own_fields) or any(isinstance(t, m.Struct) for t in s.types)
 
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
@@ -134,7 +140,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "in_order": lambda s: list(_in_order(s)),
         "repeated": lambda s: list(repeated(s, model)),
         "comment": comment,
-        "paragraphs": lambda f: list(paragraphs(f, model)),
+        "paragraphs": paragraphs,
         "type_paragraphs": lambda t: [t.description, *cites(t)],
         "meaning": meaning,
         "bits_meaning": bits_meaning,
@@ -143,12 +149,18 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "function": function,
         "string": string,
         "fill": fill,
+        "assign": assign,
+        "declared": declared,
+        "table": table,
+        "define": define,
         "entries": entries,
         "links": lambda model_: links(model_),
         "all_types": lambda model_: [*model_.types, *(t for s in model_.sets for t in s.types)],
         "names": names_of,
         "spec_name": lambda t: f"{t.owner}.{t.name}" if t.owner else t.name,
         "reflected": reflected,
+        "reflection": reflection,
+        "readings": readings,
         "device_fields": lambda d: device_fields(d, model),
         "set_number": lambda name: next(s.number for s in model.sets if s.name == name),
         "decimal": lambda x: repr(float(x)) if isinstance(x, float) else str(x),
@@ -342,7 +354,8 @@ def assignment(p: m.Parameter) -> list[str]:
         count = _member(op.counter) if op.counter else f"{name}_count"
         size = f"sizeof(v.{name}) - 1" if isinstance(op, m.TextOp) else f"sizeof(v.{name})"
         number = [f"v.{count} = {count};"] if not op.counter else []
-        return [*number, f"mip_copy(v.{name}, {size}, {name}, {count} * sizeof({name}[0]));"]
+        call = [f"v.{name}", size, name, f"{count} * sizeof({name}[0])"]
+        return [*number, function("    mip_copy(", call, ");").lstrip()]
     return [f"v.{name} = {'*' if spelled(p.element).startswith('struct ') else ''}{name};"]
 
 
@@ -411,29 +424,21 @@ def _list(words: Sequence[str], last: str = "and") -> str:
     return " ".join([", ".join(words[:-1]), last, words[-1]]) if len(words) > 1 else "".join(words)
 
 
-def paragraphs(f: m.Field, model: m.Model) -> Iterator[str]:
+def paragraphs(f: m.Field) -> list[str]:
     """The description of a field."""
     place = f"(0x{f.set:02X},0x{f.descriptor:02X})" if f.set else f"0x{f.descriptor:02X}"
-    yield f"{f.title}: {f.role} {place}."
-    yield f.description
-    yield from f.notes
-    if f.deprecated:
-        yield f"Deprecated: {f.deprecated}."
-    if f.advanced:
-        yield "For advanced use."
-    if f.functions:
-        yield f"Functions: {_list([x.name for x in f.functions])}."
-    if f.responses:
-        yield f"Answered by {_list([f'mip_{f.set_name}_{r}' for r in f.responses], 'or')}."
-    if f.when:
-        yield f"Sent if {_conditions(f.when)}."
-    if f.silent_when:
-        yield f"Not acknowledged if {_conditions(f.silent_when)}."
-    if f.timeout:
-        yield f"The device may take {f.timeout:g} s to answer."
-    if f.max_rate:
-        yield f"Sent at {f.max_rate:g} Hz at most."
-    yield from cites(f)
+    facts = [
+        f"Deprecated: {f.deprecated}." if f.deprecated else "",
+        "For advanced use." if f.advanced else "",
+        f"Functions: {_list([x.name for x in f.functions])}." if f.functions else "",
+        f"Answered by {_list([f'mip_{f.set_name}_{r}' for r in f.responses], 'or')}." if f.responses else "",
+        f"Sent if {_conditions(f.when)}." if f.when else "",
+        f"Not acknowledged if {_conditions(f.silent_when)}." if f.silent_when else "",
+        f"The device may take {f.timeout:g} s to answer." if f.timeout else "",
+        f"Sent at {f.max_rate:g} Hz at most." if f.max_rate else "",
+    ]
+    text = [f.description, *f.notes, " ".join(x for x in facts if x)]
+    return [f"{f.title}: {f.role} {place}.", *text, *cites(f)]
 
 
 def _conditions(conditions: Sequence[m.Condition]) -> str:
@@ -453,7 +458,8 @@ def bits_meaning(b: m.Bits) -> str:
 def case_meaning(member: m.Parameter, p: m.Parameter, record: Record) -> str:
     """The description of an alternative of the union `p`."""
     tags = _list([c.tag.name for c in p.cases if c.parameter == member], "or")
-    return f"If {_member(p.tag or '')} is {tags}. {meaning(member, None)}".strip()
+    text = meaning(member, None)
+    return f"If {_member(p.tag or '')} is {tags}: {text}" if text else f"If {_member(p.tag or '')} is {tags}."
 
 
 def meaning(p: m.Parameter, record: Record | None) -> str:
@@ -481,7 +487,8 @@ def meaning(p: m.Parameter, record: Record | None) -> str:
         parts.append(f"Send {p.reserved}.")
     if isinstance(record, m.Field) and record.functions and not p.selector:
         wanted = [x.name for x in record.functions if x.letter in (p.functions or "")]
-        parts.append(f"For {_list(wanted)}." if wanted else "Optional.")
+        if len(wanted) < len(record.functions):
+            parts.append(f"For {_list(wanted)}." if wanted else "Optional.")
     elif p.optional:
         parts.append("May be absent.")
     if p.deprecated:
@@ -510,11 +517,45 @@ def _readings(reading: m.Reading) -> list[str]:
 
 
 def function(head: str, arguments: Sequence[str], tail: str) -> str:
-    """A function's head; arguments that do not fit go below the first one."""
-    flat = ", ".join(arguments) or "void"
-    if len(head) + len(flat) + len(tail) <= WIDTH:
-        return f"{head}{flat}{tail}"
-    return head + fill(arguments, len(head), len(tail)) + tail
+    """A function's head, or a call: on one line, or broken where it hurts least."""
+    arguments = arguments or ["void"]
+    pad = len(head) - len(head.lstrip()) + 4
+    kind, space, name = head.rpartition(" ")
+    tries = [
+        f"{head}{', '.join(arguments)}{tail}",
+        f"{head}{fill(arguments, len(head), len(tail))}{tail}",
+        f"{head}\n{' ' * pad}{fill(arguments, pad, len(tail))}{tail}",
+    ]
+    if kind.strip() and arguments == ["void"] or not _fits(tries[-1]):
+        tries[1:] = [
+            f"{kind}\n{name}{fill(arguments, len(name), len(tail))}{tail}",
+            f"{kind}\n{name}\n{' ' * pad}{fill(arguments, pad, len(tail))}{tail}",
+        ]
+    return next((t for t in tries if _fits(t)), tries[-1])
+
+
+def _fits(text: str) -> bool:
+    return all(len(line) <= WIDTH for line in text.splitlines())
+
+
+def assign(left: str, right: str) -> str:
+    """An assignment inside a function, on two lines if it must."""
+    flat = f"{left} = {right};"
+    return flat if len(flat) + 4 <= WIDTH else f"{left} =\n        {right};"
+
+
+def declared(left: str, right: str) -> str:
+    return f"{left} {right}" if len(f"{left} {right}") <= WIDTH else f"{left}\n    {right}"
+
+
+def table(name: str, values: str) -> str:
+    flat = f"{name}[] = {{{values}}};"
+    return flat if len(flat) <= WIDTH else f"{name}[] = {{\n    {values}}};"
+
+
+def define(name: str, text: str) -> str:
+    flat = f"#define {name} {text}"
+    return flat if len(flat) <= WIDTH else f"#define {name} \\\n    {text}"
 
 
 def fill(items: Sequence[str], indent: int, more: int = 0) -> str:
@@ -572,10 +613,6 @@ def names_of(t: m.Type) -> str:
     return type_name(t).replace("mip_", "names_", 1)
 
 
-def _places(record: Record) -> dict[str, int]:
-    return {p.name: i for i, p in enumerate(record.parameters)}
-
-
 def _groups(record: Record) -> dict[str, int]:
     """The number of parameters that are there when this one is; fields have them alone."""
     if not isinstance(record, m.Field):
@@ -594,39 +631,66 @@ _KINDS = {
 }
 
 
-def reflected(p: m.Parameter, record: Record, union: str = "") -> dict[str, Any]:
-    """What reflection tells of a parameter; `union`: of an alternative, the union that holds it."""
-    op, places = p.operation, _places(record)
-    item: m.Operation = op
-    elements = 1
+def reflected(p: m.Parameter, record: Record, union: m.Parameter | None = None) -> list[str]:
+    """The members of struct mip_parameter; `union`: of an alternative, the union that holds it."""
+    item, elements = p.operation, 1
     while isinstance(item, m.ArrayOp):
         if isinstance(p.element, m.Vector) and isinstance(item.item, m.ScalarOp):
             elements = item.count or 1
         item = item.item
-    single = p.length is None
-    e = p.element
-    name = _member(p.name)
-    home = f"union {union}" if union else f"struct {record_name(record)}"
-    present = p in stored(record) or union
-    size = f"sizeof((({home} *)0)->{name}" if present else ""
-    capacity = op.capacity if isinstance(op, (m.ArrayOp, m.TextOp)) else 1
-    return {
-        "name": p.name,
-        "unit": ", ".join(p.units),
-        "kind": _KINDS[type(item)],
-        "scalar": upper(item.scalar.name) if isinstance(item, (m.ScalarOp, m.ConstantOp, m.CounterOp)) else "U8",
-        "length": "ONE" if single else "FIXED" if isinstance(p.length, int) else "REST" if p.length == "rest" else "COUNTED",
-        "elements": elements,
-        "by": places[p.tag or p.counts or str(p.length)] if p.tag or p.counts or p.length in places else 0,
-        "group": _groups(record).get(p.name, 0),
-        "capacity": 1 if single else capacity,
-        "offset": f"offsetof({home}, {name})" if present else "0",
-        "count_offset": f"offsetof({home}, {name}_count)" if p.length == "rest" else "0",
-        "item_size": size + ("" if single else "[0]") + ")" if present else "0",
-        "value": p.constant or 0,
-        "names": names_of(e) if isinstance(e, (m.Enum, m.Bitfield)) else None,
-        "record": type_name(e).replace("mip_", "record_", 1) if isinstance(e, m.Struct) else None,
-    }
+    name, full = _member(p.name), record_name(record).removeprefix("mip_")
+    home = f"union {union_name(record, union)}" if union else f"struct {record_name(record)}"
+    numbers = {q.name: i for i, q in enumerate(record.parameters)}
+    by = p.tag or p.counts or (p.length if isinstance(p.length, str) else None)
+    e, op = p.element, p.operation
+    scalar = upper(item.scalar.name) if isinstance(item, (m.ScalarOp, m.ConstantOp, m.CounterOp)) else "U8"
+    length = {int: "FIXED", str: "REST" if p.length == "rest" else "COUNTED"}.get(type(p.length), "ONE")
+    return [
+        string(p.name),
+        string(", ".join(p.units)),
+        f"MIP_KIND_{_KINDS[type(item)]}",
+        f"MIP_SCALAR_{scalar}",
+        f"MIP_LENGTH_{length}",
+        str(op.capacity if isinstance(op, (m.ArrayOp, m.TextOp)) and p.length is not None else 1),
+        str(elements),
+        str(numbers.get(by or "", 0)),
+        str(0 if union else _groups(record).get(p.name, 0)),
+        literal(p.constant or 0, item.scalar.size if isinstance(item, m.ConstantOp) else 1),
+        f"{'ONE' if p.length is None else 'MANY'}({home}, {name})" if union or p in stored(record) else "0, 0",
+        f"offsetof({home}, {name}_count)" if p.length == "rest" else "0",
+        f"&{names_of(e)}" if isinstance(e, (m.Enum, m.Bitfield)) else "NULL",
+        f"readings_{full}_{p.name}" if p.reading and not union else "NULL",
+        f"&record_{type_name(e).removeprefix('mip_')}" if isinstance(e, m.Struct) else "NULL",
+        f"cases_{full}_{p.name}" if p.cases else "NULL",
+        str(len(p.reading.types) if p.reading and not union else len(p.cases)),
+    ]
+
+
+def reflection(f: m.Field) -> list[str]:
+    """The members of struct mip_reflection."""
+    name = field_name(f)
+    required = name.replace("mip_", "required_", 1)
+    return [
+        f"&{name}_codec",
+        f"&{name.replace('mip_', 'record_', 1)}",
+        "true" if f.functions else "false",
+        "true" if f.optional else "false",
+        required if f.functions else "NULL",
+        f"sizeof({required})" if f.functions else "0",
+        f"offsetof(struct {name}, present)" if f.optional else "0",
+    ]
+
+
+def readings(p: m.Parameter, record: Record) -> list[tuple[str | None, int, int, m.Type]]:
+    """Device, or index and value of the parameter that decides; and the type."""
+    assert p.reading is not None
+    if p.reading.by == "device":
+        return [(key, 0, 0, t) for key, t in p.reading.types]
+    index = next(i for i, q in enumerate(record.parameters) if q.name == p.reading.by)
+    sibling = record.parameters[index].element
+    assert isinstance(sibling, m.Enum)
+    values = {v.name: v.value for v in sibling.values}
+    return [(None, index, values[key], t) for key, t in p.reading.types]
 
 
 # --------------------------------------------------------------------------- devices

@@ -38,7 +38,7 @@ LISTED = 16
 
 _ENTRY = ["Descriptor", "Field", "Functions", "Responses"]
 
-#: What has a place in the manual; a string is the path of a page.
+#: What has a place in the manual; a string is the path of a page, maybe with an anchor.
 Thing = m.Set | m.Field | m.Type | m.Device | m.Example | m.Erratum | m.Manual | m.Word | str
 
 
@@ -172,8 +172,14 @@ def plain(text: object) -> str:
 
 
 def inline(text: object) -> str:
-    """The same inside a line, where a number or a dash is no list."""
-    return _SPECIAL.sub(lambda x: _ENTITIES.get(x[0], "\\" + x[0]), " ".join(str(text).split()))
+    r"""The same inside a line, where a number or a dash is no list. Authors mark code by backticks.
+
+    >>> print(inline("state `a_b*c` and `"))
+    state `a_b*c` and \`
+    """
+    parts = re.split(r"(`[^`|]+`)", " ".join(str(text).split()))
+    escaped = (_SPECIAL.sub(lambda x: _ENTITIES.get(x[0], "\\" + x[0]), part) for part in parts[::2])
+    return "".join(a + b for a, b in zip(escaped, [*parts[1::2], ""], strict=True))
 
 
 def code(text: object) -> str:
@@ -433,7 +439,8 @@ class _Manual:
         """The page of a thing, and its anchor there."""
         match thing:
             case str():
-                return thing, ""
+                page, _, anchor = thing.partition("#")
+                return page, anchor
             case m.Set():
                 return set_page(thing.name), ""
             case m.Field():
@@ -461,8 +468,8 @@ class _Manual:
             case m.Set():
                 return plain(f"{thing.title} ({hexadecimal(thing.number)})")
             case m.Field():
-                number_ = hexadecimal(thing.set) if thing is not self.model.protocol.acknowledge else "any command set"
-                return plain(f"{thing.title} ({number_},{hexadecimal(thing.descriptor)})")
+                of_set = "" if thing is self.model.protocol.acknowledge else hexadecimal(thing.set) + ","
+                return plain(f"{thing.title} ({of_set}{hexadecimal(thing.descriptor)})")
             case m.Device() | m.Word():
                 return plain(thing.title)
             case m.Example() | m.Erratum() | m.Manual():
@@ -526,7 +533,7 @@ class _Manual:
             _bytes(row.offset),
             _bytes(row.size) if row.size else "rest" if p.length == "rest" else "by case",
             code(row.name),
-            self._type(p, page),
+            f"union by {code(row.beside(p.tag))}" if p.tag else self._type(p, page),
             self._required(p, record)
             if isinstance(record, m.Field) and row.record is record.parameters and not row.case
             else "",
@@ -535,7 +542,7 @@ class _Manual:
             _range(p),
             self._default(p),
             self._valid(p, row, page) if p.valid_when else "",
-            self._description(p, when, page),
+            self._description(p, when, page, sent=not isinstance(record, m.Field) or record.role == m.COMMAND),
         ]
 
     def _value(self, v: m.EnumValue) -> str:
@@ -543,8 +550,7 @@ class _Manual:
 
     def _type(self, p: m.Parameter, page: str) -> str:
         e = p.element
-        if e is None:
-            return f"union by {code(p.tag)}"
+        assert e is not None
         many = "" if p.length is None else inline(f"[{'' if p.length == 'rest' else p.length}]")
         if isinstance(e, m.Scalar):
             return code(e.name) + many
@@ -579,7 +585,7 @@ class _Manual:
             return self._link(flags.element, page, code(p.valid_when))
         return code(p.valid_when)
 
-    def _description(self, p: m.Parameter, when: str, page: str) -> str:
+    def _description(self, p: m.Parameter, when: str, page: str, sent: bool) -> str:
         parts = [f"{when}."] if when else []
         if p.deprecated:
             parts.append("Deprecated.")
@@ -588,7 +594,7 @@ class _Manual:
         if p.constant is not None:
             assert isinstance(p.element, m.Scalar)
             parts.append(f"Always {p.constant} ({code(hexadecimal(p.constant, p.element.size))}).")
-        if p.reserved is not None:
+        if p.reserved is not None and sent:
             parts.append(f"Send {p.reserved}.")
         if p.counts:
             parts.append(f"The number of elements of {code(p.counts)}.")
@@ -626,7 +632,8 @@ class _Manual:
         bits = [b for b in t.bits if not b.alias]
         if len(bits) > LISTED:
             return f"{head}: {count(bits, 'entry', 'entries')}."
-        return f"{head}: " + ", ".join(f"{self.span(b)} {code(b.name)}" for b in bits) + "."
+        more = "." if len(bits) == len(t.bits) else ", and some that overlap these."
+        return f"{head}: " + ", ".join(f"{self.span(b)} {code(b.name)}" for b in bits) + more
 
     @staticmethod
     def span(b: m.Bits) -> str:
@@ -716,7 +723,9 @@ class _Manual:
         """All fields of a set."""
         fields = [f for f in s.fields if f.role != m.RESPONSE]
         what = "Command" if s.kind == "command" else "Data"
-        return table((self._entry(f, context["page"]) for f in fields), [*_ENTRY, "Supported by"]).replace("Field", what, 1)
+        return table((self._entry(f, context["page"]) for f in fields), [*_ENTRY, "Supported by"]).replace(
+            "Field", what, 1
+        )
 
     def _entry(self, f: m.Field, page: str) -> list[str]:
         letters = "".join(x.letter for x in f.functions)
@@ -744,7 +753,8 @@ class _Manual:
     @pass_context
     def own_readings(self, context: Context, d: m.Device) -> list[tuple[str, m.Type]]:
         """What a device reads in its own way: a parameter, or all values of a type."""
-        page, found = context["page"], []
+        page = context["page"]
+        found: list[tuple[str, m.Type]] = []
         types = [*self.model.types, *(t for s in self.model.sets for t in s.types)]
         for key, own in d.readings:
             name, _, parameter = key.rpartition(".")
@@ -814,7 +824,12 @@ class _Manual:
                 found.append(f"reference to {inline(f'({c.subject})')}, which no manual defines")
         section = e.section.partition(" > ")[0]
         for f in self.model.fields:
-            if f.role != m.RESPONSE and any((s.manual, s.section) == (e.manual, section) for s in f.sources):
+            claimed = any(c.kind == "length" and c.subject == f.full_name for c in e.claims)
+            if (
+                f.role != m.RESPONSE
+                and not claimed
+                and any((s.manual, s.section) == (e.manual, section) for s in f.sources)
+            ):
                 found.append(self._link(f, page))
         return found
 
@@ -858,7 +873,9 @@ class _Manual:
             case m.Enum():
                 return f"Enumeration, {code(t.scalar.name)}"
             case m.Bitfield():
-                return f"Bitfield, {code(t.scalar.name) if t.scalar else f'{t.size} bytes, the least significant first'}"
+                return (
+                    f"Bitfield, {code(t.scalar.name) if t.scalar else f'{t.size} bytes, the least significant first'}"
+                )
             case m.Vector():
                 return f"{len(t.elements)} × {code(t.scalar.name)}, {len(t.elements) * t.scalar.size} bytes"
             case m.Struct():
@@ -952,7 +969,8 @@ class _Manual:
         head = bytes([len(x.data) + 2, x.descriptor])
         if x.field is None:
             yield Piece(head, "field length, descriptor", "unknown")
-            yield Piece(x.data, "data", "")
+            if x.data:
+                yield Piece(x.data, "data", "")
             return
         field = self.fields[x.field]
         yield Piece(head, "field length, descriptor", self._link(field, page))

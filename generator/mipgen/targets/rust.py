@@ -62,24 +62,33 @@ def files(model: m.Model) -> Iterable[File]:
             yield File(f"src/dynamic/{module(s.name)}.rs", "dynamic/set.rs.j2", {"set": s})
 
 
-def _samples(model: m.Model) -> dict[str, m.Field | None]:
+def _samples(model: m.Model) -> dict[str, Any]:
     """Fields that the README can show with: whatever the specification has."""
-    commands = [f for f in model.fields if f.role == m.COMMAND]
     names = _Names(model)
-
-    def is_setting(f: m.Field) -> bool:
-        args = names.arguments(f, f.functions[0]) if f.functions else ()
-        return bool(f.responses) and len(args) == 1 and isinstance(args[0].parameter.element, m.Enum)
-
+    commands = [f for f in model.fields if f.role == m.COMMAND]
+    settings = []
+    for f in commands:
+        if f.functions and f.functions[0].value == 1 and len(f.responses) == 1:
+            values = [_sample(x) for x in names.arguments(f, f.functions[0])]
+            if values and all(values):
+                settings.append((f, values))
+    # One that is set by an enumeration alone reads best.
+    settings.sort(key=lambda pair: not (len(pair[1]) == 1 and isinstance(pair[0].parameters[1].element, m.Enum)))
     return {
         "bare": next((f for f in commands if not f.parameters), None),
-        "setting": next((f for f in commands if is_setting(f)), None),
-        "data": next((f for f in model.fields if f.role == m.DATA and _has_vector(f)), None),
+        "setting": settings[0] if settings else None,
+        "data": next((f for f in model.fields if f.role == m.DATA), None),
     }
 
 
-def _has_vector(f: m.Field) -> bool:
-    return bool(f.parameters) and isinstance(f.parameters[0].element, m.Vector)
+def _sample(x: Member) -> str | None:
+    """An argument that one would give."""
+    element = x.parameter.element
+    if isinstance(element, m.Enum):
+        return f"{path(element, '').removeprefix('crate::')}::{constant(element.values[-1].name)}"
+    if isinstance(element, m.Scalar) and x.parameter.length is None:
+        return {"bool": "true", "float": "1.0"}.get(element.kind, "1")
+    return None
 
 
 # --------------------------------------------------------------------------- members of records
@@ -320,6 +329,15 @@ def default_of(x: Member) -> str:
     return f"[{default}; {op.count}]" if is_long(op) and isinstance(op, m.ArrayOp) else default
 
 
+def defaults(members: Iterable[Member]) -> list[str]:
+    return [f"{x.name}: {default_of(x)}" for x in members]
+
+
+def byte_constants(constants: Iterable[tuple[int, m.ConstantOp]]) -> list[str]:
+    """Offsets and bytes."""
+    return [f"({at}, &[{', '.join(str(b) for b in op.value.to_bytes(op.size, 'big'))}])" for at, op in constants]
+
+
 def derives_default(members: Iterable[Member]) -> bool:
     return not any(not x.optional and (x.parameter.reserved or is_long(x.parameter.operation)) for x in members)
 
@@ -389,32 +407,31 @@ def tidy(text: str) -> str:
     """Blank lines where they belong: none at the ends of a block and behind comments and attributes.
 
     >>> tidy("a {\\n\\n\\n    b\\n\\n}\\n")
-    'a {\\n    b\\n}\\n'
+    'a {\\n    b\\n}'
     """
     text = re.sub(r"[ \t]+\n", "\n", text)
     text = re.sub(r"\n{3,}", "\n\n", text)
     text = re.sub(r"([{(]|^ *///.*|^ *#!?\[.*\])\n\n+", r"\1\n", text, flags=re.MULTILINE)
-    return re.sub(r"\n\n+( *[})])", r"\n\1", text).strip("\n") + "\n"
+    return re.sub(r"\n\n+( *[})])", r"\n\1", text).strip("\n")
 
 
 def imports(body: str) -> str:
     """The `use` lines that a module needs."""
     macros = [name for name in ("bitfield", "open_enum", "vector") if re.search(rf"^{name}! ", body, re.MULTILINE)]
-    values = [n for n in ("FromValue", "Record", "ToValue", "Value", "ValueError") if re.search(rf"\b{n}\b", body)]
+    values = [name for name in ("record", "union") if re.search(rf"^{name}! ", body, re.MULTILINE)]
     lines = []
-    if "ToValue for" in body:
-        lines.append(f"use crate::dynamic::{{{', '.join(values)}}};")
-    if macros:
-        lines.append(f"use crate::macros::{macros[0]};" if len(macros) == 1 else f"use crate::macros::{{{', '.join(macros)}}};")
+    for where, found in (("dynamic::macros", values), ("macros", macros)):
+        if found:
+            lines.append(f"use crate::{where}::{found[0] if len(found) == 1 else '{' + ', '.join(found) + '}'};")
     if re.search(r"(?<![:\w])types::", body):
         lines.append("use crate::types;")
     return "".join(f"{line}\n" for line in lines) + ("\n" if lines else "")
 
 
-def string(text: str) -> str:
+def quoted(text: str) -> str:
     """A string literal.
 
-    >>> print(string('say "µ"'))
+    >>> print(quoted('say "µ"'))
     "say \\"µ\\""
     """
     escaped = " ".join(text.split()).replace("\\", "\\\\").replace('"', '\\"')
@@ -431,6 +448,10 @@ def fit(items: Sequence[str], head: str, tail: str, indent: int, pad: str = "") 
     if indent + len(line) <= WIDTH and "\n" not in line:
         return line
     margin = " " * indent
+    if head.endswith("[") and all(len(item) <= 10 for item in items):
+        inside = f"{margin}    "
+        filled = textwrap.fill(f"{', '.join(items)},", WIDTH, initial_indent=inside, subsequent_indent=inside)
+        return f"{head}\n{filled}\n{margin}{tail}"
     return f"{head}\n" + "".join(f"{margin}    {item},\n" for item in items) + f"{margin}{tail}"
 
 
@@ -461,14 +482,30 @@ def literal(name: str, values: Sequence[str], indent: int) -> str:
     return fit(values, f"{name} {{", "}", indent, " ")
 
 
-def array(items: Iterable[object], indent: int) -> str:
-    """Short numbers as a constant slice, as many on a line as fit."""
-    words = [str(item) for item in items]
-    line = f"&[{', '.join(words)}]"
-    if indent + len(line) < WIDTH:
-        return line
-    inside, margin = " " * (indent + 4), " " * indent
-    return "&[\n" + textwrap.fill(f"{', '.join(words)},", WIDTH, initial_indent=inside, subsequent_indent=inside) + f"\n{margin}]"
+def arm(body: str, pattern: str, indent: int) -> str:
+    """One arm of a match."""
+    margin = " " * indent
+    line = f"{margin}{pattern} => {body},"
+    return line if len(line) <= WIDTH else f"{margin}{pattern} => {{\n{margin}    {body}\n{margin}}}"
+
+
+def assign(value: str, name: str, indent: int, keyword: str = "let") -> str:
+    """A new variable or constant."""
+    margin = " " * indent
+    line = f"{margin}{keyword} {name} = {value};"
+    return line if len(line) <= WIDTH else f"{margin}{keyword} {name} =\n{margin}    {value};"
+
+
+def if_let(value: str, pattern: str, indent: int) -> str:
+    """The head of a condition that takes a value apart."""
+    margin = " " * indent
+    line = f"{margin}if let {pattern} = {value} {{"
+    return line if len(line) <= WIDTH else f"{margin}if let {pattern} =\n{margin}    {value}\n{margin}{{"
+
+
+def listing(items: Sequence[str], name: str) -> str:
+    """The members of a record, in a macro."""
+    return fit(items, f"{name} {{", "}", 4, " " if items else "")
 
 
 def option(value: object | None) -> str:
@@ -552,10 +589,10 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
             literal(
                 "Port",
                 [
-                    f"name: {string(p.name)}",
+                    f"name: {quoted(p.name)}",
                     f"id: {option(f'0x{p.id:02X}' if p.id is not None else None)}",
-                    f"baud_rates: {array(p.baud_rates, 12)}",
-                    f"protocols: {fit([string(x) for x in p.protocols], '&[', ']', 12)}",
+                    f"baud_rates: {fit([str(b) for b in p.baud_rates], '&[', ']', 12)}",
+                    f"protocols: {fit([quoted(x) for x in p.protocols], '&[', ']', 12)}",
                 ],
                 8,
             )
@@ -567,10 +604,10 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
             literal(
                 "Limit",
                 [
-                    f"name: {string(x.name)}",
+                    f"name: {quoted(x.name)}",
                     f"value: {number(x.value)}",
-                    f"unit: {option(string(x.unit) if x.unit else None)}",
-                    f"description: {string(x.description)}",
+                    f"unit: {option(quoted(x.unit) if x.unit else None)}",
+                    f"description: {quoted(x.description)}",
                 ],
                 8,
             )
@@ -582,7 +619,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         return [literal("BaseRate", [f"set: 0x{sets[name]:02X}", f"hertz: {number(rate)}"], 8) for name, rate in d.base_rates]
 
     def readings(d: m.Device) -> list[str]:
-        return [literal("Reading", [f"of: {string(of)}", f"read_as: {string(t.name)}"], 8) for of, t in d.readings]
+        return [literal("Reading", [f"of: {quoted(of)}", f"read_as: {quoted(t.name)}"], 8) for of, t in d.readings]
 
     def ack_codes(d: m.Device) -> list[str]:
         names_of = {v.value: v.name for v in model.protocol.ack_code.values}
@@ -624,14 +661,14 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "path": path, "home": home, "rust": names.rust, "inner": inner, "bits_type": unsigned,
         "members": names.members, "constructors": names.constructors, "accessors": names.accessors,
         "unions_of": names.unions_of, "find_union": names.find_union, "group_members": group_members, "tag_of": tag_of,
-        "default_case": default_case, "default_of": default_of, "derives_default": derives_default, "is_long": is_long,
+        "default_case": default_case, "defaults": defaults, "byte_constants": byte_constants, "if_let": if_let, "derives_default": derives_default, "is_long": is_long,
         "variants": variants, "required_arms": required_arms, "condition": condition, "selected": selected,
         "condition_value": condition_value, "conversions": lambda _: conversions(), "commands_of": commands_of, "sets_of": sets_of,
         "layouts": layouts, "original": original, "structs": structs, "supported": supported, "is_kept": is_kept,
-        "doc": doc, "prose": prose, "string": string, "fit": fit, "link": link, "number": number, "bounds": bounds,
+        "doc": doc, "prose": prose, "quoted": quoted, "fit": fit, "link": link, "number": number, "bounds": bounds,
         "tidy": tidy, "imports": imports, "is_plain": is_plain, "set_range": set_range, "set_pattern": set_pattern,
         "linked": linked, "ports": ports, "limits": limits, "base_rates": base_rates, "readings": readings,
-        "ack_codes": ack_codes, "option": option, "hex": lambda n: f"0x{n:02X}",
+        "ack_codes": ack_codes, "option": option, "listing": listing, "arm": arm, "assign": assign, "hex": lambda n: f"0x{n:02X}",
         "some": lambda name: f"Some({name})", "reference": lambda name: f"&{name}",
         "scalar": lambda scalar: LANGUAGE["scalars"][scalar.name],
         "condition_text": lambda c: f"`{c.parameter}` is {c.label}",

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* ---------------------------------------------------------------------------- packets and fields */
+/* --------------------------------------------------------------------------- packets and fields */
 
 uint16_t mip_checksum(const uint8_t *bytes, size_t size) {
     uint32_t a = 0;
@@ -60,7 +60,7 @@ bool mip_walk_next(struct mip_walk *walk, struct mip_field *field) {
     return true;
 }
 
-/* -------------------------------------------------------------------------------- packet builder */
+/* ------------------------------------------------------------------------------- packet builder */
 
 mip_error mip_builder_start(struct mip_builder *builder, uint8_t *buffer, size_t capacity,
                             uint8_t descriptor_set) {
@@ -293,7 +293,8 @@ mip_error mip_encode_field(struct mip_builder *builder, uint8_t descriptor,
     return (mip_error)w.error;
 }
 
-mip_error mip_encode(const struct mip_codec *codec, const void *value, struct mip_builder *builder) {
+mip_error mip_encode(const struct mip_codec *codec, const void *value,
+                     struct mip_builder *builder) {
     return mip_encode_field(builder, codec->descriptor, codec->write, value);
 }
 
@@ -402,7 +403,7 @@ void mip_write_group(struct mip_writer *w, uint8_t first, uint8_t last) {
     w->stopped = w->present < last;
 }
 
-/* ---------------------------------------------------------------------------------------- values */
+/* --------------------------------------------------------------------------------------- values */
 
 void mip_copy(void *to, size_t room, const void *from, size_t size) {
     if (size > 0 && room > 0) {

@@ -243,6 +243,15 @@ impl<'a> Writer<'a> {
         Ok(value.as_ref())
     }
 
+    /// Appends a value that is a group by itself, if it is present and may be.
+    pub fn write_some<T: Wire>(
+        &mut self,
+        required: bool,
+        value: &Option<T>,
+    ) -> Result<(), EncodeError> {
+        self.optional(required, value)?.map_or(Ok(()), |value| self.write(value))
+    }
+
     /// Decides about a group of values that come and go together: is it to be written?
     pub fn group<const N: usize>(
         &mut self,

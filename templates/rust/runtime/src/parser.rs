@@ -89,7 +89,7 @@ impl Parser {
     }
 
     /// The next packet. Call it until it gives `None`: then all of `input` is used up.
-    pub fn next<'a>(&'a mut self, input: &mut &'a [u8]) -> Option<Packet<'a>> {
+    pub fn next<'p, 'i: 'p>(&'p mut self, input: &mut &'i [u8]) -> Option<Packet<'p>> {
         let bytes = *input;
         let found = self.step(input)?;
         self.packet(found, bytes)

@@ -2,8 +2,8 @@
  * @file
  * Commands and their answers, without input, output or a clock.
  *
- * The caller builds a packet, sends it, hands over the packets that come back, and says what time it
- * is. The caller also owns the requests: each must stay where it is until it is no longer waiting.
+ * The caller builds a packet, sends it, hands over the packets that come back, and says what time
+ * it is. The caller also owns the requests: each must stay in place until it is no longer waiting.
  *
  *     mip_builder_start(&packet, buffer, sizeof(buffer), MIP_3DM_SET);
  *     mip_client_add(&client, &request, &packet, &mip_3dm_pps_source_control_codec, &command, now);

@@ -42,7 +42,7 @@ extern "C" {
 #define MIP_LENGTH_REST 3    /* as many as the field holds */
 
 /** A value of an enumeration. */
-struct mip_value_name {
+struct mip_named_value {
     const char *name;
     uint64_t value;
 };
@@ -50,7 +50,7 @@ struct mip_value_name {
 struct mip_names;
 
 /** One flag, or one number, inside a bitfield. */
-struct mip_bits_name {
+struct mip_named_bits {
     const char *name;
     uint8_t first;
     uint8_t width;
@@ -62,8 +62,8 @@ struct mip_bits_name {
 struct mip_names {
     /** Name in the specification, after its set and a full stop if a set owns it. */
     const char *name;
-    const struct mip_value_name *values;
-    const struct mip_bits_name *bits;
+    const struct mip_named_value *values;
+    const struct mip_named_bits *bits;
     /** Elements of `values` or of `bits`. */
     uint8_t count;
     /** Bytes of the number. */
@@ -86,7 +86,7 @@ struct mip_case;
 /** One value of a field or of a structure, in wire order. */
 struct mip_parameter {
     const char *name;
-    /** "m/s"; of a vector whose elements differ, one for each: "deg, deg, m"; empty if there is none. */
+    /** "m/s"; one for each element where they differ: "deg, deg, m"; empty if there is none. */
     const char *unit;
     /** A MIP_KIND_... value. */
     uint8_t kind;
@@ -94,21 +94,21 @@ struct mip_parameter {
     uint8_t scalar;
     /** A MIP_LENGTH_... value. */
     uint8_t length;
+    /** Items that the member has room for, the NUL of a text not counted. */
+    uint8_t capacity;
     /** Numbers of one item: 3 of a vector with x, y and z; 1 where the item is no vector. */
     uint8_t elements;
     /** Index of the parameter that counts or selects; of a counter, the array that it counts. */
     uint8_t by;
-    /** Parameters that are there if this one is, the function selector not counted; 0: it always is. */
+    /** Parameters that are there if this one is, without the function selector; 0: it always is. */
     uint8_t group;
-    /** Items that the member has room for, the NUL of a text not counted. */
-    uint8_t capacity;
-    /** Bytes of the member from the begin of its structure, and of its count where the length is REST. */
-    uint16_t offset;
-    uint16_t count_offset;
-    /** Bytes of one item in memory; of MIP_KIND_BITS, all bytes. */
-    uint16_t item_size;
     /** Of a constant. */
     uint64_t value;
+    /** Where the member begins in its structure, and bytes of one item in memory. */
+    uint16_t offset;
+    uint16_t item_size;
+    /** Where the length is REST: the member with the number of items, a uint8_t. */
+    uint16_t count_offset;
     /** Of numbers and bits: what names them, or NULL. */
     const struct mip_names *names;
     const struct mip_reading *readings;
@@ -137,11 +137,11 @@ struct mip_record {
 /** How to look into the structure of a field. */
 struct mip_reflection {
     const struct mip_codec *codec;
-    struct mip_record record;
+    const struct mip_record *record;
     /** Does it begin with a function selector? May parameters be absent? */
     bool selector;
     bool optional;
-    /** Parameters that must be there, by function selector; without a selector, `group` tells it. */
+    /** Parameters that must be there, by function selector. */
     const uint8_t *required;
     uint8_t required_size;
     /** Where the member `present` is, if parameters may be absent. */
@@ -156,10 +156,10 @@ extern const size_t mip_reflection_count;
 extern const struct mip_names *const mip_all_names[];
 extern const size_t mip_all_names_count;
 
-/** How to look into fields of a type. */
+/** How to look into a field; NULL if the codec is none of this binding. */
 const struct mip_reflection *mip_reflect(const struct mip_codec *codec);
 
-/** An enumeration or a bitfield by its name in the specification: "ack_code", "base.gps_time_field". */
+/** An enumeration or a bitfield by its name: "ack_code", "base.gps_time_field". */
 const struct mip_names *mip_names_find(const char *name);
 
 /** The name of a value of an enumeration; NULL if it has none. */

@@ -51,7 +51,7 @@ const struct mip_entry *mip_registry_find(const struct mip_field *field);
 /** A field by its name; NULL if there is none. */
 const struct mip_entry *mip_registry_by_name(const char *name);
 
-/** The responses of a command, or the commands of a response, by number from 0; NULL behind the last. */
+/** The responses of a command, or the commands of a response, from 0; NULL behind the last one. */
 const struct mip_entry *mip_registry_link(const struct mip_entry *entry, size_t number);
 
 #ifdef __cplusplus

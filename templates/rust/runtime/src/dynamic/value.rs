@@ -127,10 +127,10 @@ impl Value {
     }
 
     /// The only member of a union.
-    pub(crate) fn member(&self, name: &str) -> Result<&Value, ValueError> {
+    pub(crate) fn member<T: FromValue>(&self, name: &str) -> Result<T, ValueError> {
         let record = self.as_record().ok_or(ValueError::Kind)?;
         match record.values.as_slice() {
-            [(found, value)] if found == name => Ok(value),
+            [(found, value)] if found == name => T::from_value(value),
             _ => Err(ValueError::Tag),
         }
     }
@@ -238,12 +238,11 @@ impl Record {
         }
     }
 
-    /// Demands that values which come and go together are all there, or none of them.
-    pub(crate) fn check_group(&self, names: &[&str]) -> Result<bool, ValueError> {
-        let present = names.iter().filter(|name| self.get(name).is_some()).count();
-        match present {
-            0 => Ok(false),
-            _ if present == names.len() => Ok(true),
+    /// The same where both may be absent, but only together.
+    pub(crate) fn check_some_count(&self, counter: &str, array: &str) -> Result<(), ValueError> {
+        match (self.get(counter), self.get(array)) {
+            (None, None) => Ok(()),
+            (Some(_), Some(_)) => self.check_count(counter, array),
             _ => Err(ValueError::Missing),
         }
     }
@@ -303,7 +302,7 @@ macro_rules! floats {
                     Value::$variant(number) => Ok(*number),
                     Value::Text(text) => {
                         let digits = text.strip_prefix("0x").unwrap_or_default();
-                        let whole = digits.len() == 2 * core::mem::size_of::<Self>()
+                        let whole = digits.len() == core::mem::size_of::<Self>().saturating_mul(2)
                             && digits.bytes().all(|b| b.is_ascii_hexdigit());
                         let bits = <$bits>::from_str_radix(digits, 16);
                         bits.ok().filter(|_| whole).map(Self::from_bits).ok_or(ValueError::Range)

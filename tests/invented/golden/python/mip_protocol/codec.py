@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Sequence
-from enum import IntEnum
+from enum import IntEnum, IntFlag
 from functools import lru_cache
 from typing import Any, Protocol, TypeVar
 
 from .errors import DecodeError, EncodeError, Truncated
 
 E = TypeVar("E", bound="OpenEnum")
+T = TypeVar("T", bound=IntFlag)
 S = TypeVar("S", bound="_Structure")
 Groups = tuple[tuple[int, tuple[str, ...], bool], ...]
 
@@ -35,6 +36,15 @@ class OpenEnum(IntEnum):
         member._name_ = f"UNKNOWN_{value}"
         member._value_ = value
         return member
+
+
+def open_flag(kind: type[T]) -> type[T]:
+    """Makes a bitfield keep the bits that it has no name for, in `flags & ~Flags.X` too.
+
+    Some versions of Python drop them there: they invert only the bits that have names.
+    """
+    kind.__invert__ = lambda self: ~int(self)  # type: ignore[method-assign,assignment,return-value]
+    return kind
 
 
 class Block:

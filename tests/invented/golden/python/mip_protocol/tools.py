@@ -14,6 +14,7 @@ from .field import Command, Field, Response, Structure
 from .protocol import FunctionSelector
 
 
+@codec.open_flag
 class ModelAFaults(IntFlag):
     """Of the model A."""
 
@@ -22,6 +23,7 @@ class ModelAFaults(IntFlag):
     SOLUTION = 1 << 24
 
 
+@codec.open_flag
 class ModelBFaults(IntFlag):
     """Of the model B."""
 

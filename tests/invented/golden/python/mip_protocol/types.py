@@ -45,6 +45,7 @@ class WideCode(codec.OpenEnum):
     HIGH = 0xFFFF0000
 
 
+@codec.open_flag
 class StateFlags(IntFlag):
     """Bits of all kinds."""
 
@@ -68,7 +69,7 @@ class StateFlags(IntFlag):
         """The same with bits 4 to 6 set to a number."""
         if not 0 <= value <= 0x7:
             raise EncodeError("range", f"level: {value} does not fit into 3 bits")
-        return StateFlags(self & ~StateFlags.LEVEL | value << 4)
+        return StateFlags(int(self) & ~0x70 | value << 4)
 
     @property
     def mode(self) -> Mode:
@@ -79,9 +80,10 @@ class StateFlags(IntFlag):
         """The same with bits 8 to 9 set to a number."""
         if not 0 <= value <= 0x3:
             raise EncodeError("range", f"mode: {value} does not fit into 2 bits")
-        return StateFlags(self & ~StateFlags.MODE | value << 8)
+        return StateFlags(int(self) & ~0x300 | value << 8)
 
 
+@codec.open_flag
 class Health(IntFlag):
     """One hundred and twenty-eight bits, least significant byte first."""
 
@@ -103,7 +105,7 @@ class Health(IntFlag):
         """The same with bits 30 to 33 set to a number."""
         if not 0 <= value <= 0xF:
             raise EncodeError("range", f"count: {value} does not fit into 4 bits")
-        return Health(self & ~Health.COUNT | value << 30)
+        return Health(int(self) & ~0x3C0000000 | value << 30)
 
 
 _POINT_0 = codec.Block("hh", "x", "y")

@@ -1,0 +1,83 @@
+"""How manuals count lengths, and how prints are compared."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from specimen import field
+
+from mipgen import model as m
+from mipgen.checks import computed_length, differences
+from mipgen.resolve import load_model
+
+INVENTED = load_model(Path(__file__).parents[1] / "invented/spec")
+
+
+@pytest.mark.parametrize(
+    ("parameters", "wire", "scalars"),
+    [
+        ("[]", "2", "2"),
+        ("[{name: a, type: u16}, {name: b, type: mode}, {name: c, type: flags}]", "7", "7"),
+        ("[{name: a, type: vector3f}]", "14", "2"),
+        ("[{name: a, type: vector3f, count: 2}]", "26", "2"),
+        ("[{name: a, type: point}]", "6", "2"),
+        ("[{name: a, type: point, count: 3}]", "14", "2"),
+        ("[{name: a, type: u32, count: 2}, {name: b, type: mode, count: 3}]", "13", "13"),
+        ("[{name: a, type: char, count: 16}, {name: b, type: health}]", "22", "22"),
+        ("[{name: a, type: u8, const: 5}, {name: b, type: u8, count: 2, reserved: 0}]", "5", "5"),
+        ("[{name: n, type: u8}, {name: a, type: u16, count: n}]", "3 + 2*n", "3 + 2*n"),
+        ("[{name: n, type: u8}, {name: a, type: point, count: n}]", "3 + 4*n", "3 + 4*n"),
+        ("[{name: n, type: u8}, {name: a, type: u8, count: n}, {name: z, type: u8}]", "4 + 1*n", "4 + 1*n"),
+        ("[{name: a, type: char, count: rest}]", "2 + 1*rest", "2 + 1*rest"),
+        ("[{name: a, type: mode}, {name: b, switch: a, cases: {slow: {}, fast: {type: u32}}}]", "3", "3"),
+        ("[{name: a, type: u8}, {name: b, type: u8, optional: true}]", "4", "4"),
+    ],
+)
+def test_computed_length(parameters: str, wire: str, scalars: str) -> None:
+    f = field(parameters)
+    assert (computed_length(f, "wire"), computed_length(f, "scalars")) == (wire, scalars)
+
+
+def test_the_selector_counts() -> None:
+    f = field("[{name: a, type: u16, for: W}]", functions="W")
+    assert computed_length(f, "wire") == "5"
+
+
+def test_a_structure_that_varies_counts_with_its_fewest_bytes() -> None:
+    types = "{tail: {struct: [{name: n, type: u8}, {name: a, type: u8, count: n}]}}"
+    f = field("[{name: a, type: tail}]", types=types)
+    assert (computed_length(f, "wire"), computed_length(f, "scalars")) == ("3", "2")
+
+
+def example(string: str | None = None, table: str | None = None, role: str = "command") -> m.Example:
+    cells = None if table is None else tuple(None if "?" in x else int(x, 16) for x in table.split())
+    packet = bytes.fromhex("756501020201e0c6")
+    return m.Example("x", "guide", "", "", role, string, cells, packet, (), "")  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("printed", "found"),
+    [
+        (example(), []),
+        (example("7565 0102 0201 E0C6", "75 65 01 02 02 01 E0 C6"), []),
+        (example("7565 0102 0201 e0c6", "75 65 01 02 02 01 ?? ??"), []),
+        (example("7565 0102 0201 E0C7"), ["string byte 7 is C7, should be C6"]),
+        (example("7565 0102 0201 E0C"), ["string has an odd number of digits, 15"]),
+        (example("7565 0102 0201"), ["string has 6 bytes, should have 8"]),
+        (example(table="75 65 ?? 03 02 01 ?? ??"), ["table byte 3 is 03, should be 02"]),
+        (example(table="75 65"), ["table has 2 bytes, should have 8"]),
+        (example("02 01", role="field"), []),
+        (example("02 02", role="field"), ["string byte 1 is 02, should be 01"]),
+    ],
+)
+def test_differences(printed: m.Example, found: list[str]) -> None:
+    assert differences(printed) == found
+
+
+def test_examples_of_the_invented_specification() -> None:
+    by_id = {e.id: e for e in INVENTED.examples}
+    assert by_id["settings-write"].packet[:-2].hex() == "75650109" + "090201010200002580"
+    assert by_id["accel-bytes"].packet[4:-2].hex() == "10013f800000bf8000007fe5bf7f0001"
+    assert by_id["unknown-descriptor"].fields[0].field is None and by_id["unknown-descriptor"].synthetic
+    assert not by_id["ping"].synthetic and by_id["ping"].fields[0].values == {}

@@ -1,0 +1,204 @@
+"""What the wire looks like: sizes, capacities, presence."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from specimen import field, load
+
+from mipgen import model as m
+from mipgen.operations import open_ended, size
+from mipgen.resolve import load_model
+
+INVENTED = load_model(Path(__file__).parents[1] / "invented/spec")
+
+
+def invented(name: str) -> m.Field:
+    found = INVENTED.field(name)
+    assert found is not None
+    return found
+
+
+def kinds(f: m.Field) -> list[str]:
+    return [op.kind for op in f.operations]
+
+
+@pytest.mark.parametrize(
+    ("parameters", "least", "most"),
+    [
+        ("[]", 0, 0),
+        ("[{name: a, type: u8}, {name: b, type: double}]", 9, 9),
+        ("[{name: a, type: vector3f}]", 12, 12),
+        ("[{name: a, type: vector3f, count: 2}]", 24, 24),
+        ("[{name: a, type: mode, count: 3}, {name: b, type: flags}, {name: c, type: health}]", 9, 9),
+        ("[{name: a, type: point, count: 2}]", 8, 8),
+        ("[{name: a, type: char, count: 16}]", 16, 16),
+        ("[{name: a, type: u16, count: rest}]", 0, 252),
+        ("[{name: a, type: char, count: rest}]", 0, 253),
+        ("[{name: n, type: u8}, {name: a, type: u32, count: n}]", 1, 253),
+        ("[{name: a, type: mode}, {name: b, switch: a, cases: {slow: {}, fast: {type: u32}}}]", 1, 5),
+        ("[{name: a, type: u16, const: 5}, {name: b, type: u8, count: 3, reserved: 0}]", 5, 5),
+        ("[{name: a, type: u8}, {name: b, type: u16, optional: true}]", 1, 3),
+    ],
+)
+def test_sizes(parameters: str, least: int, most: int) -> None:
+    f = field(parameters)
+    assert (f.min_size, f.max_size) == (least, most)
+
+
+@pytest.mark.parametrize(
+    ("parameters", "capacity"),
+    [
+        ("[{name: a, type: u8, count: rest}]", 253),
+        ("[{name: x, type: u32}, {name: a, type: u16, count: rest}]", 124),
+        ("[{name: n, type: u8}, {name: a, type: u8, count: n}]", 252),
+        ("[{name: n, type: u8}, {name: a, type: point, count: n}, {name: z, type: u64}]", 61),
+        ("[{name: n, type: u16}, {name: a, type: vector3f, count: n}]", 20),
+        ("[{name: n, type: u8}, {name: a, type: char, count: n}, {name: b, type: char, count: rest}]", 252),
+        ("[{name: a, type: u8, count: 7}]", 7),
+    ],
+)
+def test_capacities(parameters: str, capacity: int) -> None:
+    op = next(p.operation for p in field(parameters).parameters if p.name == "a")
+    assert isinstance(op, (m.ArrayOp, m.TextOp)) and op.capacity == capacity
+
+
+def test_the_selector_takes_a_byte_of_the_capacity() -> None:
+    f = field("[{name: a, type: u8, count: rest, for: W}]", functions="W")
+    op = f.parameters[1].operation
+    assert isinstance(op, m.ArrayOp) and op.capacity == 252
+
+
+def test_an_open_array_in_a_case_has_the_room_that_is_left() -> None:
+    f = field("[{name: a, type: mode}, {name: b, switch: a, cases: {slow: {}, fast: {type: u16, count: rest}}}]")
+    op = f.parameters[1].cases[1].operation
+    assert isinstance(op, m.ArrayOp) and op.capacity == 126
+
+
+def test_required_by_function() -> None:
+    f = invented("tools.settings")
+    assert dict(f.required) == {1: 3, 2: 2, 3: 1, 4: 1, 5: 1, 6: 3}
+    assert kinds(f) == ["scalar"] + ["group"] * 5
+    assert [(g.first, g.last) for g in f.operations if isinstance(g, m.GroupOp)] == [(i, i) for i in range(1, 6)]
+    assert (f.min_size, f.max_size) == (1, 10)
+    assert f.parameters[0].selector and len(f.counted_parameters) == 5
+    assert f.parameters[3].functions == "WA" and f.parameters[4].optional
+
+
+def test_as_command_drops_selector_and_presence() -> None:
+    f = invented("tools.settings_response")
+    assert [p.name for p in f.parameters] == ["port", "mode", "baud", "limit", "reserved"]
+    assert "group" not in kinds(f) and not f.optional and f.required_count == 5
+
+
+def test_a_counter_and_its_array_are_one_group() -> None:
+    f = invented("tools.list")
+    groups = [op for op in f.operations if isinstance(op, m.GroupOp)]
+    assert [(g.first, g.last, [op.kind for op in g.body]) for g in groups] == [(1, 2, ["counter", "array"])]
+    assert f.parameters[1].counts == "items" and dict(f.required) == {1: 2, 2: 0, 3: 0}
+
+
+def test_groups_keep_what_stands_between_a_counter_and_its_array() -> None:
+    f = field(
+        "[{name: n, type: u8, for: W}, {name: k, type: u8, for: W}, {name: a, type: u8, count: n, for: W},"
+        " {name: b, type: u8, count: k, for: W}, {name: z, type: u8, for: W}]",
+        functions="W",
+    )
+    assert [(g.first, g.last) for g in f.operations if isinstance(g, m.GroupOp)] == [(1, 4), (5, 5)]
+
+
+def test_optional_without_selector() -> None:
+    f = invented("measurements.growing")
+    assert kinds(f) == ["scalar", "group", "group"] and f.required == () and f.required_count == 1
+    assert [(g.first, g.last) for g in f.operations if isinstance(g, m.GroupOp)] == [(2, 2), (3, 3)]
+
+
+def test_constants_have_offsets() -> None:
+    f = invented("tools.status_long")
+    assert [(at, op.value, op.size) for at, op in f.constants] == [(0, 4711, 2), (2, 2, 1)]
+    f = field("[{name: n, type: char, count: 2}, {name: c, type: u8, const: 1}]")
+    assert f.constants == ()
+
+
+def test_bits() -> None:
+    flags = next(t for t in INVENTED.types if t.name == "state_flags")
+    assert isinstance(flags, m.Bitfield)
+    masks = {b.name: b.mask for b in flags.bits}
+    assert masks == {"ready": 1, "hot": 2, "level": 0x70, "mode": 0x300, "any": 3}
+    assert flags.known_mask == 0x373 and flags.bits[2].width == 3
+    assert flags.bits[3].enum is not None and flags.bits[3].enum.name == "mode"
+
+
+def test_types_come_after_those_that_they_use() -> None:
+    tools = INVENTED.set(1)
+    assert tools is not None
+    order = [t.name for t in tools.types]
+    assert order.index("fill") < order.index("circle") and order.index("stripes") < order.index("circle")
+    shared = [t.name for t in INVENTED.types]
+    assert shared.index("point") < shared.index("segment") and shared.index("mode") < shared.index("state_flags")
+
+
+def test_repeated_fields() -> None:
+    f = invented("more.accel")
+    assert (f.set, f.definition, f.title, f.descriptor) == (0x81, "measurements.accel", "Second acceleration", 1)
+    assert f.operations == invented("measurements.accel").operations
+    more = INVENTED.set(0x81)
+    assert more is not None and [x.name for x in more.own_fields] == ["own"]
+
+
+def test_responses() -> None:
+    command = invented("tools.capture_bias")
+    assert command.responses == ("bias_vector",)
+    first = invented("tools.set_time_fast_response")
+    assert first.command == "set_time" and [(c.parameter, c.value, c.label) for c in first.when] == [("part", 1, "fast")]
+    silent = invented("tools.formats").silent_when
+    assert [(c.parameter, c.value) for c in silent] == [("suppress_ack", 1)]
+
+
+def test_what_a_parameter_means() -> None:
+    f = field(
+        "[{name: a, type: vector3f, unit: [m, m, s], frame: sensor, range: [~, 5], default: [0, 1.5, 2],"
+        " valid: flags.ready, notes: [One.]}, {name: flags, type: flags, default: [ready]}]",
+        role="data",
+    )
+    a, flags = f.parameters
+    assert (a.units, a.unit, a.frame, a.minimum, a.maximum) == (("m", "m", "s"), "m, m, s", "sensor", None, 5)
+    assert (a.default, a.valid_when, a.notes, flags.default) == ([0, 1.5, 2], "flags.ready", ("One.",), ["ready"])
+
+
+def test_readings() -> None:
+    by_device = invented("tools.status_short").parameters[2].reading
+    assert by_device is not None and [key for key, _ in by_device.types] == ["model-a", "model-b"]
+    by_sibling = invented("tools.pin").parameters[2].reading
+    assert by_sibling is not None and by_sibling.by == "drive"
+    device = next(d for d in INVENTED.devices if d.id == "model-b")
+    assert [key for key, _ in device.readings] == ["tools.status_short.flags", "tools.status_long.flags", "ack_code"]
+
+
+def test_sets_are_sorted_and_fields_too() -> None:
+    assert [s.number for s in INVENTED.sets] == [0x01, 0x0C, 0x80, 0x81, 0xFF]
+    assert [s.kind for s in INVENTED.sets] == ["command", "command", "data", "data", "shared"]
+    for s in INVENTED.sets:
+        keys = [(f.role == m.RESPONSE, f.descriptor) for f in s.fields]
+        assert keys == sorted(keys)
+
+
+def test_candidates() -> None:
+    names = {n: [f.name for f in INVENTED.candidates(*n)] for n in ((1, 0xF1), (1, 0x90), (0x80, 0xD3), (1, 0xD3))}
+    assert names == {(1, 0xF1): ["acknowledge"], (1, 0x90): ["status_short", "status_long"],
+                     (0x80, 0xD3): ["timestamp"], (1, 0xD3): []}  # fmt: skip
+
+
+def test_positions_are_those_of_the_file() -> None:
+    model = load("set: 0x05\nname: it\ntitle: It\ndescription: It.\ntypes:\n  kind: {enum: u8, values: {a: 1}}\n")
+    t = model.sets[1].types[0]
+    assert isinstance(t, m.Enum) and t.position is not None and t.values[0].position is not None
+    assert (t.position.line, t.position.column) == (6, 3)
+    assert (t.values[0].position.line, t.values[0].position.column) == (6, 29)
+
+
+def test_measures() -> None:
+    u8 = m.ScalarOp("a", m.SCALARS["u8"], None, 1)
+    assert size(None) == (0, 0) and size(m.GroupOp(1, 1, (u8, u8))) == (0, 2)
+    assert open_ended(m.ArrayOp("a", u8, None, None, 5)) and not open_ended(m.ArrayOp("a", u8, None, "n", 5))

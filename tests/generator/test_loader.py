@@ -1,0 +1,128 @@
+"""YAML 1.2 scalars, places, and what the schema says in words."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+from corpus import BASE
+
+from mipgen import loader, nodes
+from mipgen.nodes import Node
+from mipgen.problems import Problems, SpecError, nearest
+from mipgen.resolve import load_model
+
+
+def parse(text: str | bytes, folder: Path) -> tuple[Node | None, list[str]]:
+    path = folder / "file.yaml"
+    path.write_bytes(text.encode("utf-8") if isinstance(text, str) else text)
+    problems = Problems()
+    return nodes.read(path, "file.yaml", problems), [str(p) for p in problems.sorted()]
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("true", True), ("false", False), ("True", "True"), ("yes", "yes"), ("no", "no"), ("on", "on"), ("off", "off"),
+        ("~", None), ("null", None), ("", None), ("Null", "Null"), ("0", 0), ("-7", -7), ("+7", 7), ("007", 7),
+        ("0x1F", 31), ("0xff", 255), ("0x", "0x"), ("1_000", "1_000"), ("0b1", "0b1"), ("12:30", "12:30"),
+        ("1.5", 1.5), (".5", 0.5), ("1.", 1.0), ("1e3", 1000.0), ("-2.5E-1", -0.25), ("1e999", math.inf),
+        (".inf", ".inf"), (".nan", ".nan"), ("2026-01-01", "2026-01-01"), ("=", "="), ("<<", "<<"),
+        ("'1'", "1"), ('"true"', "true"), ("''", ""), ("9" * 41, "9" * 41), ("9" * 40, int("9" * 40)),
+    ],
+)  # fmt: skip
+def test_scalars(text: str, value: object, tmp_path: Path) -> None:
+    root, problems = parse(f"key: {text}\n", tmp_path)
+    assert problems == []
+    assert root is not None
+    found = root["key"].value
+    assert (type(found), found) == (type(value), value)
+
+
+def test_keys_are_text(tmp_path: Path) -> None:
+    root, _ = parse("{true: 1, 2: 3, ~: 4, '': 5}", tmp_path)
+    assert root is not None and list(root.value) == ["true", "2", "~", ""]
+
+
+def test_places(tmp_path: Path) -> None:
+    root, _ = parse("a:\n  b: [1, {c: é, d: x}]\n  e: |\n    text\nf: ~\n", tmp_path)
+    assert root is not None
+
+    def at(*path: str | int) -> tuple[int, int]:
+        place = root.at(list(path))
+        return place.line, place.column
+
+    assert at() == (1, 1)
+    assert at("a") == (1, 1) and at("a", "b") == (2, 3) and at("a", "e") == (3, 3)
+    assert at("a", "b", 0) == (2, 7) and at("a", "b", 1) == (2, 10)
+    assert at("a", "b", 1, "c") == (2, 11) and at("a", "b", 1, "d") == (2, 17)
+    assert at("a", "nowhere", "c") == (1, 1)
+    assert str(root.value_at(["a", "b", 1, "d"])) == "file.yaml:2:20"
+    assert str(root.value_at(["f"])) == "file.yaml:5:1"
+    assert root.plain() == {"a": {"b": [1, {"c": "é", "d": "x"}], "e": "text\n"}, "f": None}
+
+
+def test_a_node_answers_for_what_it_lacks(tmp_path: Path) -> None:
+    root, _ = parse("a: ~\nb: 1\n", tmp_path)
+    assert root is not None
+    assert root.scalar("a", 5) == 5 and root.scalar("b", 5) == 1 and root.scalar("c", 5) == 5
+    assert "a" in root and "c" not in root and root.get("c") is None
+    assert root["b"].get("x") is None and "x" not in root["b"]
+
+
+@pytest.mark.parametrize("text", ["\ufeffa: 1\n", "a: 1\r\n", "%YAML 1.2\n---\na: 1\n", "a: 1\n...\n"])
+def test_harmless_forms(text: str, tmp_path: Path) -> None:
+    root, problems = parse(text, tmp_path)
+    assert problems == [] and root is not None and root.plain() == {"a": 1}
+
+
+def test_an_alias_of_what_holds_it(tmp_path: Path) -> None:
+    _, problems = parse("a: &a [*a]\n", tmp_path)
+    assert [p.split(": ")[0] for p in problems] == ["file.yaml:1:4", "file.yaml:1:8"]
+
+
+def test_all_duplicates_of_a_file(tmp_path: Path) -> None:
+    _, problems = parse("a: {b: 1, b: 2}\nc: 1\na: 2\nc: 3\n", tmp_path)
+    assert [p.split(" error: ")[0] for p in problems] == ["file.yaml:1:11:", "file.yaml:3:1:", "file.yaml:4:1:"]
+
+
+def test_a_folder_in_place_of_a_file(tmp_path: Path) -> None:
+    for name in ("protocol.yaml",):
+        (tmp_path / name).write_bytes((BASE / name).read_bytes())
+    (tmp_path / "sets/odd.yaml").mkdir(parents=True)
+    with pytest.raises(SpecError, match=r"sets/odd.yaml:1:1: error: cannot be read: Is a directory"):
+        load_model(tmp_path)
+
+
+def test_no_folder_at_all(tmp_path: Path) -> None:
+    with pytest.raises(SpecError, match=r"nowhere:1:1: error: this is no specification"):
+        load_model(tmp_path / "nowhere")
+
+
+def words(schema: dict[str, Any], value: Any) -> list[str]:
+    found = jsonschema.Draft7Validator(schema).iter_errors(value)
+    return [message for error in found for _, message in loader.messages(error, "the file")]
+
+
+def test_a_rule_without_words() -> None:
+    """The schemas use no rule that has no words of its own; a new one is not lost."""
+    assert words({"multipleOf": 2}, 3) == ["the file: 3 is not a multiple of 2"]
+
+
+def test_long_text_is_cut() -> None:
+    assert len(words({"type": "integer"}, "x" * 500)[0]) < 120
+
+
+def test_problems_are_sorted_and_counted_once() -> None:
+    problems = Problems()
+    for line, message in ((10, "b"), (9, "z"), (10, "a"), (10, "a")):
+        problems.add(loader.Position("f", line, 1), message)
+    assert [str(p) for p in problems.sorted()] == ["f:9:1: error: z", "f:10:1: error: a", "f:10:1: error: b"]
+    assert len(problems) == 3 and bool(problems)
+
+
+def test_many_choices_are_cut() -> None:
+    assert nearest("zzz", [f"a{i:02}" for i in range(20)]).endswith("a10, a11, …")

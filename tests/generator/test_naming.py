@@ -1,0 +1,63 @@
+"""Words into identifiers, and the doctests of all modules of the generator."""
+
+from __future__ import annotations
+
+import doctest
+import importlib
+import pkgutil
+
+import pytest
+
+import mipgen
+from mipgen.model import Position
+from mipgen.naming import Escape, Identifier, collisions, pascal, snake, upper
+from mipgen.problems import Problems
+
+MODULES = [f"mipgen.{m.name}" for m in pkgutil.iter_modules(mipgen.__path__) if m.name not in ("__main__", "targets")]
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_doctests(name: str) -> None:
+    assert doctest.testmod(importlib.import_module(name)).failed == 0
+
+
+def test_there_are_doctests() -> None:
+    assert sum(doctest.testmod(importlib.import_module(name)).attempted for name in MODULES) >= 10
+
+
+@pytest.mark.parametrize(
+    ("words", "camel"),
+    [
+        ("ping", "Ping"), ("gps_time_update", "GpsTimeUpdate"), ("gnss_1", "Gnss1"), ("gnss1", "Gnss1"),
+        ("3dm", "3dm"), ("axis_1_2", "Axis1_2"), ("a_b_c", "ABC"), ("vector3f", "Vector3f"), ("x_3d_point", "X3dPoint"),
+    ],
+)  # fmt: skip
+def test_cases(words: str, camel: str) -> None:
+    assert pascal(words) == camel
+    assert snake(words) == words
+    assert upper(words) == words.upper()
+
+
+def test_pascal_keeps_numbers_apart() -> None:
+    assert pascal("port_1_12") != pascal("port_11_2")
+
+
+def test_escape() -> None:
+    escape = Escape(frozenset({"class", "n3"}), suffix="_", digit_prefix="n")
+    assert [escape(n) for n in ("class", "classes", "3d", "3")] == ["class_", "classes", "n3d", "n3_"]
+
+
+def test_collisions_name_both_and_point_at_the_second() -> None:
+    problems = Problems()
+    collisions(
+        "c",
+        [
+            Identifier("module a", "Port1", "a.port_1", Position("a.yaml", 1, 1)),
+            Identifier("module b", "Port1", "b.port_1", Position("b.yaml", 1, 1)),
+            Identifier("module a", "Port1", "a.port1", Position("a.yaml", 5, 3)),
+        ],
+        problems,
+    )
+    assert [str(p) for p in problems.sorted()] == [
+        "a.yaml:5:3: error: 'a.port1' and 'a.port_1' both become Port1 in module a of the target c; rename one"
+    ]

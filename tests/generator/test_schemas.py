@@ -1,0 +1,88 @@
+"""The schemas are what editors use: each is valid, and each YAML file names its own."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+from corpus import BASE
+
+from mipgen.loader import LAYOUT
+
+ROOT = Path(__file__).parents[2]
+SCHEMAS = ROOT / "spec/schema"
+FILES = [
+    (kind, path)
+    for spec in (ROOT / "spec", ROOT / "tests/invented/spec", BASE)
+    for kind, pattern in LAYOUT.items()
+    for path in sorted(spec.glob(pattern))
+]
+
+#: Rules that the loader turns into words of its own.
+WORDED = {
+    "type", "enum", "const", "pattern", "required", "additionalProperties", "propertyNames", "minimum", "maximum",
+    "exclusiveMinimum", "minItems", "maxItems", "minLength", "minProperties", "maxProperties",
+}  # fmt: skip
+SILENT = {"$schema", "$id", "$ref", "title", "description", "definitions", "properties", "items", "allOf", "if", "then"}
+
+
+def schemas() -> list[Path]:
+    return sorted(SCHEMAS.glob("*.json"))
+
+
+@pytest.mark.parametrize("path", schemas(), ids=lambda p: p.name)
+def test_draft_07(path: Path) -> None:
+    schema = json.loads(path.read_text("utf-8"))
+    assert schema["$schema"] == "http://json-schema.org/draft-07/schema#"
+    assert schema["$id"] == path.name
+    jsonschema.Draft7Validator.check_schema(schema)
+
+
+@pytest.mark.parametrize("path", schemas(), ids=lambda p: p.name)
+def test_references_lead_somewhere(path: Path) -> None:
+    for reference in re.findall(r'"\$ref": "([^"]*)"', path.read_text("utf-8")):
+        file, _, pointer = reference.partition("#")
+        node = json.loads((SCHEMAS / (file or path.name)).read_text("utf-8"))
+        for step in pointer.split("/")[1:]:
+            node = node[step]
+
+
+def rules(schema: Any) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Every rule of a schema with the schema that it stands in."""
+    if not isinstance(schema, dict):
+        return
+    for key, value in schema.items():
+        yield key, schema
+        below = value.values() if key in ("properties", "definitions") else value if isinstance(value, list) else [value]
+        for inner in below:
+            yield from rules(inner)
+
+
+@pytest.mark.parametrize("path", schemas(), ids=lambda p: p.name)
+def test_every_rule_has_words(path: Path) -> None:
+    assert {key for key, _ in rules(json.loads(path.read_text("utf-8")))} <= WORDED | SILENT
+
+
+@pytest.mark.parametrize("path", schemas(), ids=lambda p: p.name)
+def test_closed(path: Path) -> None:
+    """A mapping with known keys permits no others."""
+    for key, schema in rules(json.loads(path.read_text("utf-8"))):
+        if key == "properties":
+            assert schema.get("additionalProperties") is False, list(schema["properties"])
+
+
+@pytest.mark.parametrize(("kind", "path"), FILES, ids=lambda x: x.name if isinstance(x, Path) else x)
+def test_a_file_names_its_schema(kind: str, path: Path) -> None:
+    first = path.read_text("utf-8").split("\n", 1)[0]
+    found = re.fullmatch(r"# yaml-language-server: \$schema=(\S+)", first)
+    assert found, f"{path}: the first line must name the schema"
+    assert (path.parent / found[1]).resolve() == SCHEMAS / f"{kind}.schema.json"
+
+
+def test_every_kind_has_files() -> None:
+    assert {kind for kind, _ in FILES} == set(LAYOUT)

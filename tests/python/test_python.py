@@ -1,0 +1,478 @@
+"""The Python package as its users see it: constructors, accessors, errors, parser, client, vendoring."""
+
+from __future__ import annotations
+
+import dataclasses
+import importlib
+import os
+import random
+import shutil
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+from mipgen import model as m
+from mipgen.targets import python as target
+from support import ROOT, SPECS, all_fields, model
+
+INVENTED = SPECS["invented"][1] / "python"
+REAL = SPECS["real"][1] / "python"
+
+
+class Package:
+    """A generated package, imported under its own name apart from the other one."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.modules: dict[str, ModuleType] = {}
+        self._call("registry", lambda registry: registry.all_types())
+
+    def __getattr__(self, name: str) -> Any:
+        return self._call(name, lambda module: module)
+
+    def _call(self, name: str, use: Callable[[ModuleType], Any]) -> Any:
+        kept = {k: sys.modules.pop(k) for k in list(sys.modules) if k.partition(".")[0] == "mip_protocol"}
+        sys.modules.update(self.modules)
+        sys.path.insert(0, str(self.folder))
+        try:
+            return use(importlib.import_module("mip_protocol" if name == "top" else f"mip_protocol.{name}"))
+        finally:
+            sys.path.pop(0)
+            self.modules = {k: sys.modules.pop(k) for k in list(sys.modules) if k.partition(".")[0] == "mip_protocol"}
+            sys.modules.update(kept)
+
+
+mip = Package(INVENTED)
+real = Package(REAL)
+
+
+def user(folder: Path, code: str, python: str = sys.executable, **environment: str) -> str:
+    """Runs a program as a user would, with the package on its path."""
+    done = subprocess.run(
+        [python, "-c", code], capture_output=True, text=True, cwd="/",
+        env={**os.environ, "PYTHONPATH": str(folder), "PYTHONDONTWRITEBYTECODE": "1", **environment},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+# --------------------------------------------------------------------------- types
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_every_field_has_a_class_with_its_numbers_and_its_links(spec: str) -> None:
+    package, of = (mip if spec == "invented" else real), model(spec)
+    types = package.registry.all_types()
+    assert len(types) == len(all_fields(of))
+    for number, kind in types:
+        (field,) = [f for f in of.candidates(number, kind.DESCRIPTOR) if target.class_name(f) == kind.__name__] or [None]
+        if field is None:
+            assert kind.NAME == of.protocol.acknowledge.full_name
+            continue
+        assert package.registry.name(number, kind) == field.full_name
+        assert kind.ROLE == field.role
+        assert kind.__doc__ and field.title in kind.__doc__
+        if field.role == m.COMMAND:
+            assert [r.NAME.partition(".")[2] for r in kind.RESPONSES] == list(field.responses)
+            assert all(kind in r.COMMANDS for r in kind.RESPONSES)
+        if field.role == m.RESPONSE and field.set:
+            assert kind.COMMANDS and all(kind in c.RESPONSES for c in kind.COMMANDS)
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_every_value_and_bit_has_its_name(spec: str) -> None:
+    package, of = (mip if spec == "invented" else real), model(spec)
+    for owner, types in [("types", of.types), *((target.module(s.name), s.types) for s in of.sets)]:
+        for t in types:
+            kind = getattr(getattr(package, owner), target.class_name(t))
+            if isinstance(t, m.Enum):
+                for v in t.values:
+                    assert kind[target.constant(v.name)] == v.value
+            elif isinstance(t, m.Bitfield):
+                for b in t.bits:
+                    assert int(getattr(kind, target.constant(b.name))) == b.mask
+                    if b.width > 1 and not b.alias:
+                        changed = getattr(kind(0), f"with_{b.name}")((1 << b.width) - 1)
+                        assert int(changed) == b.mask and int(getattr(changed, b.name)) == (1 << b.width) - 1
+
+
+def test_unknown_values_survive() -> None:
+    mode = mip.types.Mode(77)
+    assert mode == 77 and mode.name == "UNKNOWN_77" and isinstance(mode, mip.types.Mode)
+    flags = mip.types.StateFlags(0xFFFF)
+    assert int(flags & ~mip.types.StateFlags.READY) == 0xFFFE
+    assert int(flags.with_level(0)) == 0xFF8F
+    with pytest.raises(mip.errors.EncodeError, match="3 bits"):
+        flags.with_level(8)
+    assert flags.mode == 3 and isinstance(flags.mode, mip.types.Mode)
+
+
+def test_wide_bits() -> None:
+    health = mip.types.Health.LAST | mip.types.Health.POWER
+    field = mip.measurements.Health(health, mip.types.WideCode.HIGH)
+    assert field.encode().hex() == "0002" + "00" * 13 + "80" + "ffff0000"
+    assert mip.measurements.Health.decode(field.encode()) == field
+    assert health.with_count(0b1001).count == 0b1001
+
+
+# --------------------------------------------------------------------------- constructors
+
+
+def test_constructors_build_the_shortest_form() -> None:
+    settings, mode = mip.tools.Settings, mip.types.Mode
+    assert settings.write(1, mode.SLOW, 9600).encode().hex() == "01010200002580"
+    assert settings.write(1, mode.SLOW, 9600, limit=5).encode().hex() == "010102000025800005"
+    assert settings.read(1, mode.FAST).encode().hex() == "020101"
+    assert settings.save(1).encode().hex() == "0301"
+    assert settings.load(0).encode().hex() == "0400"
+    assert settings.default(2).encode().hex() == "0502"
+    assert settings.apply(1, mode.FAST, 1).encode().hex() == "06010100000001"
+    assert not settings.apply(1, mode.FAST, 1).answered and settings.save(1).answered
+
+
+def test_short_and_full_forms_come_back() -> None:
+    for data in ("0301", "03010200002580", "0301020000258000", "07", "0701", "0201", "020101", "0101020000258000050a"):
+        try:
+            value, trailing = mip.tools.Settings.decode_with_trailing(bytes.fromhex(data))
+        except mip.errors.Truncated:
+            assert data == "0201"
+            continue
+        assert value.encode().hex() + data[len(data) - 2 * trailing :] == data
+    assert mip.tools.Settings.decode(b"\x03\x01").baud is None
+
+
+def test_reserved_values_are_sent_and_kept() -> None:
+    arrays = mip.measurements.Arrays
+    zero = mip.types.Point(0, 0)
+    track = mip.types.Segment(zero, zero, (0, 0))
+    value = arrays((0, 0, 0), (0, 0), ((0, 0, 0), (0, 0, 0)), (zero, zero), track)
+    assert value.offsets == (0, 0, 0, 0)
+    changed = value.encode()[:-1] + b"\xff"
+    assert arrays.decode(changed).encode() == changed
+
+
+def test_what_cannot_be_sent_is_refused() -> None:
+    tools, types = mip.tools, mip.types
+    wrong = {
+        "missing": [tools.Settings.write(1, None, 1), tools.Settings(1, 1, types.Mode.FAST), tools.Bias.write(None)],
+        "range": [tools.Settings.save(256), tools.Settings.save(-1), tools.Settings.save("x"), tools.CaptureBias(1 << 16)],
+        "count": [tools.Bias.write((1, 2)), tools.Bias.write(5), tools.List.write(tuple(range(200)))],
+        "tag": [tools.Choice.write(1, tools.Shape.CIRCLE, None), tools.Choice.write(1, tools.Shape.NONE, (1, 0, 0, 0))],
+    }
+    for kind, values in wrong.items():
+        for value in values:
+            with pytest.raises(mip.errors.EncodeError) as error:
+                value.encode()
+            assert error.value.kind == kind, value
+
+
+def test_signalling_nan_keeps_its_bits() -> None:
+    data = bytes.fromhex("7f800001 ff812345 7fe5bf7f 0001")
+    assert mip.measurements.Accel.decode(data).encode() == data
+
+
+def test_meaning_depends_on_a_sibling_or_the_device() -> None:
+    pin = mip.tools.Pin.write(mip.tools.Drive.SERIAL, 0x21)
+    assert pin.meaning("use") is mip.tools.SerialUse.TRANSMIT
+    assert mip.tools.Pin.write(mip.tools.Drive.OFF, 1).meaning("use") == 1
+    status = mip.tools.StatusShort(1 << 12)
+    assert mip.tools.ModelBFaults.ACCEL in status.meaning("flags", "model-b")
+    assert mip.tools.ModelAFaults.CLOCK not in status.meaning("flags", "model-a")
+
+
+# --------------------------------------------------------------------------- core
+
+
+def test_builder_refuses_and_stays_valid() -> None:
+    builder = mip.packet.PacketBuilder(1).add(1, bytes(250))
+    with pytest.raises(mip.errors.EncodeError, match="length"):
+        builder.add(1, bytes(2))
+    assert len(builder.add(1, b"\x00").build().payload) == 255
+    with pytest.raises(mip.errors.EncodeError):
+        mip.packet.PacketBuilder(0)
+
+
+def test_malformed_field_leaves_those_before_it() -> None:
+    payload = bytes.fromhex("0201 05")
+    head = b"ue\x01" + bytes([len(payload)]) + payload
+    packet = mip.packet.Packet(head + mip.packet.checksum(head))
+    seen = []
+    with pytest.raises(mip.errors.PacketError, match="field_length"):
+        for raw in packet:
+            seen.append(raw.descriptor)
+    assert seen == [1]
+    assert [type(f).__name__ for f in mip.registry.decode_packet(packet)] == ["Ping"]
+
+
+def test_flush_gives_up_the_pending_candidate_only() -> None:
+    ping = bytes(mip.tools.Ping().packet())
+    parser = mip.parser.Parser()
+    assert parser.feed(b"ue\x80\xff" + ping) == [] and parser.pending == 12
+    assert [bytes(p) for p in parser.flush()] == [ping]
+    assert parser.skipped == 4 and parser.pending == 0
+
+
+def test_parser_is_linear() -> None:
+    """A long stream of false beginnings must not be scanned again and again."""
+    parser = mip.parser.Parser()
+    for _ in range(200):
+        parser.feed(b"ue" * 500)
+    assert parser.pending <= 261
+
+
+# --------------------------------------------------------------------------- client
+
+
+def reply(*fields: str, set: int = 1) -> bytes:
+    builder = mip.packet.PacketBuilder(set)
+    for f in fields:
+        data = bytes.fromhex(f)
+        builder.add(data[0], data[1:])
+    return bytes(builder.build())
+
+
+def test_client_pairs_answers_with_commands() -> None:
+    top, tools = mip.top, mip.tools
+    client = top.Client(timeout=1.0)
+    read = tools.Settings.read(1, mip.types.Mode.FAST)
+    sent = client.send(tools.Settings.default(1), tools.Settings.save(1), read, now=0.0)
+    assert [f.descriptor for f in top.Packet(sent)] == [2, 2, 2] and len(client.pending) == 3
+    data = bytes(mip.packet.PacketBuilder(0x80).add(0x99, b"\x01").build())
+    answer = reply("f1 02 00", "f1 02 03", "f1 02 00", "82 01 01 00002580 0005 01")
+    events = [e for byte in data + answer + data for e in client.receive(bytes([byte]), now=0.5)]
+    assert [type(e).__name__ for e in events] == ["Received", "Answer", "Answer", "Answer", "Received"]
+    answers = [e for e in events if isinstance(e, top.Answer)]
+    assert [a.accepted for a in answers] == [True, False, True]
+    assert answers[1].code is mip.types.AckCode.INVALID_PARAMETER
+    assert answers[2].response.baud == 9600 and answers[0].response is None
+    assert client.pending == () and client.poll(now=99.0) == []
+
+
+def test_client_times_out_and_forgets_silent_commands() -> None:
+    client = mip.top.Client(timeout=1.0)
+    client.send(mip.tools.Settings.apply(1, mip.types.Mode.FAST, 1), now=0.0)
+    client.send(mip.tools.Formats(True, 0, ()), now=0.0)
+    assert client.pending == ()
+    client.send(mip.tools.Ping(), now=0.0)
+    client.send(mip.tools.Status(1), now=0.0)
+    assert client.poll(now=0.9) == []
+    assert [type(e.command).__name__ for e in client.poll(now=1.0)] == ["Ping"]
+    assert [type(e.command).__name__ for e in client.poll(now=2.5)] == ["Status"]
+    late = client.receive(reply("f1 01 00"), now=3.0)
+    assert [type(e).__name__ for e in late] == ["Received"]
+
+
+def test_client_decodes_the_layout_that_the_constants_tell() -> None:
+    client = mip.top.Client()
+    client.send(mip.tools.Status(2), now=0.0)
+    (event,) = client.receive(reply("f1 04 00", "90 1267 02 00000001 0000000000000009"), now=0.1)
+    assert isinstance(event.response, mip.tools.StatusLong) and event.response.uptime == 9
+
+
+def test_client_survives_a_reply_that_cannot_be_decoded() -> None:
+    client = mip.top.Client()
+    client.send(mip.tools.CaptureBias(1), now=0.0)
+    (event,) = client.receive(reply("f1 06 00", "9b 00"), now=0.1)
+    assert event.accepted and event.response is None
+
+
+def test_client_refuses_what_does_not_fit_and_waits_for_nothing() -> None:
+    client = mip.top.Client()
+    with pytest.raises(ValueError, match="one descriptor set"):
+        client.send(mip.tools.Ping(), mip.mip_3d.Default(1, 2, 3, 4, 5), now=0.0)
+    with pytest.raises(mip.errors.EncodeError, match="length"):
+        client.send(*[mip.tools.Ping()] * 128, now=0.0)
+    assert client.pending == ()
+
+
+# --------------------------------------------------------------------------- devices
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_devices(spec: str) -> None:
+    package, of = (mip if spec == "invented" else real), model(spec)
+    assert sorted(package.devices.DEVICES) == [d.id for d in of.devices]
+    for d in of.devices:
+        device = package.devices.DEVICES[d.id]
+        for name in d.fields:
+            f = of.field(name)
+            assert f is not None and device.supports(f.set, f.descriptor)
+        assert set(device.readings) == {name for name, _ in d.readings}
+        assert device.ack_codes == set(d.ack_codes)
+
+
+# --------------------------------------------------------------------------- examples, as a user writes them
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_examples_built_by_hand(spec: str) -> None:
+    """Each printed packet, built from the classes by a program that is written out here."""
+    of = model(spec)
+    lines = ["from mip_protocol import *", "from mip_protocol import types, protocol, registry",
+             "from mip_protocol.codec import single_from_bits as f32", "import struct",
+             "f64 = lambda n: struct.unpack('>d', n.to_bytes(8, 'big'))[0]"]  # fmt: skip
+    lines += [f"from mip_protocol import {target.module(s.name)}" for s in of.sets]
+    count = 0
+    for e in of.examples:
+        lines.append(f"b = PacketBuilder({e.set})")
+        for f in e.fields:
+            field = of.field(f.field) if f.field else None
+            if field is None or f.trailing:
+                lines.append(f"b.add({f.descriptor}, bytes.fromhex({f.data.hex()!r}))")
+            else:
+                lines.append(f"b.add({f.descriptor}, {written(field, f.values or {})}.encode())")
+        lines.append(f"assert bytes(b.build()).hex() == {e.packet.hex()!r}, ({e.id!r}, b.build())")
+        count += 1
+    lines.append(f"print({count})")
+    assert user(SPECS[spec][1] / "python", "\n".join(lines)) == f"{len(of.examples)}\n"
+
+
+def written(record: m.Field | m.Struct, values: dict[str, Any]) -> str:
+    """A record as Python source: by the constructor of its function, where it has one."""
+    given = [p for p in target.stored(record) if p.name in values and p.reserved is None or p.name in values]
+    home = target.qualified(record) if isinstance(record, m.Struct) else _home(record)
+    words = {target._member(p.name): literal(p, values[p.name], values) for p in given}
+    if isinstance(record, m.Field) and record.functions:
+        function = next((f for f in record.functions if f.value == values["function"]), None)
+        if function is not None:
+            c = target.constructor(function, record)
+            names = {x.partition(":")[0] for x in c["parameters"]}
+            own = {k: v for k, v in words.items() if k != "function"}
+            reserved = {target._member(p.name) for p in record.parameters if p.reserved is not None}
+            if set(own) - reserved == {n for n in names if n in own} and all(
+                n in own or "= None" in x for n, x in ((x.partition(":")[0], x) for x in c["parameters"])
+            ):
+                inner = ", ".join(f"{k}={v}" for k, v in own.items() if k in names)
+                return f"{home}.{target._member(function.name)}({inner})"
+    return f"{home}({', '.join(f'{k}={v}' for k, v in words.items())})"
+
+
+def _home(f: m.Field) -> str:
+    if f.set == 0:
+        return target.class_name(f)
+    owner = f.definition.partition(".")[0] if f.definition else f.set_name
+    return f"{target.module(owner)}.{target.class_name(f)}"
+
+
+def literal(p: m.Parameter, value: Any, siblings: dict[str, Any]) -> str:
+    if p.tag:
+        case = next((c for c in p.cases if c.tag.value == siblings[p.tag]), None)
+        return literal(case.parameter, value[case.parameter.name], {}) if case and case.parameter and value else "None"
+    e = p.element
+    if p.length is not None and not isinstance(value, str):
+        return "(" + "".join(f"{item(e, v)}, " for v in value) + ")"
+    if isinstance(value, str) and p.length is not None:
+        return repr(value)
+    return item(e, value)
+
+
+def item(e: Any, value: Any) -> str:
+    if isinstance(e, m.Struct):
+        return written(e, value)
+    if isinstance(e, m.Vector):
+        return "(" + "".join(f"{number(e.scalar, v)}, " for v in value) + ")"
+    if isinstance(e, m.Enum):
+        name = "FunctionSelector" if e.name == "function_selector" else target.qualified(e)
+        known = next((v for v in e.values if v.value == value), None)
+        return f"{name}.{target.constant(known.name)}" if known else f"{name}({value})"
+    if isinstance(e, m.Bitfield):
+        whole = int.from_bytes(bytes(value), "little") if isinstance(value, list) else value
+        return f"{target.qualified(e)}({whole})"
+    return number(e, value)
+
+
+def number(scalar: m.Scalar, value: Any) -> str:
+    if scalar.kind == "float":
+        return f"f{8 * scalar.size}({value})"
+    return repr(bool(value)) if scalar.kind == "bool" and value < 2 else str(value)
+
+
+# --------------------------------------------------------------------------- vendoring
+
+
+def test_folder_alone_installs_and_runs(tmp_path: Path) -> None:
+    """Copied into an empty place, installed, used from elsewhere."""
+    copy = tmp_path / "vendored"
+    shutil.copytree(REAL, copy, ignore=shutil.ignore_patterns("__pycache__"))
+    for name in ("README.md", "LICENSE", "pyproject.toml", "mip_protocol/py.typed"):
+        assert (copy / name).is_file()
+    site = tmp_path / "site"
+    done = subprocess.run(
+        [sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--no-build-isolation", "--no-index",
+         "--disable-pip-version-check", "--target", str(site), str(copy)],
+        capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    shutil.rmtree(copy / "mip_protocol")
+    version = model("real").protocol.version
+    assert user(site, "import mip_protocol; print(mip_protocol.__version__)") == f"{version}\n"
+    taste = (REAL / "taste.py").read_text("utf-8")
+    assert user(site, taste).splitlines()[0].startswith("75 65 01 02")
+
+
+def test_readme_shows_the_program_that_is_run() -> None:
+    code = (REAL / "taste.py").read_text("utf-8").partition('"""\n\n')[2].rstrip()
+    assert code in (REAL / "README.md").read_text("utf-8")
+
+
+def test_nothing_but_the_standard_library() -> None:
+    code = """
+import sys, mip_protocol
+from mip_protocol import registry, devices, reflection
+registry.all_types()
+print(sorted({k.partition('.')[0] for k in sys.modules} - set(sys.stdlib_module_names) - {'__main__', 'mip_protocol'}))
+"""
+    found = user(REAL, "import sys; sys.path = [p for p in sys.path if 'site-packages' not in p]\n" + code)
+    assert found in ("[]\n", "['_distutils_hack']\n", "['sitecustomize']\n")
+
+
+def test_one_field_does_not_import_the_others() -> None:
+    code = "import sys\nfrom mip_protocol import sensor\nprint(sorted(k for k in sys.modules if 'mip_protocol' in k))"
+    loaded = user(REAL, code)
+    assert "mip_3dm" not in loaded and "registry" not in loaded and "reflection" not in loaded
+
+
+@pytest.mark.parametrize("version", ["3.10", "3.11", "3.12", "3.13"])
+def test_other_python_versions(version: str) -> None:
+    """Those that are on the machine; 3.10 is the oldest that is supported, and ruff checks its syntax."""
+    home = Path.home() / ".pyenv/versions"
+    found = [shutil.which(f"python{version}"), *sorted(str(p) for p in home.glob(f"{version}.*/bin/python"))]
+    for python in [p for p in found if p]:
+        if subprocess.run([python, "-c", "pass"], capture_output=True).returncode == 0:
+            code = (
+                "from mip_protocol import registry, devices, reflection, types\n"
+                "F = types.GpioPinMode\n"
+                "assert int(F(0xFF) & ~F.PULLUP) == 0xFB and int(F(0x80) | F.PULLUP) == 0x84 and F.PULLUP in F(0xFF)\n"
+                "assert types.AckCode(200) == 200 and types.AckCode(0) is types.AckCode.OK\n"
+                "print(len(registry.all_types()))"
+            )
+            assert user(REAL, code, python=python) == f"{len(all_fields(model('real')))}\n"
+            assert ast_version(version)
+            return
+    assert ast_version(version)
+
+
+def ast_version(version: str) -> bool:
+    """All of the package is the language of that version."""
+    import ast
+
+    minor = int(version.partition(".")[2])
+    for path in sorted((REAL / "mip_protocol").glob("*.py")):
+        ast.parse(path.read_text("utf-8"), feature_version=(3, minor))
+    return True
+
+
+def test_slots_and_equality() -> None:
+    chance = random.Random(9)
+    kind = mip.measurements.Accel
+    data = bytes(chance.randrange(64) for _ in range(14))
+    assert kind.decode(data) == kind.decode(data) and not hasattr(kind.decode(data), "__dict__")
+    assert dataclasses.is_dataclass(kind)
+
+
+def test_root_of_the_project_is_not_needed() -> None:
+    assert str(ROOT) not in "".join(p.read_text("utf-8") for p in (REAL / "mip_protocol").glob("*.py"))
