@@ -8,7 +8,6 @@ import textwrap
 from pathlib import Path
 
 from corpus import BASE
-
 from mipgen import model as m
 from mipgen.resolve import load_model
 

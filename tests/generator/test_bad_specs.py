@@ -1,4 +1,4 @@
-"""Every bad specification is refused with exactly the messages that it announces; every check has a bad specification."""
+"""Every bad specification is refused with just the messages that it announces; every check has one."""
 
 from __future__ import annotations
 
@@ -10,10 +10,9 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
+import mipgen.problems
 import pytest
 from corpus import BASE, BadSpec, bad_specs, reported
-
-import mipgen.problems
 from mipgen import checks, cli, codec, render
 from mipgen.resolve import load_model
 
@@ -55,7 +54,9 @@ def named(name: str) -> BadSpec:
     return next(bad for bad in bad_specs() if bad.name == name)
 
 
-@pytest.mark.parametrize("name", ["yaml_colon", "schema_missing", "descriptor_twice", "example_checksum", "name_collision"])
+@pytest.mark.parametrize(
+    "name", ["yaml_colon", "schema_missing", "descriptor_twice", "example_checksum", "name_collision"]
+)
 @pytest.mark.parametrize("command", ["validate", "generate", "check"])
 def test_nothing_is_written(
     name: str, command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
@@ -76,7 +77,7 @@ def test_nothing_is_written(
 def test_paths_are_those_of_the_caller(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     spec = named("descriptor_twice").lay(tmp_path)
     monkeypatch.chdir(spec.parent)
-    with pytest.raises(mipgen.problems.SpecError, match="^spec/sets/bad.yaml:"):
+    with pytest.raises(mipgen.problems.SpecError, match=r"^spec/sets/bad.yaml:"):
         load_model(spec)
 
 

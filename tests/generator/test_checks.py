@@ -5,11 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from specimen import field
-
 from mipgen import model as m
 from mipgen.checks import computed_length, differences
 from mipgen.resolve import load_model
+from specimen import field
 
 INVENTED = load_model(Path(__file__).parents[1] / "invented/spec")
 

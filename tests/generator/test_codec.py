@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-
 from mipgen import codec
 from mipgen import model as m
 from mipgen.codec import CodecError

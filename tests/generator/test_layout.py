@@ -5,11 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from specimen import field, load
-
 from mipgen import model as m
 from mipgen.operations import open_ended, size
 from mipgen.resolve import load_model
+from specimen import field, load
 
 INVENTED = load_model(Path(__file__).parents[1] / "invented/spec")
 
@@ -151,7 +150,9 @@ def test_responses() -> None:
     command = invented("tools.capture_bias")
     assert command.responses == ("bias_vector",)
     first = invented("tools.set_time_fast_response")
-    assert first.command == "set_time" and [(c.parameter, c.value, c.label) for c in first.when] == [("part", 1, "fast")]
+    assert first.command == "set_time" and [(c.parameter, c.value, c.label) for c in first.when] == [
+        ("part", 1, "fast")
+    ]
     silent = invented("tools.formats").silent_when
     assert [(c.parameter, c.value) for c in silent] == [("suppress_ack", 1)]
 

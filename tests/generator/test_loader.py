@@ -9,8 +9,8 @@ from typing import Any
 import jsonschema
 import pytest
 from corpus import BASE
-
 from mipgen import loader, nodes
+from mipgen.model import Position
 from mipgen.nodes import Node
 from mipgen.problems import Problems, SpecError, nearest
 from mipgen.resolve import load_model
@@ -119,7 +119,7 @@ def test_long_text_is_cut() -> None:
 def test_problems_are_sorted_and_counted_once() -> None:
     problems = Problems()
     for line, message in ((10, "b"), (9, "z"), (10, "a"), (10, "a")):
-        problems.add(loader.Position("f", line, 1), message)
+        problems.add(Position("f", line, 1), message)
     assert [str(p) for p in problems.sorted()] == ["f:9:1: error: z", "f:10:1: error: a", "f:10:1: error: b"]
     assert len(problems) == 3 and bool(problems)
 

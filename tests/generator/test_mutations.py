@@ -11,7 +11,6 @@ from typing import Any
 import pytest
 import yaml
 from corpus import BASE
-
 from mipgen import loader, nodes
 from mipgen.loader import LAYOUT
 from mipgen.problems import Problems, SpecError
@@ -22,7 +21,28 @@ INVENTED = Path(__file__).parents[1] / "invented/spec"
 SEED = int(os.environ.get("SEED", "20260101"))
 MUTATIONS = int(os.environ.get("MUTATIONS", "400"))
 
-ODD_VALUES = [None, True, 0, -1, 3, 255, 256, 2.5, 1e400, 1 << 70, "", "x", "rest", "u8", "0x80", "²", [], {}, [1], {"x": 1}]
+ODD_VALUES = [
+    None,
+    True,
+    0,
+    -1,
+    3,
+    255,
+    256,
+    2.5,
+    1e400,
+    1 << 70,
+    "",
+    "x",
+    "rest",
+    "u8",
+    "0x80",
+    "²",
+    [],
+    {},
+    [1],
+    {"x": 1},
+]
 
 Tree = Any
 
@@ -126,7 +146,9 @@ def test_only_problems_come_out_of_any_text(tmp_path: Path) -> None:
     text = target.read_text("utf-8")
     for turn in range(MUTATIONS):
         at, size = chance.randrange(len(text)), chance.choice([0, 1, 1, 20])
-        piece = chance.choice([*"{}[],:&*!|>'\"#%@`-?\t\n\x00\u2028", "? ", "- ", "<<: ", "*a", "&a ", "!!int ", "...", "---\n"])
+        piece = chance.choice(
+            [*"{}[],:&*!|>'\"#%@`-?\t\n\x00\u2028", "? ", "- ", "<<: ", "*a", "&a ", "!!int ", "...", "---\n"]
+        )
         target.write_bytes((text[:at] + piece + text[at + size :]).encode("utf-8"))
         try:
             load_model(tmp_path)
@@ -134,5 +156,3 @@ def test_only_problems_come_out_of_any_text(tmp_path: Path) -> None:
             pass
         except Exception as error:
             pytest.fail(f"mutation {turn}: {piece!r} at {at}: {error!r}")
-
-

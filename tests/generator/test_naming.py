@@ -6,9 +6,8 @@ import doctest
 import importlib
 import pkgutil
 
-import pytest
-
 import mipgen
+import pytest
 from mipgen.model import Position
 from mipgen.naming import Escape, Identifier, collisions, pascal, snake, upper
 from mipgen.problems import Problems

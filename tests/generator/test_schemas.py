@@ -11,7 +11,6 @@ from typing import Any
 import jsonschema
 import pytest
 from corpus import BASE
-
 from mipgen.loader import LAYOUT
 
 ROOT = Path(__file__).parents[2]
@@ -58,7 +57,9 @@ def rules(schema: Any) -> Iterator[tuple[str, dict[str, Any]]]:
         return
     for key, value in schema.items():
         yield key, schema
-        below = value.values() if key in ("properties", "definitions") else value if isinstance(value, list) else [value]
+        below = (
+            value.values() if key in ("properties", "definitions") else value if isinstance(value, list) else [value]
+        )
         for inner in below:
             yield from rules(inner)
 

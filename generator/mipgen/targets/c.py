@@ -148,6 +148,8 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "repeated_paragraphs": repeated_paragraphs,
         "function": function,
         "string": string,
+        "text": str,
+        "bare": bare,
         "fill": fill,
         "assign": assign,
         "declared": declared,
@@ -608,9 +610,14 @@ def links(model: m.Model) -> list[tuple[int, list[int]]]:
 # --------------------------------------------------------------------------- reflection
 
 
+def bare(thing: m.Type | m.Field) -> str:
+    """A name without the prefix of the library, for what stays inside of a source."""
+    return (field_name(thing) if isinstance(thing, m.Field) else type_name(thing)).removeprefix("mip_")
+
+
 def names_of(t: m.Type) -> str:
     """The table that names the values or bits of a type."""
-    return type_name(t).replace("mip_", "names_", 1)
+    return f"names_{bare(t)}"
 
 
 def _groups(record: Record) -> dict[str, int]:
@@ -638,7 +645,7 @@ def reflected(p: m.Parameter, record: Record, union: m.Parameter | None = None) 
         if isinstance(p.element, m.Vector) and isinstance(item.item, m.ScalarOp):
             elements = item.count or 1
         item = item.item
-    name, full = _member(p.name), record_name(record).removeprefix("mip_")
+    name, full = _member(p.name), bare(record)
     home = f"union {union_name(record, union)}" if union else f"struct {record_name(record)}"
     numbers = {q.name: i for i, q in enumerate(record.parameters)}
     by = p.tag or p.counts or (p.length if isinstance(p.length, str) else None)
@@ -660,7 +667,7 @@ def reflected(p: m.Parameter, record: Record, union: m.Parameter | None = None) 
         f"offsetof({home}, {name}_count)" if p.length == "rest" else "0",
         f"&{names_of(e)}" if isinstance(e, (m.Enum, m.Bitfield)) else "NULL",
         f"readings_{full}_{p.name}" if p.reading and not union else "NULL",
-        f"&record_{type_name(e).removeprefix('mip_')}" if isinstance(e, m.Struct) else "NULL",
+        f"&record_{bare(e)}" if isinstance(e, m.Struct) else "NULL",
         f"cases_{full}_{p.name}" if p.cases else "NULL",
         str(len(p.reading.types) if p.reading and not union else len(p.cases)),
     ]
@@ -669,10 +676,10 @@ def reflected(p: m.Parameter, record: Record, union: m.Parameter | None = None) 
 def reflection(f: m.Field) -> list[str]:
     """The members of struct mip_reflection."""
     name = field_name(f)
-    required = name.replace("mip_", "required_", 1)
+    required = f"required_{bare(f)}"
     return [
         f"&{name}_codec",
-        f"&{name.replace('mip_', 'record_', 1)}",
+        f"&record_{bare(f)}",
         "true" if f.functions else "false",
         "true" if f.optional else "false",
         required if f.functions else "NULL",
