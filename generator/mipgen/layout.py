@@ -15,6 +15,9 @@ from .nodes import Node
 from .operations import REST, open_ended, operation, size, with_capacity
 from .problems import Problems, nearest
 
+#: How deep structures may stand in structures: far beyond need, and short of Python's own limit.
+MAX_NESTING = 16
+
 
 @dataclass(frozen=True, slots=True)
 class Record:
@@ -84,6 +87,9 @@ class Types:
             if name in self._open:
                 loop = " -> ".join([*self._open[self._open.index(name) :], name])
                 self.problems.add(position, f"the type contains itself: {loop}; a structure needs an end")
+                return None
+            if len(self._open) == MAX_NESTING:
+                self.problems.add(position, f"'{name}' is nested more than {MAX_NESTING} deep; make it flatter")
                 return None
             self._open.append(name)
             found = self._resolve(name, where, node)

@@ -355,6 +355,18 @@ def test_every_function_has_its_row(manual: Manual) -> None:
         assert [str(x.value), x.letter, x.name, prose(x.description)] in [row[:4] for row in rows_of(section)]
 
 
+def test_frame_and_checksum(manual: Manual) -> None:
+    protocol, page = manual.model.protocol, manual.page("packets.md")
+    assert f"`{bytes(protocol.sync).hex(' ').upper()}`" in page and f"0 to {protocol.max_payload}:" in page
+    steps = [[int(c, 16) for c in row] for row in rows_of(page.partition("For example:")[2].partition("\n## ")[0])[2:]]
+    packet = bytes(step[0] for step in steps)
+    assert [bytes(step[1:]) for step in steps] == [codec.checksum(packet[: i + 1]) for i in range(len(packet))]
+    end = re.search(r"The packet ends with `([0-9A-F ]+)`", page)
+    assert end and codec.split(manual.model, packet + bytes.fromhex(end[1]))
+    for d in manual.model.devices:
+        assert f"{d.title} sends the codes {', '.join(map(str, d.ack_codes))}." in words(page)
+
+
 def test_whole_packets_of_commands_without_parameters(manual: Manual) -> None:
     found = 0
     for f in manual.model.fields:
@@ -387,7 +399,9 @@ def test_every_type_has_its_section(manual: Manual) -> None:
                 span = str(b.first) if b.first == b.last else f"{b.first}–{b.last}"
                 place = f"0x{b.mask:0{2 * t.size}X}" if t.scalar else f"{b.first // 8}.{b.first % 8}"
                 row = next((r for r in rows if r[:3] == [span, place, b.name]), None)
-                if row is None or prose(b.description) not in " ".join(row):
+                said = [prose(b.description), f"A value of {b.enum.name}." if b.enum else ""]
+                alias = row is not None and "Overlaps other bits." in row[-1]
+                if row is None or any(text not in " ".join(row) for text in said) or b.alias != alias:
                     faults.append(f"{where}.{b.name}")
         elif isinstance(t, m.Vector):
             if [r[1] for r in rows[2:]] != list(t.elements):
@@ -616,11 +630,11 @@ class Filler:
                     return "0x" + raw.hex()
                 return int.from_bytes(raw, "big", signed=op.scalar.kind == "signed")
             case m.TextOp():
-                n = op.count if op.count is not None else self.random.randrange(3) if count is None else count
+                n = self.elements(op, count)
                 self.bytes[path] = self.random.randbytes(n)
                 return self.bytes[path].decode("latin-1")
             case m.ArrayOp():
-                n = op.count if op.count is not None else self.random.randrange(3) if count is None else count
+                n = self.elements(op, count)
                 found = [self.one(op.item, f"{path}[{i}]", None) for i in range(n)]
                 self.bytes[path] = b"".join(self.bytes.pop(f"{path}[{i}]") for i in range(n))
                 return found
@@ -633,6 +647,12 @@ class Filler:
                 return found_
         raise AssertionError(op)
 
+    def elements(self, op: m.TextOp | m.ArrayOp, count: int | None) -> int:
+        if op.count is not None or count is not None:
+            return op.count if op.count is not None else int(count or 0)
+        self.counts["rest"] = self.random.randrange(3)
+        return self.counts["rest"]
+
 
 def evaluate(expression: str, names: dict[str, int]) -> int:
     """The number that "4 + 3*count" is."""
@@ -641,6 +661,12 @@ def evaluate(expression: str, names: dict[str, int]) -> int:
         factor, _, name = term.rpartition("*")
         total += int(factor or 1) * (names[name] if not name.isdigit() else int(name))
     return total
+
+
+def lengths(text: str, names: dict[str, int]) -> set[int]:
+    """The numbers that "5, 7 or 10 + 3*count" are; those whose counters are not there are left out."""
+    found = re.split(r", | or ", text)
+    return {evaluate(x, names) for x in found if set(re.findall(r"[a-z_][\w.]*", x)) <= names.keys()}
 
 
 def indexed(path: str) -> tuple[str, dict[str, int]]:
@@ -670,6 +696,7 @@ def test_offsets_are_those_of_the_bytes(manual: Manual) -> None:
                 values["function"] = filler.random.choice(f.functions).value
                 filler.bytes["function"] = bytes([values["function"]])
             data = codec.encode(f, values)
+            assert len(data) + 2 in documented_lengths(manual, f, values, filler), f.full_name
             for path, raw in filler.bytes.items():
                 name, indices = indexed(path)
                 row = next((r for n, r in rows if n == name), None)
@@ -683,6 +710,22 @@ def test_offsets_are_those_of_the_bytes(manual: Manual) -> None:
             if not unseen:
                 break
         assert not unseen, f.full_name
+
+
+def documented_lengths(manual: Manual, f: m.Field, values: dict[str, Any], filler: Filler) -> set[int]:
+    """The field lengths that the section gives; for a command with functions, after a look at its shortest form."""
+    section = manual.field(f)
+    if f.set_name == "protocol":
+        return {f.max_size + 2}
+    if not f.functions:
+        (text,) = re.findall(r"^Field length: (.*?)\.(?: The whole packet: .*)?$", words(section), re.M)
+        return lengths(text.replace(" with all optional parameters", ""), filler.counts)
+    rows = {int(row["Value"]): row for row in table_with(section, "Function", "Field length")}
+    needed = [p.name for p in f.counted_parameters[: dict(f.required)[values["function"]]]]
+    short = codec.encode(f, {k: v for k, v in values.items() if k == "function" or k in needed})
+    text = words(rows[values["function"]]["Field length"])
+    assert len(short) + 2 in lengths(text, filler.counts), f.full_name
+    return {len(codec.encode(f, values)) + 2}
 
 
 # --------------------------------------------------------------------------- text and the site

@@ -18,8 +18,10 @@ import sys
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
-from mipgen import naming, render
+import pytest
+from mipgen import loader, naming, nodes, render
 from mipgen.problems import Problems, SpecError
 from mipgen.resolve import load_model
 
@@ -76,6 +78,28 @@ def problems(spec: Path, target: str | None = None) -> list[str]:
     except SpecError as error:
         return [str(p).replace(f"{spec}/", "").replace(str(spec), ".") for p in error.problems]
     return []
+
+
+def only_what_changed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Files that were good and stand as they were are neither parsed nor judged again: for tests with many runs."""
+    good: dict[tuple[str, bytes], nodes.Node] = {}
+    judge = loader._Schemas.judge
+
+    def quick_read(path: Path, name: str, problems: Problems) -> nodes.Node | None:
+        key = (name, path.read_bytes())
+        return good[key] if key in good else nodes.read(path, name, problems)
+
+    def quick_judge(self: Any, kind: str, root: nodes.Node, problems: Problems) -> bool:
+        if any(root is known for known in good.values()):
+            return True
+        fine = judge(self, kind, root, problems)
+        if fine and not problems:
+            name = root.position.file
+            good[name, Path(name).read_bytes()] = root
+        return fine
+
+    monkeypatch.setattr(loader, "read", quick_read)
+    monkeypatch.setattr(loader._Schemas, "judge", quick_judge)
 
 
 def reported(bad: BadSpec) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import shutil
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -12,7 +13,7 @@ from typing import Any
 
 import mipgen.problems
 import pytest
-from corpus import BASE, BadSpec, bad_specs, reported
+from corpus import BASE, BadSpec, bad_specs, only_what_changed, problems, reported
 from mipgen import checks, cli, codec, render
 from mipgen.resolve import load_model
 
@@ -25,7 +26,8 @@ REPORTERS = {"add", "problem", "complain", "wrong", "named", "_fits", "_Wrong"}
 #: Sites that no specification can reach; each has its own test.
 UNREACHABLE = {
     "loader: yield ([], f'{inside}: {error.message}')": "test_a_rule_without_words",
-    "nodes: problems.add(Position(name, 1, 1), f'cannot be read: {error.strerror}')": "test_a_folder_in_place_of_a_file",
+    "nodes: problems.add(Position(name, 1, 1), f'cannot be read: {error.strerror}')":
+        "test_a_folder_in_place_of_a_file",
     "evidence: raise _Wrong(place, f\"'{field.full_name}' does not encode to its own bytes, but to {again.hex(' ')}\")":
         "test_an_example_that_does_not_encode_to_its_own_bytes",
 }  # fmt: skip
@@ -141,7 +143,8 @@ class Coverage:
         return self.line
 
 
-def test_every_site_is_reached_by_a_bad_spec() -> None:
+def test_every_site_is_reached_by_a_bad_spec(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    only_what_changed(monkeypatch)
     wanted = {site for module in MODULES for site in sites(GENERATOR / f"{module}.py")}
     assert len(wanted) > 120
     coverage = Coverage(wanted)
@@ -149,7 +152,8 @@ def test_every_site_is_reached_by_a_bad_spec() -> None:
     sys.settrace(coverage)
     try:
         for bad in bad_specs():
-            reported(bad)
+            problems(bad.lay(tmp_path), bad.target)
+            shutil.rmtree(tmp_path / "spec")
     finally:
         sys.settrace(before)
     assert sorted(str(s) for s in coverage.missing) == sorted(UNREACHABLE)

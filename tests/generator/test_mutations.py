@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 import yaml
-from corpus import BASE
-from mipgen import loader, nodes
+from corpus import BASE, only_what_changed
+from mipgen import nodes
 from mipgen.loader import LAYOUT
 from mipgen.problems import Problems, SpecError
 from mipgen.resolve import load_model
@@ -48,26 +48,8 @@ Tree = Any
 
 
 @pytest.fixture(autouse=True)
-def only_what_changed(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Files that are as they were are neither parsed nor judged again."""
-    good: dict[tuple[str, bytes], nodes.Node] = {}
-    judge = loader._Schemas.judge
-
-    def quick_read(path: Path, name: str, problems: Problems) -> nodes.Node | None:
-        key = (name, path.read_bytes())
-        return good[key] if key in good else nodes.read(path, name, problems)
-
-    def quick_judge(self: Any, kind: str, root: nodes.Node, problems: Problems) -> bool:
-        if any(root is known for known in good.values()):
-            return True
-        fine = judge(self, kind, root, problems)
-        if fine and not problems:
-            path = Path(root.position.file)
-            good[root.position.file, (Path.cwd() / path).read_bytes()] = root
-        return fine
-
-    monkeypatch.setattr(loader, "read", quick_read)
-    monkeypatch.setattr(loader._Schemas, "judge", quick_judge)
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    only_what_changed(monkeypatch)
 
 
 def files(spec: Path) -> dict[str, Tree]:
@@ -92,7 +74,7 @@ def mutate(tree: Tree, chance: random.Random, others: list[Tree]) -> str:
     if kind == "delete":
         del container[key]
     elif kind == "retype":
-        container[key] = chance.choice(ODD_VALUES)
+        container[key] = copy.deepcopy(chance.choice(ODD_VALUES))
     elif kind == "duplicate" and isinstance(container, list):
         container.insert(key, container[key])
     elif kind == "rename" and isinstance(container, dict):

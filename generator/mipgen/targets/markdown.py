@@ -324,42 +324,45 @@ class Row:
         return self.name.rpartition(".")[0] + "." + name if "." in self.name else name
 
 
-def extent(op: m.Operation, prefix: str = "") -> Extent | None:
-    """The bytes of an operation, if they can be told beforehand."""
+#: Stands for the number of elements of an array that fills the field, as in the specification.
+REST = "rest"
+
+
+def extents(op: m.Operation, prefix: str = "") -> list[Extent]:
+    """The bytes that an operation may have: one for each alternative of a union."""
     match op:
         case m.ScalarOp() | m.ConstantOp() | m.CounterOp() | m.BitsOp():
-            return Extent(op.size)
+            return [Extent(op.size)]
         case m.TextOp() | m.ArrayOp():
             item = 1 if isinstance(op, m.TextOp) else codec.size_of(op.item)
             if op.count is not None:
-                return Extent(op.count * item)
-            return Extent(0, ((item, prefix + op.counter),)) if op.counter is not None else None
+                return [Extent(op.count * item)]
+            return [Extent(0, ((item, prefix + op.counter if op.counter is not None else REST),))]
         case m.StructOp():
-            return total([p.operation for p in op.struct.parameters], f"{prefix}{op.member}.")
-        case _:
-            return None
+            return totals([p.operation for p in op.struct.parameters], Extent(), f"{prefix}{op.member}.")
+        case m.SwitchOp():
+            members = [c.operation for c in op.cases]
+            inner = f"{prefix}{op.member}."
+            return _distinct(e for one in members for e in (extents(one, inner) if one is not None else [Extent()]))
+        case m.GroupOp():
+            return totals(op.body, Extent(), prefix)
 
 
-def total(operations: Iterable[m.Operation], prefix: str = "", start: int = 0) -> Extent | None:
-    found = Extent(start)
+def totals(operations: Iterable[m.Operation], start: Extent, prefix: str = "") -> list[Extent]:
+    found = [start]
     for op in operations:
-        size = extent(op, prefix)
-        if size is None:
-            return None
-        found += size
-    return found
+        found = [a + b for a in found for b in extents(op, prefix)]
+    return _distinct(found)
 
 
-def least(operations: Iterable[m.Operation], start: int = 0) -> int:
-    """The bytes that are there in any case."""
-    found = start
-    for op in operations:
-        if isinstance(op, m.StructOp):
-            found += op.struct.min_size
-        else:
-            size = extent(op)
-            found += size.fixed if size else 0
-    return found
+def _distinct(found: Iterable[Extent]) -> list[Extent]:
+    return sorted(dict.fromkeys(found), key=lambda e: (e.fixed, e.terms))
+
+
+def extent(op: m.Operation, prefix: str = "") -> Extent | None:
+    """The bytes of an operation, if what comes before it tells."""
+    found = extents(op, prefix)
+    return found[0] if len(found) == 1 and all(name != REST for _, name in found[0].terms) else None
 
 
 def layout(record: Sequence[m.Parameter], at: Extent = Extent(), prefix: str = "", depth: int = 0) -> Iterator[Row]:
@@ -647,11 +650,8 @@ class _Manual:
 
     def length(self, parameters: Sequence[m.Parameter], head: int = 2) -> str:
         """The field length of a form that carries these parameters."""
-        operations = [p.operation for p in parameters]
-        whole = total(operations, "", head)
-        if whole is None:
-            return f"{least(operations, head)} or more"
-        return code(whole) if whole.terms else str(whole)
+        found = [_bytes(e) for e in totals((p.operation for p in parameters), Extent(head))]
+        return " or ".join([", ".join(found[:-1]), found[-1]] if len(found) > 1 else found)
 
     def form_length(self, f: m.Field) -> str:
         """The field length of a field without a selector."""
@@ -664,8 +664,8 @@ class _Manual:
         responses = self.responses(f)
         for x in f.functions:
             needed = f.counted_parameters[: dict(f.required).get(x.value, 0)]
-            fixed = total([p.operation for p in needed], "", 3)
-            first = f"{fixed.fixed:02X}" if fixed is not None and not fixed.terms else "LL"
+            length = self.length(needed, 3)
+            first = f"{int(length):02X}" if length.isdigit() else "LL"
             head = f"{first} {f.descriptor:02X} {x.value:02X}"
             packet = b"" if needed else codec.build(self.model, f.set, [(f.descriptor, bytes([x.value]))])
             answer = "none" if not x.reply else "acknowledge"
@@ -673,7 +673,7 @@ class _Manual:
                 answer += ", " + " or ".join(self._link(r, page) for r in responses)
             rows.append([
                 f"{code(x.letter)} {code(x.name)}", str(x.value), code(head),
-                ", ".join(code(p.name) for p in needed), self.length(needed, 3),
+                ", ".join(code(p.name) for p in needed), length,
                 code(spaced(packet)) if packet else "", answer,
             ])  # fmt: skip
         headings = ["Function", "Value", "Field begins", "Then follow", "Field length", "Whole packet", "Answer"]
@@ -780,23 +780,23 @@ class _Manual:
     def length_remarks(self, context: Context, f: m.Field) -> list[str]:
         """Only those citations that print another length."""
         page = context["page"]
-        remarks = [(s, self._length_remark(f, s, page)) for s in f.sources]
-        return [f"{self._link(self.manuals[s.manual], page)} {remark}" for s, remark in remarks if remark]
+        remarks = [(s.manual, self._length_remark(f, s, page)) for s in f.sources]
+        found = [f"{self._link(self.manuals[name], page)} {remark}" for name, remark in remarks if remark]
+        return list(dict.fromkeys(found))  # a manual may be cited twice
 
     def _length_remark(self, f: m.Field, s: m.Source, page: str) -> str:
         if s.length is None or s.length == "unavailable":
             return ""
-        whole = total([p.operation for p in f.parameters], "", 2)
-        right = str(whole) if whole else f"{least([p.operation for p in f.parameters], 2)} or more"
+        right = self.length(f.parameters)
         wrong = self.erratum_of_length.get((s.manual, f.full_name), [])
         if wrong:
             by = ", ".join(self._link(e, page, f"erratum {self.label(e)}") for e in wrong)
-            return f"prints the length {code(s.length)}, the field has {code(right)} ({by})"
-        if "".join(s.length.split()) in ("".join(right.split()), "".join(computed_length(f, "wire").split())):
+            return f"prints the length {code(s.length)}, the field has {right} ({by})"
+        if "".join(s.length.split()) in ("".join(x.split()) for x in (right.strip("`"), computed_length(f, "wire"))):
             return ""
         return (
             f"prints the length {code(s.length)}, which leaves out vectors, structures and unions; "
-            f"the field has {code(right)}"
+            f"the field has {right}"
         )
 
     def errata_of(self, f: m.Field) -> list[m.Erratum]:
@@ -1087,8 +1087,8 @@ def _printable(text: str) -> str:
 def _flags(t: m.Bitfield, value: int) -> str:
     """
     >>> bits = (m.Bits("on", 0, 0, "", False), m.Bits("level", 4, 6, "", False))
-    >>> _flags(m.Bitfield("state", m.SCALARS["u8"], 1, bits, "", None), 0x31)
-    '`0x31`: `on`, `level` 3'
+    >>> _flags(m.Bitfield("state", m.SCALARS["u8"], 1, bits, "", None), 0xB1)
+    '`0xB1`: `on`, `level` 3, unnamed bits `0x80`'
     """
     parts, rest = [], value
     for b in t.bits:

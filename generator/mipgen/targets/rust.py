@@ -24,6 +24,7 @@ module = Escape(KEYWORDS, digit_prefix="mip_")
 member = Escape(KEYWORDS | frozenset(LANGUAGE["members"]))
 _method = Escape(KEYWORDS | frozenset(LANGUAGE["bit_methods"]))
 _type = Escape(KEYWORDS | frozenset(LANGUAGE["types"]), digit_prefix="Mip")
+_variant = Escape(KEYWORDS, digit_prefix="Mip")
 _constant = Escape(frozenset(LANGUAGE["constants"]))
 
 
@@ -33,6 +34,14 @@ def type_name(words: str) -> str:
     ('PpsSource', 'Mip3dm', 'Result_', 'Self_')
     """
     return _type(pascal(words))
+
+
+def variant(words: str) -> str:
+    """
+    >>> variant("none"), variant("self")
+    ('None', 'Self_')
+    """
+    return _variant(pascal(words))
 
 
 def constant(words: str) -> str:
@@ -344,7 +353,7 @@ def derives_default(members: Iterable[Member]) -> bool:
 
 def variants(f: m.Field) -> list[tuple[str, str]]:
     """The variants of what a command with several responses is answered with: name and type."""
-    return [(type_name(r.removeprefix(f"{f.name}_").removesuffix("_response") or r), type_name(r)) for r in f.responses]
+    return [(variant(r.removeprefix(f"{f.name}_").removesuffix("_response") or r), type_name(r)) for r in f.responses]
 
 
 # --------------------------------------------------------------------------- text
@@ -480,6 +489,12 @@ def bounds(p: m.Parameter) -> str:
 def literal(name: str, values: Sequence[str], indent: int) -> str:
     """A structure as an expression."""
     return fit(values, f"{name} {{", "}", indent, " ")
+
+
+def wrap(text: str, indent: int) -> str:
+    """Words on as few lines as they need."""
+    margin = " " * indent
+    return textwrap.fill(text, WIDTH, initial_indent=margin, subsequent_indent=margin, break_long_words=False)
 
 
 def arm(body: str, pattern: str, indent: int) -> str:
@@ -657,7 +672,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         return next((c for c in op.cases if c.tag.value == 0), None)
 
     return {
-        "module": module, "member": member, "method": _method, "type_name": type_name, "constant": constant,
+        "module": module, "member": member, "method": _method, "type_name": type_name, "variant": variant, "constant": constant,
         "path": path, "home": home, "rust": names.rust, "inner": inner, "bits_type": unsigned,
         "members": names.members, "constructors": names.constructors, "accessors": names.accessors,
         "unions_of": names.unions_of, "find_union": names.find_union, "group_members": group_members, "tag_of": tag_of,
@@ -668,7 +683,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "doc": doc, "prose": prose, "quoted": quoted, "fit": fit, "link": link, "number": number, "bounds": bounds,
         "tidy": tidy, "imports": imports, "is_plain": is_plain, "set_range": set_range, "set_pattern": set_pattern,
         "linked": linked, "ports": ports, "limits": limits, "base_rates": base_rates, "readings": readings,
-        "ack_codes": ack_codes, "option": option, "listing": listing, "arm": arm, "assign": assign, "hex": lambda n: f"0x{n:02X}",
+        "ack_codes": ack_codes, "option": option, "wrap": wrap, "listing": listing, "arm": arm, "assign": assign, "hex": lambda n: f"0x{n:02X}",
         "some": lambda name: f"Some({name})", "reference": lambda name: f"&{name}",
         "scalar": lambda scalar: LANGUAGE["scalars"][scalar.name],
         "condition_text": lambda c: f"`{c.parameter}` is {c.label}",
@@ -705,7 +720,7 @@ def identifiers(model: m.Model) -> Iterable[Identifier]:
         yield Identifier(here, name, f"the union {op.member} of {record.name}", record.position)
         yield Identifier(f"{here}::{name}", "Other", "an unknown tag", record.position)
         for case in op.cases:
-            yield Identifier(f"{here}::{name}", type_name(case.tag.name), case.tag.name, record.position)
+            yield Identifier(f"{here}::{name}", variant(case.tag.name), case.tag.name, record.position)
     for d in model.devices:
         yield Identifier("devices", constant(d.name), d.name, d.position)
 

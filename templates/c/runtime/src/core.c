@@ -268,7 +268,8 @@ void mip_read_group(struct mip_reader *r, uint8_t first, uint8_t last) {
 }
 
 uint8_t mip_read_present(const struct mip_reader *r) {
-    return r->stopped ? r->present : r->last;
+    const bool empty = r->optional && r->at == r->mark; /* an empty union: as good as absent */
+    return r->stopped || empty ? r->present : r->last;
 }
 
 /* ------------------------------------------------------------------------------------- encoding */

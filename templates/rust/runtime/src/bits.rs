@@ -50,15 +50,25 @@ pub(crate) const fn bytes_mask<const N: usize>(first: u16, last: u16) -> [u8; N]
 }
 
 macro_rules! mask {
-    ([u8; $size:literal], $first:literal, $last:literal) => {
-        $crate::bits::bytes_mask::<$size>($first, $last)
+    ([u8; $size:literal], $first:literal $(, $last:literal)?) => {
+        $crate::bits::bytes_mask::<$size>($first, $crate::bits::last!($first $(, $last)?))
     };
-    ($number:ident, $first:literal, $last:literal) => {
-        $crate::bits::number_mask($first, $last) as $number
+    ($number:ident, $first:literal $(, $last:literal)?) => {
+        $crate::bits::number_mask($first, $crate::bits::last!($first $(, $last)?)) as $number
     };
 }
 
-pub(crate) use mask;
+/// The highest of some bits: a flag has just one.
+macro_rules! last {
+    ($first:literal) => {
+        $first
+    };
+    ($first:literal, $last:literal) => {
+        $last
+    };
+}
+
+pub(crate) use {last, mask};
 
 macro_rules! numbers {
     ($($number:ident)*) => {$(

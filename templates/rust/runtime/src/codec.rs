@@ -183,12 +183,14 @@ impl<'a> Reader<'a> {
         }
         let mark = self.data;
         match read(self) {
-            Err(DecodeError::Truncated) => {
+            // What takes no bytes, an empty union, is as good as absent.
+            Ok(value) if self.data.len() < mark.len() => Ok(Some(value)),
+            Ok(_) | Err(DecodeError::Truncated) => {
                 self.data = mark;
                 self.ended = true;
                 Ok(None)
             }
-            other => other.map(Some),
+            Err(error) => Err(error),
         }
     }
 }

@@ -72,7 +72,7 @@ macro_rules! bitfield {
         $name:ident: $storage:tt {
             $(
                 $(#[$bits_meta:meta])*
-                $mask:ident: $value:ty = $first:literal..=$last:literal,
+                $mask:ident: $value:ty = $first:literal $(..= $last:literal)?,
                 $text:literal, $get:ident, $set:ident, $with:ident;
             )*
         }
@@ -89,11 +89,15 @@ macro_rules! bitfield {
 
         impl $name {
             $($(#[$bits_meta])* pub const $mask: Self =
-                Self($crate::bits::mask!($storage, $first, $last));)*
+                Self($crate::bits::mask!($storage, $first $(, $last)?));)*
 
             /// All bits that have a name.
             pub const BITS: &'static [$crate::bits::Bits] = &[
-                $($crate::bits::Bits { name: $text, first: $first, last: $last }),*
+                $($crate::bits::Bits {
+                    name: $text,
+                    first: $first,
+                    last: $crate::bits::last!($first $(, $last)?),
+                }),*
             ];
 
             /// No bit is set.
@@ -134,14 +138,16 @@ macro_rules! bitfield {
                 $(#[$bits_meta])*
                 #[must_use]
                 pub fn $get(self) -> $value {
-                    $crate::bits::Number::from_bits($crate::bits::Storage::get(self.0, $first, $last))
+                    let last = $crate::bits::last!($first $(, $last)?);
+                    $crate::bits::Number::from_bits($crate::bits::Storage::get(self.0, $first, last))
                 }
 
                 /// Sets or clears it; of a number, the bits that fit.
                 #[doc = concat!("See [`", stringify!($name), "::", stringify!($get), "`].")]
                 pub fn $set(&mut self, value: $value) {
+                    let last = $crate::bits::last!($first $(, $last)?);
                     let bits = $crate::bits::Number::to_bits(value);
-                    $crate::bits::Storage::set(&mut self.0, $first, $last, bits);
+                    $crate::bits::Storage::set(&mut self.0, $first, last, bits);
                 }
 
                 /// A copy with it set or cleared.

@@ -105,6 +105,7 @@ impl Parser {
 
     /// Looks for a packet and takes what it has looked at off the front of the input.
     pub(crate) fn step(&mut self, input: &mut &[u8]) -> Option<Found> {
+        let whole = input.len();
         self.release();
         while self.start < self.end {
             match judge(self.held()) {
@@ -117,20 +118,18 @@ impl Parser {
                 }
             }
         }
-        let mut start = 0_usize;
         loop {
             let noise = input.iter().position(|b| *b == SYNC[0]).unwrap_or(input.len());
             self.skip(noise);
-            start = start.saturating_add(noise);
             *input = input.get(noise..).unwrap_or_default();
             match judge(input) {
                 Candidate::Whole(size) => {
+                    let start = whole.saturating_sub(input.len());
                     *input = input.get(size..).unwrap_or_default();
                     return Some(Found::InInput(start..start.saturating_add(size)));
                 }
                 Candidate::Bad => {
                     self.skip(1);
-                    start = start.saturating_add(1);
                     *input = input.get(1..).unwrap_or_default();
                 }
                 Candidate::Open(_) => {

@@ -1,0 +1,29 @@
+#!/bin/sh
+# Builds the conformance driver against a folder of generated C; the last line says how to run it.
+#
+#     build_driver.sh GENERATED_FOLDER BUILD_FOLDER
+#
+# MIP_SANITIZE=1 builds it with the address and undefined behavior sanitizers. CC chooses the compiler.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+generated=$(cd "$1" && pwd)
+mkdir -p "$2"
+build=$(cd "$2" && pwd)
+: "${CC:=cc}"
+
+flags="-std=c99 -O1 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror"
+program=$build/driver
+if [ "${MIP_SANITIZE:-0}" = 1 ]; then
+    flags="$flags -g -fsanitize=address,undefined -fno-sanitize-recover=all"
+    program=$build/driver-sanitized
+fi
+
+# Everything that the program is made of, so that nothing is built twice.
+stamp=$(cat "$here"/driver/* "$generated"/src/*.c "$generated"/include/mip/*.h | cksum)
+stamp="$CC $flags $generated $stamp"
+if [ ! -x "$program" ] || [ "$(cat "$program.stamp" 2>/dev/null)" != "$stamp" ]; then
+    # shellcheck disable=SC2086
+    "$CC" $flags -I"$generated/include" "$here"/driver/*.c "$generated"/src/*.c -o "$program"
+    printf '%s\n' "$stamp" >"$program.stamp"
+fi
+printf '%s\n' "$program"
