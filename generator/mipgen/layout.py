@@ -361,7 +361,7 @@ class _Build:
             units=meaning.units(node, p, words.units, self.problem),
             frame=meaning.frame(node, words.frames, self.problem),
             default=meaning.default(node, p, self.problem),
-            valid_when=node.scalar("valid"),  # judged in `finish`, because the flags usually stand last
+            valid=meaning.valid(node),  # judged in `finish`, because the flags usually stand last
             reading=self.reading(node, p),
             functions=self.presence(node, p),
             optional=self.may_be_absent(node, p),
@@ -379,17 +379,9 @@ class _Build:
                 node.keys["read_as"], f"'{p.name}' is no unsigned number, so it cannot be read as another type"
             )
             return None
-        if by == "device":
-            choices = sorted(self.types.vocabulary.devices)
-        else:
-            sibling = self.earlier(by)
-            if sibling is None or not isinstance(sibling.element, m.Enum):
-                near = nearest(by, ["device", *(q.name for q in self.done)])
-                self.problem(
-                    spec["by"].position, f"'{by}' is neither 'device' nor an enumeration before '{p.name}'{near}"
-                )
-                return None
-            choices = [v.name for v in sibling.element.values]
+        choices = meaning.keys(spec["by"], self.done, self.types.vocabulary.devices, f"before '{p.name}'", self.problem)
+        if choices is None:
+            return None
         found = []
         for key, entry in spec["types"].items():
             if key not in choices:
@@ -442,8 +434,13 @@ class _Build:
 
     def finish(self) -> Record:
         for node, p in zip(self.nodes, self.done, strict=True):
-            if p.valid_when is not None:
-                meaning.valid_bit(node, p, self.done, self.problem)
+            if p.valid:
+                meaning.valid_bits(node, p, self.done, self.problem)
+        words = self.types.vocabulary
+        self.done = [
+            replace(p, variants=meaning.variants(node, p, self.done, words, self.problem))
+            for node, p in zip(self.nodes, self.done, strict=True)
+        ]
         self.check_size()
         capacities = self.capacities()
         parameters = tuple(replace(p, operation=with_capacity(p.operation, capacities)) for p in self.done)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -28,10 +28,6 @@ LAYOUT = {
     "errata": "errata/*.yaml",
 }
 
-#: Lists in whose place a word may stand too, so that the schema of the file leaves them open:
-#: kind -> where they are, and what judges them.
-OPEN_LISTS = {"set": (("fields", "responses", "parameters"), "parameters")}
-
 
 @dataclass(frozen=True, slots=True)
 class Document:
@@ -45,13 +41,13 @@ def load(spec: Path, problems: Problems) -> list[Document]:
     if not (spec / "protocol.yaml").is_file():
         problems.add(Position(shown(spec), 1, 1), "this is no specification: protocol.yaml is missing")
         return []
-    schemas = _schemas(_schema_dir(spec))
+    validators = _validators(_schema_dir(spec))
     documents = []
     for kind, pattern in LAYOUT.items():
         for path in sorted(spec.glob(pattern)):
             name = path.relative_to(spec).as_posix()
             root = read(path, shown(path), problems)
-            if root is not None and schemas.judge(kind, root, problems):
+            if root is not None and _valid(validators[kind], root, "the file", problems):
                 documents.append(Document(kind, name, root))
     _strays(spec, problems)
     return documents
@@ -88,43 +84,13 @@ _extend: Any = jsonschema.validators.extend
 _Validator = _extend(jsonschema.Draft7Validator, type_checker=_TYPES)
 
 
-class _Schemas:
-    def __init__(self, folder: Path) -> None:
-        files = {p.name: json.loads(p.read_text("utf-8")) for p in sorted(folder.glob("*.schema.json"))}
-        registry: referencing.Registry[Any] = referencing.Registry().with_resources(
-            (name, referencing.Resource.from_contents(schema)) for name, schema in files.items()
-        )
-        self.kinds = {kind: _Validator(files[f"{kind}.schema.json"], registry=registry) for kind in LAYOUT}
-        self.parts = {
-            part: _Validator({"$ref": f"common.schema.json#/definitions/{part}"}, registry=registry)
-            for _, part in OPEN_LISTS.values()
-        }
-
-    def judge(self, kind: str, root: Node, problems: Problems) -> bool:
-        if not _valid(self.kinds[kind], root, "the file", problems):
-            return False
-        if kind not in OPEN_LISTS:
-            return True
-        steps, part = OPEN_LISTS[kind]
-        lists = [n for n in _below(root, steps) if isinstance(n.value, list)]
-        return all([_valid(self.parts[part], found, f"'{steps[-1]}'", problems) for found in lists])
-
-
-def _below(node: Node, steps: Sequence[str]) -> Iterator[Node]:
-    """All that stands at these keys, through all items of lists."""
-    found = node.get(steps[0])
-    if found is None:
-        return
-    if len(steps) == 1:
-        yield found
-        return
-    for item in found:
-        yield from _below(item, steps[1:])
-
-
 @functools.cache
-def _schemas(folder: Path) -> _Schemas:
-    return _Schemas(folder)
+def _validators(folder: Path) -> dict[str, Any]:
+    files = {p.name: json.loads(p.read_text("utf-8")) for p in sorted(folder.glob("*.schema.json"))}
+    registry: referencing.Registry[Any] = referencing.Registry().with_resources(
+        (name, referencing.Resource.from_contents(schema)) for name, schema in files.items()
+    )
+    return {kind: _Validator(files[f"{kind}.schema.json"], registry=registry) for kind in LAYOUT}
 
 
 # --------------------------------------------------------------------------- what a schema says, in words

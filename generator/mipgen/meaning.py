@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import Protocol
 
 from . import model as m
 from .nodes import Node
@@ -11,6 +13,14 @@ from .problems import nearest
 
 Problem = Callable[[m.Position, str], None]
 Number = int | float
+
+
+class Words(Protocol):
+    """The names that the meaning of a value may refer to."""
+
+    units: set[str]
+    frames: set[str]
+    devices: set[str]
 
 
 def units(node: Node, p: m.Parameter, known: set[str], problem: Problem) -> tuple[str, ...]:
@@ -174,18 +184,74 @@ def _fits(node: Node, scalar: m.Scalar, what: str, problem: Problem) -> bool:
     return True
 
 
-def valid_bit(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], problem: Problem) -> None:
-    """`valid: flags.bit` names a bit of a parameter of the same record."""
+def valid_bits(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], problem: Problem) -> None:
+    """`valid: flags.bit` names a bit of a parameter of the same record; a list names one for each element."""
+    given = node["valid"]
+    entries = list(given) if isinstance(given.value, list) else [given]
+    width = len(p.element.elements) if isinstance(p.element, m.Vector) else p.length
+    if isinstance(given.value, list) and len(entries) != width:
+        problem(given.position, f"'{p.name}' has {len(entries)} valid bits; give one, or one for each element")
     names = {q.name: q for q in beside}
-    flags, _, bit = node["valid"].value.partition(".")
-    place = node["valid"].position
+    for entry in entries:
+        _valid_bit(entry, p, names, problem)
+
+
+def _valid_bit(node: Node, p: m.Parameter, names: dict[str, m.Parameter], problem: Problem) -> None:
+    flags, _, bit = node.value.partition(".")
     other = names.get(flags)
     if other is None:
-        problem(place, f"there is no parameter '{flags}' beside '{p.name}'{nearest(flags, names)}")
+        problem(node.position, f"there is no parameter '{flags}' beside '{p.name}'{nearest(flags, names)}")
         return
     readable = [other.element, *(t for _, t in (other.reading.types if other.reading else ()))]
     known = {b.name for t in readable if isinstance(t, m.Bitfield) for b in t.bits}
     if not known:
-        problem(place, f"'{flags}' has no bits, so it cannot vouch for '{p.name}'; name a bitfield")
+        problem(node.position, f"'{flags}' has no bits, so it cannot vouch for '{p.name}'; name a bitfield")
     elif bit not in known:
-        problem(place, f"'{flags}' has no bit '{bit}'{nearest(bit, known)}")
+        problem(node.position, f"'{flags}' has no bit '{bit}'{nearest(bit, known)}")
+
+
+def valid(node: Node) -> tuple[str, ...]:
+    given = node.get("valid")
+    if given is None:
+        return ()
+    return tuple(given.plain()) if isinstance(given.value, list) else (given.value,)
+
+
+def keys(
+    by: Node, among: Iterable[m.Parameter], devices: Iterable[str], where: str, problem: Problem
+) -> list[str] | None:
+    """What may stand for `by`: device ids, or the value names of an enumeration among these."""
+    if by.value == "device":
+        return sorted(devices)
+    siblings = {q.name: q for q in among}
+    sibling = siblings.get(by.value)
+    if sibling is None or not isinstance(sibling.element, m.Enum):
+        near = nearest(by.value, ["device", *siblings])
+        problem(by.position, f"'{by.value}' is neither 'device' nor an enumeration {where}{near}")
+        return None
+    return [v.name for v in sibling.element.values]
+
+
+def variants(
+    node: Node, p: m.Parameter, beside: Iterable[m.Parameter], words: Words, problem: Problem
+) -> tuple[m.Variant, ...]:
+    """`varies`: what differs by device, or by the value of an enumeration in the same record."""
+    spec = node.get("varies")
+    if spec is None:
+        return ()
+    by = spec["by"]
+    known = keys(by, beside, words.devices, f"beside '{p.name}'", problem)
+    found = []
+    for key, case in spec["cases"].items() if known is not None else ():
+        assert known is not None
+        if key not in known:
+            problem(spec["cases"].keys[key], f"'{key}' is not known to '{by.value}'{nearest(key, known)}")
+        low, high = limits(case, p, problem)
+        ranged = replace(p, minimum=low, maximum=high)
+        found.append(
+            m.Variant(
+                by.value, key, units(case, p, words.units, problem), frame(case, words.frames, problem), low, high,
+                default(case, ranged, problem), case.scalar("description", ""),
+            )  # fmt: skip
+        )
+    return tuple(found)

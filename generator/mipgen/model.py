@@ -193,6 +193,38 @@ class Reading:
 
 
 @dataclass(frozen=True, slots=True)
+class Variant:
+    """What a value means on one device, or beside one value of another parameter."""
+
+    by: str  # "device", or the name of a parameter
+    key: str  # a device id, or a value name of that parameter's enumeration
+    units: tuple[str, ...] = ()
+    frame: str | None = None
+    minimum: float | int | None = None
+    maximum: float | int | None = None
+    default: object = None
+    description: str = ""
+
+    @property
+    def sentence(self) -> str:
+        facts = []
+        if self.units:
+            facts.append(f"unit {', '.join(self.units)}")
+        if self.frame:
+            facts.append(f"frame {self.frame}")
+        if self.minimum is not None or self.maximum is not None:
+            low, high = ("…" if x is None else x for x in (self.minimum, self.maximum))
+            facts.append(f"range {low} to {high}")
+        if self.default is not None:
+            facts.append(f"factory default {self.default}")
+        head = f"On {self.key}" if self.by == "device" else f"If {self.by} is {self.key}"
+        text = f"{head}: {', '.join(facts)}" if facts else head
+        return f"{text}; {self.description}" if self.description and facts else (
+            f"{head}: {self.description}" if self.description else f"{text}."
+        )
+
+
+@dataclass(frozen=True, slots=True)
 class Parameter:
     """One named value of a field or a structure, in wire order.
 
@@ -210,7 +242,8 @@ class Parameter:
     minimum: float | int | None = None
     maximum: float | int | None = None
     default: object = None
-    valid_when: str | None = None  # "valid_flags.tow": the bit that vouches for this value
+    valid: tuple[str, ...] = ()  # "valid_flags.tow": the bit that vouches for it, or one for each element
+    variants: tuple[Variant, ...] = ()
     constant: int | None = None
     reserved: int | None = None  # the value to send; any value may come
     counts: str | None = None  # the array that this parameter counts
@@ -227,6 +260,15 @@ class Parameter:
     @property
     def unit(self) -> str | None:
         return ", ".join(self.units) or None
+
+    @property
+    def valid_when(self) -> str | None:
+        return ", ".join(dict.fromkeys(self.valid)) or None
+
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What else a reader must know: the notes, and how the meaning varies."""
+        return (*self.notes, *(v.sentence for v in self.variants))
 
 
 # --------------------------------------------------------------------------- operations

@@ -83,23 +83,23 @@ def problems(spec: Path, target: str | None = None) -> list[str]:
 def only_what_changed(monkeypatch: pytest.MonkeyPatch) -> None:
     """Files that were good and stand as they were are neither parsed nor judged again: for tests with many runs."""
     good: dict[tuple[str, bytes], nodes.Node] = {}
-    judge = loader._Schemas.judge
+    judge = loader._valid
 
     def quick_read(path: Path, name: str, problems: Problems) -> nodes.Node | None:
         key = (name, path.read_bytes())
         return good[key] if key in good else nodes.read(path, name, problems)
 
-    def quick_judge(self: Any, kind: str, root: nodes.Node, problems: Problems) -> bool:
+    def quick_judge(validator: Any, root: nodes.Node, name: str, problems: Problems) -> bool:
         if any(root is known for known in good.values()):
             return True
-        fine = judge(self, kind, root, problems)
+        fine = judge(validator, root, name, problems)
         if fine and not problems:
-            name = root.position.file
-            good[name, Path(name).read_bytes()] = root
+            file = root.position.file
+            good[file, Path(file).read_bytes()] = root
         return fine
 
     monkeypatch.setattr(loader, "read", quick_read)
-    monkeypatch.setattr(loader._Schemas, "judge", quick_judge)
+    monkeypatch.setattr(loader, "_valid", quick_judge)
 
 
 def reported(bad: BadSpec) -> list[str]:

@@ -495,9 +495,11 @@ class EcefPosition(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     position: types.Vector3d
-    """Position. [m] Frame: ecef."""
+    """Position. [m] Frame: ecef. Valid if valid_flags.x, valid_flags.y, valid_flags.z."""
     uncertainty: types.Vector3f
-    """Uncertainty of the position. [m] Frame: ecef."""
+    """Uncertainty of the position. [m] Frame: ecef. Valid if valid_flags.x, valid_flags.y,
+    valid_flags.z.
+    """
     valid_flags: AxisFlags
     """Which axes are valid."""
 
@@ -565,7 +567,9 @@ class LlhPosition(Command):
     height: float
     """Height above the ellipsoid. [m] Frame: llh. Valid if valid_flags.height."""
     uncertainty: types.Vector3f
-    """Uncertainty along north, east and down. [m] Frame: ned."""
+    """Uncertainty along north, east and down. [m] Frame: ned. Valid if valid_flags.latitude,
+    valid_flags.longitude, valid_flags.height.
+    """
     valid_flags: LlhAxisFlags
     """Which coordinates are valid."""
 
@@ -680,9 +684,11 @@ class EcefVelocity(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity. [m/s] Frame: ecef."""
+    """Velocity. [m/s] Frame: ecef. Valid if valid_flags.x, valid_flags.y, valid_flags.z."""
     uncertainty: types.Vector3f
-    """Uncertainty of the velocity. [m/s] Frame: ecef."""
+    """Uncertainty of the velocity. [m/s] Frame: ecef. Valid if valid_flags.x, valid_flags.y,
+    valid_flags.z.
+    """
     valid_flags: AxisFlags
     """Which axes are valid."""
 
@@ -745,9 +751,11 @@ class NedVelocity(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity. [m/s] Frame: ned."""
+    """Velocity. [m/s] Frame: ned. Valid if valid_flags.x, valid_flags.y, valid_flags.z."""
     uncertainty: types.Vector3f
-    """Uncertainty of the velocity. [m/s] Frame: ned."""
+    """Uncertainty of the velocity. [m/s] Frame: ned. Valid if valid_flags.x, valid_flags.y,
+    valid_flags.z.
+    """
     valid_flags: AxisFlags
     """Which axes are valid."""
 
@@ -814,9 +822,13 @@ class BodyFrameVelocity(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity in the frame of the sensor. [m/s]"""
+    """Velocity in the frame of the sensor. [m/s] Valid if valid_flags.x, valid_flags.y,
+    valid_flags.z.
+    """
     uncertainty: types.Vector3f
-    """Standard deviation of the velocity. [m/s]"""
+    """Standard deviation of the velocity. [m/s] Valid if valid_flags.x, valid_flags.y,
+    valid_flags.z.
+    """
     valid_flags: AxisFlags
     """Which axes are valid."""
 
@@ -928,9 +940,13 @@ class MagneticField(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     magnetic_field: types.Vector3f
-    """Magnetic field in the frame of the sensor. [gauss]"""
+    """Magnetic field in the frame of the sensor. [gauss] Valid if valid_flags.x, valid_flags.y,
+    valid_flags.z.
+    """
     uncertainty: types.Vector3f
-    """Standard deviation of the magnetic field. [gauss]"""
+    """Standard deviation of the magnetic field. [gauss] Valid if valid_flags.x, valid_flags.y,
+    valid_flags.z.
+    """
     valid_flags: AxisFlags
     """Which axes are valid."""
 

@@ -925,9 +925,13 @@ class NavigationFilterInitializationResponse(Response):
     initial_roll: float
     """Given roll. [deg]"""
     initial_position: types.Vector3f
-    """Given position, in the frame and the units that `reference_frame_selector` names."""
+    """Given position. If reference_frame_selector is ecef: unit m, frame ecef. If
+    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """
     initial_velocity: types.Vector3f
-    """Given velocity: ECEF with `ecef`, NED with `llh`. [m/s]"""
+    """Given velocity. [m/s] If reference_frame_selector is ecef: frame ecef. If
+    reference_frame_selector is llh: frame ned.
+    """
     reference_frame_selector: ReferenceFrame
     """Frame of the given position and velocity."""
 
@@ -1074,7 +1078,9 @@ class RelativePositionConfigurationResponse(Response):
     reference_frame_selector: ReferenceFrame
     """Frame of the coordinates."""
     reference_coordinates: types.Vector3d
-    """Reference point: m with `ecef`; deg, deg and m above the ellipsoid with `llh`."""
+    """Reference point. If reference_frame_selector is ecef: unit m, frame ecef. If
+    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfigurationResponse, int]:
@@ -3381,9 +3387,13 @@ class NavigationFilterInitialization(Command):
     initial_roll: float | None = None
     """Given roll. [deg]"""
     initial_position: types.Vector3f | None = None
-    """Given position, in the frame and the units that `reference_frame_selector` names."""
+    """Given position. If reference_frame_selector is ecef: unit m, frame ecef. If
+    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """
     initial_velocity: types.Vector3f | None = None
-    """Given velocity: ECEF with `ecef`, NED with `llh`. [m/s]"""
+    """Given velocity. [m/s] If reference_frame_selector is ecef: frame ecef. If
+    reference_frame_selector is llh: frame ned.
+    """
     reference_frame_selector: ReferenceFrame | None = None
     """Frame of the given position and velocity."""
 
@@ -3783,7 +3793,9 @@ class RelativePositionConfiguration(Command):
     reference_frame_selector: ReferenceFrame | None = None
     """Frame of the coordinates."""
     reference_coordinates: types.Vector3d | None = None
-    """Reference point: m with `ecef`; deg, deg and m above the ellipsoid with `llh`."""
+    """Reference point. If reference_frame_selector is ecef: unit m, frame ecef. If
+    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """
 
     @classmethod
     def write(

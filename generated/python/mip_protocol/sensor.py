@@ -54,7 +54,6 @@ class ScaledAccel(Data):
     """Scaled accel (0x80,0x04).
 
     Measured acceleration, temperature compensated.
-    The 3DM-GX5-15 gives it in the sensor frame.
 
     - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
     - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)
@@ -66,7 +65,7 @@ class ScaledAccel(Data):
     ROLE = "data"
 
     scaled_accel: types.Vector3f
-    """Acceleration. [g] Frame: vehicle."""
+    """Acceleration. [g] Frame: vehicle. On 3dm-gx5-15: frame sensor."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ScaledAccel, int]:
@@ -88,7 +87,6 @@ class ScaledGyro(Data):
     """Scaled gyro (0x80,0x05).
 
     Measured angular rate, temperature compensated.
-    The 3DM-GX5-15 gives it in the sensor frame.
 
     - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
     - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
@@ -100,7 +98,7 @@ class ScaledGyro(Data):
     ROLE = "data"
 
     scaled_gyro: types.Vector3f
-    """Angular rate. [rad/s] Frame: vehicle."""
+    """Angular rate. [rad/s] Frame: vehicle. On 3dm-gx5-15: frame sensor."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ScaledGyro, int]:
@@ -154,7 +152,6 @@ class DeltaTheta(Data):
     """Delta theta (0x80,0x07).
 
     Time integral of the angular rate over the period that the message format sets.
-    The 3DM-GX5-15 gives it in the sensor frame.
 
     - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
     - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -166,7 +163,7 @@ class DeltaTheta(Data):
     ROLE = "data"
 
     delta_theta: types.Vector3f
-    """Integral of the angular rate. [rad] Frame: vehicle."""
+    """Integral of the angular rate. [rad] Frame: vehicle. On 3dm-gx5-15: frame sensor."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeltaTheta, int]:
@@ -189,7 +186,6 @@ class DeltaVelocity(Data):
 
     Time integral of the acceleration over the period that the message format sets.
     Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
-    The 3DM-GX5-15 gives it in the sensor frame.
 
     - 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08)
     - 3dm-cv7-gnss-ins: Delta Velocity (0x80,0x08)
@@ -201,7 +197,7 @@ class DeltaVelocity(Data):
     ROLE = "data"
 
     delta_velocity: types.Vector3f
-    """Integral of the acceleration. [g*s] Frame: vehicle."""
+    """Integral of the acceleration. [g*s] Frame: vehicle. On 3dm-gx5-15: frame sensor."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeltaVelocity, int]:

@@ -128,6 +128,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "optional": lambda record: isinstance(record, m.Field) and record.optional,
         "functions": lambda record: isinstance(record, m.Field) and record.functions,
         "declare": declare,
+        "inside": inside,
         "union": union_name,
         "union_members": union_members,
         "item_size": lambda op: codec.size_of(op.item) if isinstance(op, m.ArrayOp) else 1,
@@ -263,12 +264,8 @@ def stored(record: Record) -> list[m.Parameter]:
 
 
 def union_members(p: m.Parameter) -> list[m.Parameter]:
-    """The alternatives of a union that hold something; two tags may share one."""
-    found: dict[str, m.Parameter] = {}
-    for c in p.cases:
-        if c.parameter is not None and found.get(c.parameter.name) != c.parameter:
-            found[c.parameter.name if c.parameter.name not in found else f"{c.parameter.name} {c.tag.name}"] = c.parameter
-    return list(found.values())
+    """The alternatives of a union that hold something."""
+    return [c.parameter for c in p.cases if c.parameter is not None]
 
 
 def dimensions(op: m.Operation) -> str:
@@ -278,6 +275,11 @@ def dimensions(op: m.Operation) -> str:
     if isinstance(op, m.ArrayOp):
         return f"[{max(1, op.capacity)}]{dimensions(op.item)}"
     return ""
+
+
+def inside(p: m.Parameter) -> str:
+    """What comes before an alternative's name: one that fills the field stands beside its count."""
+    return f"{_member(p.name)}." if p.length == "rest" else ""
 
 
 def declare(p: m.Parameter, record: Record) -> str:
@@ -312,7 +314,9 @@ class Constructor:
         self.name = function.name if function else "make"
         self.function = function
         self.description = function.description if function else f"{f.title}."
-        self.values = [p for p in stored(f) if not p.selector and (letter in (p.functions or "") if letter else not p.optional)]
+        self.values = [
+            p for p in stored(f) if not p.selector and (letter in (p.functions or "") if letter else not p.optional)
+        ]
         self.asked = [p for p in self.values if p.reserved is None]
         sent = [p for p in stored(f) if p.reserved and (p in self.values or p.optional)]
         self.assigned = [p for p in stored(f) if p in self.asked or p in sent]
@@ -352,7 +356,11 @@ def assignment(p: m.Parameter) -> list[str]:
         return [f"if ({name} != NULL) {{", f"    v.{name} = *{name};", "}"]
     if isinstance(op, (m.ArrayOp, m.TextOp)):
         if op.count is not None:
-            return [f"mip_copy_text(v.{name}, sizeof(v.{name}), {name});" if isinstance(op, m.TextOp) else f"memcpy(v.{name}, {name}, sizeof(v.{name}));"]
+            return [
+                f"mip_copy_text(v.{name}, sizeof(v.{name}), {name});"
+                if isinstance(op, m.TextOp)
+                else f"memcpy(v.{name}, {name}, sizeof(v.{name}));"
+            ]
         count = _member(op.counter) if op.counter else f"{name}_count"
         size = f"sizeof(v.{name}) - 1" if isinstance(op, m.TextOp) else f"sizeof(v.{name})"
         number = [f"v.{count} = {count};"] if not op.counter else []
@@ -459,9 +467,9 @@ def bits_meaning(b: m.Bits) -> str:
 
 def case_meaning(member: m.Parameter, p: m.Parameter, record: Record) -> str:
     """The description of an alternative of the union `p`."""
-    tags = _list([c.tag.name for c in p.cases if c.parameter == member], "or")
+    tag = next(c.tag.name for c in p.cases if c.parameter is member)
     text = meaning(member, None)
-    return f"If {_member(p.tag or '')} is {tags}: {text}" if text else f"If {_member(p.tag or '')} is {tags}."
+    return f"If {_member(p.tag or '')} is {tag}" + (f": {text}" if text else ".")
 
 
 def meaning(p: m.Parameter, record: Record | None) -> str:
@@ -495,7 +503,7 @@ def meaning(p: m.Parameter, record: Record | None) -> str:
         parts.append("May be absent.")
     if p.deprecated:
         parts.append("Deprecated.")
-    return " ".join(t for t in (*parts, *p.notes) if t)
+    return " ".join(t for t in (*parts, *p.remarks) if t)
 
 
 def _plain(value: object) -> str:
@@ -645,7 +653,7 @@ def reflected(p: m.Parameter, record: Record, union: m.Parameter | None = None) 
         if isinstance(p.element, m.Vector) and isinstance(item.item, m.ScalarOp):
             elements = item.count or 1
         item = item.item
-    name, full = _member(p.name), bare(record)
+    name, full = (inside(p) if union else "") + _member(p.name), bare(record)
     home = f"union {union_name(record, union)}" if union else f"struct {record_name(record)}"
     numbers = {q.name: i for i, q in enumerate(record.parameters)}
     by = p.tag or p.counts or (p.length if isinstance(p.length, str) else None)

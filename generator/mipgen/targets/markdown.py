@@ -644,7 +644,7 @@ class _Manual:
     def parameter_notes(self, context: Context, record: m.Field | m.Struct) -> list[str]:
         page = context["page"]
         rows = [(row.name, row.parameter) for row in layout(record.parameters)]
-        return [f"{code(name)}: {self._text(note, page)}" for name, p in rows if p is not None for note in p.notes]
+        return [f"{code(name)}: {self._text(note, page)}" for name, p in rows if p is not None for note in p.remarks]
 
     # ----------------------------------------------------------------------- forms of a command
 

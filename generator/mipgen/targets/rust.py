@@ -428,12 +428,16 @@ def imports(body: str) -> str:
     """The `use` lines that a module needs."""
     macros = [name for name in ("bitfield", "open_enum", "vector") if re.search(rf"^{name}! ", body, re.MULTILINE)]
     values = [name for name in ("record", "union") if re.search(rf"^{name}! ", body, re.MULTILINE)]
+    code = "".join(line for line in body.splitlines(keepends=True) if not line.lstrip().startswith("//"))
     lines = []
     for where, found in (("dynamic::macros", values), ("macros", macros)):
         if found:
             lines.append(f"use crate::{where}::{found[0] if len(found) == 1 else '{' + ', '.join(found) + '}'};")
-    if re.search(r"(?<![:\w])types::", body):
+    if re.search(r"(?<![:\w])types::", code):
         lines.append("use crate::types;")
+    core = [name for name in LANGUAGE["imports"] if re.search(rf"(?<![:\w]){name}\b", code)]
+    if core:
+        lines.append(f"use crate::{core[0] if len(core) == 1 else '{' + ', '.join(core) + '}'};")
     return "".join(f"{line}\n" for line in lines) + ("\n" if lines else "")
 
 

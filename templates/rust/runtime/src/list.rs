@@ -188,6 +188,64 @@ where
     }
 }
 
+/// serde knows arrays of up to 32 items only; longer ones, if there are any, go through a [`List`].
+#[cfg(feature = "serde")]
+#[allow(dead_code)]
+pub(crate) mod long_array {
+    use super::List;
+    use serde::{de::Error, Deserialize, Deserializer, Serialize, Serializer};
+
+    pub(crate) trait Long: Sized {
+        type List;
+
+        fn to_list(&self) -> Self::List;
+        fn from_list(list: Self::List) -> Option<Self>;
+    }
+
+    impl<T: Copy + Default, const N: usize> Long for [T; N] {
+        type List = List<T, N>;
+
+        fn to_list(&self) -> Self::List {
+            List::from(*self)
+        }
+
+        fn from_list(list: Self::List) -> Option<Self> {
+            Self::try_from(list.as_slice()).ok()
+        }
+    }
+
+    impl<L: Long> Long for Option<L> {
+        type List = Option<L::List>;
+
+        fn to_list(&self) -> Self::List {
+            self.as_ref().map(L::to_list)
+        }
+
+        fn from_list(list: Self::List) -> Option<Self> {
+            list.map_or(Some(None), |list| L::from_list(list).map(Some))
+        }
+    }
+
+    pub(crate) fn serialize<L, S>(array: &L, serializer: S) -> Result<S::Ok, S::Error>
+    where
+        L: Long,
+        L::List: Serialize,
+        S: Serializer,
+    {
+        array.to_list().serialize(serializer)
+    }
+
+    pub(crate) fn deserialize<'de, L, D>(deserializer: D) -> Result<L, D::Error>
+    where
+        L: Long,
+        L::List: Deserialize<'de>,
+        D: Deserializer<'de>,
+    {
+        let list = L::List::deserialize(deserializer)?;
+        L::from_list(list).ok_or_else(|| D::Error::custom("the array has a wrong length"))
+    }
+}
+
 #[cfg(feature = "defmt")]
 impl<T: defmt::Format, const N: usize> defmt::Format for List<T, N> {
     fn format(&self, f: defmt::Formatter<'_>) {

@@ -31,7 +31,9 @@ class Accel(Data):
     ROLE = "data"
 
     scaled_accel: types.Vector3f
-    """Specific force. [g] Frame: sensor. Valid if valid_flags.ready."""
+    """Specific force. [g] Frame: sensor. Valid if valid_flags.ready, valid_flags.hot. On
+    model-b: unit m, m, s, frame ned; Turned by the device.
+    """
     valid_flags: types.StateFlags
     """What is valid."""
 

@@ -198,7 +198,9 @@ class SettingsResponse(Response):
     baud: int
     """Speed. [Bd] Factory default: 115200."""
     limit: int
-    """Required by no function, not even by write."""
+    """Required by no function, not even by write. If mode is fast: unit s, range 1 to 10,
+    factory default 5. If mode is slow: unit m.
+    """
     reserved: int = 1
     """Reserved."""
 
@@ -661,7 +663,9 @@ class Settings(Command):
     baud: int | None = None
     """Speed. [Bd] Factory default: 115200."""
     limit: int | None = None
-    """Required by no function, not even by write."""
+    """Required by no function, not even by write. If mode is fast: unit s, range 1 to 10,
+    factory default 5. If mode is slow: unit m.
+    """
     reserved: int | None = None
     """Reserved."""
 
