@@ -45,9 +45,7 @@ def audit(model: m.Model, manual: str, path: Path) -> list[Finding]:
 
 def _headings(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple[int, str]]:
     """Each heading that names a descriptor is cited by the field that it defines."""
-    cited = {
-        (f.set, f.descriptor, _plain(s.section)) for f in model.fields for s in f.sources if s.manual == manual
-    }
+    cited = {(f.set, f.descriptor, _plain(s.section)) for f in model.fields for s in f.sources if s.manual == manual}
     for number, line in enumerate(lines, 1):
         heading = _HEADING.match(line)
         if heading:
@@ -63,9 +61,7 @@ def _plain(heading: str) -> str:
 
 def _references(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple[int, str]]:
     """Each (set,descriptor) is defined, or an erratum says that it is not."""
-    undefined = {
-        c.subject for e in model.errata if e.manual == manual for c in e.claims if c.kind == "reference"
-    }
+    undefined = {c.subject for e in model.errata if e.manual == manual for c in e.claims if c.kind == "reference"}
     for number, line in enumerate(lines, 1):
         for match in _REFERENCE.finditer(line):
             if not match[0].startswith("("):
@@ -93,7 +89,10 @@ def _packets(model: m.Model, manual: str, lines: list[str]) -> Iterator[tuple[in
         row = _row(line)
         if row is not None:
             if tables[row] == 0:
-                yield number, f"no example has a table that begins {' '.join('??' if b is None else f'{b:02X}' for b in row)}"
+                yield (
+                    number,
+                    f"no example has a table that begins {' '.join('??' if b is None else f'{b:02X}' for b in row)}",
+                )
             tables[row] -= 1
 
 

@@ -90,7 +90,10 @@ def check(options: argparse.Namespace) -> int:
     found = 0
     for name, files in _make(options).items():
         for difference in render.compare(files, options.out / name):
-            print(f"{options.out / name / difference.path}: error: {difference.what}; run 'make generate'", file=sys.stderr)
+            print(
+                f"{options.out / name / difference.path}: error: {difference.what}; run 'make generate'",
+                file=sys.stderr,
+            )
             found += 1
     if not found:
         print(f"{options.out} is what the specification gives")

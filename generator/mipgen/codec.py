@@ -281,7 +281,7 @@ def _put(op: m.Operation, value: Any, values: Values, out: bytearray) -> None:
 
 
 def _check_count(op: m.TextOp | m.ArrayOp, value: Any) -> None:
-    if op.count is not None and len(value) != op.count or len(value) > op.capacity:
+    if (op.count is not None and len(value) != op.count) or len(value) > op.capacity:
         raise CodecError("count", f"{op.member} has {len(value)} elements")
 
 
@@ -353,7 +353,7 @@ def _canonical_number(op: m.ScalarOp, value: Any, where: str) -> int | str:
     if op.scalar.kind == "float":
         if isinstance(value, str) and re.fullmatch(f"0x[0-9A-Fa-f]{{{2 * op.size}}}", value):
             return value.lower()
-        if isinstance(value, str) or isinstance(value, bool) or value is None:
+        if isinstance(value, (str, bool)) or value is None:
             raise ValueError(f"{where}: {value!r} is no number, nor the {2 * op.size} hexadecimal digits of its bits")
         try:
             return "0x" + struct.pack(">f" if op.size == 4 else ">d", value).hex()

@@ -250,8 +250,14 @@ def variants(
         ranged = replace(p, minimum=low, maximum=high)
         found.append(
             m.Variant(
-                by.value, key, units(case, p, words.units, problem), frame(case, words.frames, problem), low, high,
-                default(case, ranged, problem), case.scalar("description", ""),
-            )  # fmt: skip
+                by.value,
+                key,
+                units(case, p, words.units, problem),
+                frame(case, words.frames, problem),
+                low,
+                high,
+                default(case, ranged, problem),
+                case.scalar("description", ""),
+            )
         )
     return tuple(found)

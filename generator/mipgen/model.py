@@ -11,7 +11,7 @@ branch per `Operation.kind` and computes nothing.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Final, Literal, Union
+from typing import Final, Literal
 
 COMMAND: Final = "command"
 RESPONSE: Final = "response"
@@ -169,7 +169,7 @@ class Struct:
         return self.min_size == self.max_size
 
 
-Type = Union[Enum, Bitfield, Vector, Struct]
+Type = Enum | Bitfield | Vector | Struct
 
 
 # --------------------------------------------------------------------------- parameters
@@ -219,8 +219,10 @@ class Variant:
             facts.append(f"factory default {self.default}")
         head = f"On {self.key}" if self.by == "device" else f"If {self.by} is {self.key}"
         text = f"{head}: {', '.join(facts)}" if facts else head
-        return f"{text}; {self.description}" if self.description and facts else (
-            f"{head}: {self.description}" if self.description else f"{text}."
+        return (
+            f"{text}; {self.description}"
+            if self.description and facts
+            else (f"{head}: {self.description}" if self.description else f"{text}.")
         )
 
 
@@ -381,9 +383,7 @@ class GroupOp:
     kind: Literal["group"] = "group"
 
 
-Operation = Union[
-    ScalarOp, ConstantOp, CounterOp, BitsOp, TextOp, ArrayOp, StructOp, SwitchOp, GroupOp
-]
+Operation = ScalarOp | ConstantOp | CounterOp | BitsOp | TextOp | ArrayOp | StructOp | SwitchOp | GroupOp
 
 
 # --------------------------------------------------------------------------- fields and sets

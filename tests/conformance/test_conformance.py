@@ -25,6 +25,8 @@ from support import (
 )
 
 both = [pytest.mark.parametrize("language", LANGUAGES), pytest.mark.parametrize("spec", sorted(SPECS))]
+
+
 def relaxed(examples: int) -> Any:
     return settings(
         max_examples=examples,
@@ -177,7 +179,7 @@ def samples(f: Any, chance: random.Random) -> list[bytes]:
         for at, op in f.constants:
             data[at : at + op.size] = op.value.to_bytes(op.size, "big")
         try:
-            values, trailing = codec.decode(f, bytes(data))
+            values, _ = codec.decode(f, bytes(data))
             found.append(codec.encode(f, values))
         except codec.CodecError:
             found.append(bytes(data))
@@ -188,7 +190,9 @@ def mutated(chance: random.Random, data: bytes, f: Any) -> bytes:
     out = bytearray(data)
     for _ in range(chance.randrange(4)):
         if out:
-            out[chance.randrange(len(out))] = chance.choice([0, 1, 2, 3, 4, 5, 6, 0x7F, 0x80, 0xFF, chance.randrange(256)])
+            out[chance.randrange(len(out))] = chance.choice(
+                [0, 1, 2, 3, 4, 5, 6, 0x7F, 0x80, 0xFF, chance.randrange(256)]
+            )
     tail = chance.randrange(-3, 4)
     out = out[:tail] if tail < 0 else out + bytes(chance.randrange(256) for _ in range(tail))
     return bytes(out[:253])
@@ -297,7 +301,10 @@ def streams(spec: str) -> list[bytes]:
                         b"ue\x80\xff" + packet,
                         packet[: chance.randrange(len(packet))],
                         packet[:-1] + bytes([packet[-1] ^ 1]),
-                        bytes(chance.choice([0x75, 0x65, 0, 1, chance.randrange(256)]) for _ in range(chance.randrange(40))),
+                        bytes(
+                            chance.choice([0x75, 0x65, 0, 1, chance.randrange(256)])
+                            for _ in range(chance.randrange(40))
+                        ),
                     ]
                 )
             )

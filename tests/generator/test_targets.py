@@ -30,9 +30,9 @@ def identifiers(model):
 def filters(model):
     return {"hex": lambda n: f"0x{n:02X}"}
 '''
-CSV_TEMPLATE = """set,descriptor,role,name,parameters
+CSV_TEMPLATE = """set,descriptor,name,parameters
 {% for f in model.fields %}
-{{ f.set | hex }},{{ f.descriptor | hex }},{{ f.role }},{{ f.full_name }},{{ f.parameters | map(attribute="name") | join(" ") }}
+{{ f.set | hex }},{{ f.descriptor | hex }},{{ f.full_name }},{{ f.parameters | map(attribute="name") | join(" ") }}
 {% endfor %}
 """
 
@@ -198,7 +198,7 @@ def test_a_new_language_is_one_folder_and_one_file(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     rows = (tmp_path / "out/csv/fields.csv").read_text("utf-8").splitlines()
     assert len(rows) == len(model("real").fields) + 1
-    assert "0x01,0x01,command,base.ping," in rows
+    assert "0x01,0x01,base.ping," in rows
     assert "csv" in mipgen("generate", "--help", root=copy).stdout
 
 

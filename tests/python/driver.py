@@ -12,7 +12,7 @@ from typing import Any
 
 from mip_protocol import DecodeError, EncodeError, Packet, PacketBuilder, PacketError, Parser, registry
 from mip_protocol.codec import single_from_bits, single_to_bits
-from mip_protocol.field import Field, Structure, chosen
+from mip_protocol.field import Structure, chosen
 from mip_protocol.reflection import PARAMETERS, Parameter
 
 
@@ -98,7 +98,7 @@ def shown(p: Parameter, value: Any) -> Any:
         return value
     if p.scalar == "bits":
         return list(int(value).to_bytes(p.size, "little"))
-    if p.kind == "array" and not (p.length is None):
+    if p.kind == "array" and p.length is not None:
         return [element(p, v) for v in value]
     return element(p, value)
 

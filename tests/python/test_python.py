@@ -69,12 +69,14 @@ def test_every_field_has_a_class_with_its_numbers_and_its_links(spec: str) -> No
     types = package.registry.all_types()
     assert len(types) == len(all_fields(of))
     for number, kind in types:
-        (field,) = [f for f in of.candidates(number, kind.DESCRIPTOR) if target.class_name(f) == kind.__name__] or [None]
+        (field,) = [f for f in of.candidates(number, kind.DESCRIPTOR) if target.class_name(f) == kind.__name__] or [
+            None
+        ]
         if field is None:
-            assert kind.NAME == of.protocol.acknowledge.full_name
+            assert of.protocol.acknowledge.full_name == kind.NAME
             continue
         assert package.registry.name(number, kind) == field.full_name
-        assert kind.ROLE == field.role
+        assert field.role == kind.ROLE
         assert kind.__doc__ and (field.title in kind.__doc__ or field.definition)
         if field.role == m.COMMAND:
             assert [r.NAME.partition(".")[2] for r in kind.RESPONSES] == list(field.responses)
@@ -159,7 +161,12 @@ def test_what_cannot_be_sent_is_refused() -> None:
     tools, types = mip.tools, mip.types
     wrong = {
         "missing": [tools.Settings.write(1, None, 1), tools.Settings(1, 1, types.Mode.FAST), tools.Bias.write(None)],
-        "range": [tools.Settings.save(256), tools.Settings.save(-1), tools.Settings.save("x"), tools.CaptureBias(1 << 16)],
+        "range": [
+            tools.Settings.save(256),
+            tools.Settings.save(-1),
+            tools.Settings.save("x"),
+            tools.CaptureBias(1 << 16),
+        ],
         "count": [tools.Bias.write((1, 2)), tools.Bias.write(5), tools.List.write(tuple(range(200)))],
         "tag": [tools.Choice.write(1, tools.Shape.CIRCLE, None), tools.Choice.write(1, tools.Shape.NONE, (1, 0, 0, 0))],
     }
@@ -333,7 +340,7 @@ def test_examples_built_by_hand(spec: str) -> None:
 
 def written(record: m.Field | m.Struct, values: dict[str, Any]) -> str:
     """A record as Python source: by the constructor of its function, where it has one."""
-    given = [p for p in target.stored(record) if p.name in values and p.reserved is None or p.name in values]
+    given = [p for p in target.stored(record) if (p.name in values and p.reserved is None) or p.name in values]
     home = target.qualified(record) if isinstance(record, m.Struct) else _home(record)
     words = {target._member(p.name): literal(p, values[p.name], values) for p in given}
     if isinstance(record, m.Field) and record.functions:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from .. import codec
@@ -252,7 +252,7 @@ def bits_type(b: m.Bits) -> str:
 
 def has_accessor(t: m.Bitfield, b: m.Bits) -> bool:
     """Flags of a number are constants; numbers inside a bitfield, and bits of bytes, need functions."""
-    return t.scalar is None or b.width > 1 and not b.alias
+    return t.scalar is None or (b.width > 1 and not b.alias)
 
 
 # --------------------------------------------------------------------------- members
@@ -314,12 +314,10 @@ class Constructor:
         self.name = function.name if function else "make"
         self.function = function
         self.description = function.description if function else f"{f.title}."
-        self.values = [
-            p for p in stored(f) if not p.selector and (letter in (p.functions or "") if letter else not p.optional)
-        ]
-        self.asked = [p for p in self.values if p.reserved is None]
-        sent = [p for p in stored(f) if p.reserved and (p in self.values or p.optional)]
-        self.assigned = [p for p in stored(f) if p in self.asked or p in sent]
+        members = [p for p in stored(f) if not p.selector]
+        wanted = [p for p in members if (letter in (p.functions or "") if letter else not p.optional)]
+        self.asked = [p for p in wanted if p.reserved is None]
+        self.assigned = [p for p in members if p in self.asked or (p.reserved and (p in wanted or p.optional))]
         self.arguments = [argument(p, f) for p in self.asked]
 
 
@@ -356,11 +354,9 @@ def assignment(p: m.Parameter) -> list[str]:
         return [f"if ({name} != NULL) {{", f"    v.{name} = *{name};", "}"]
     if isinstance(op, (m.ArrayOp, m.TextOp)):
         if op.count is not None:
-            return [
-                f"mip_copy_text(v.{name}, sizeof(v.{name}), {name});"
-                if isinstance(op, m.TextOp)
-                else f"memcpy(v.{name}, {name}, sizeof(v.{name}));"
-            ]
+            size = f"sizeof(v.{name})"
+            text = isinstance(op, m.TextOp)
+            return [f"mip_copy_text(v.{name}, {size}, {name});" if text else f"memcpy(v.{name}, {name}, {size});"]
         count = _member(op.counter) if op.counter else f"{name}_count"
         size = f"sizeof(v.{name}) - 1" if isinstance(op, m.TextOp) else f"sizeof(v.{name})"
         number = [f"v.{count} = {count};"] if not op.counter else []
@@ -489,8 +485,8 @@ def meaning(p: m.Parameter, record: Record | None) -> str:
         parts.append(f"At least {p.minimum}." if p.minimum is not None else f"At most {p.maximum}.")
     if p.default is not None:
         parts.append(f"Default: {_plain(p.default)}.")
-    if p.valid_when and record:
-        parts.append(_valid(p.valid_when, record))
+    if p.valid and record:
+        parts.append(_valid(p.valid, record))
     if p.reading:
         parts += _readings(p.reading)
     if p.reserved:
@@ -512,12 +508,17 @@ def _plain(value: object) -> str:
     return ", ".join(map(_plain, value)) if isinstance(value, (list, tuple)) else str(value)
 
 
-def _valid(path: str, record: Record) -> str:
-    flags, _, bit = path.partition(".")
-    e = next(p.element for p in record.parameters if p.name == flags)
-    found = [b for b in e.bits if b.name == bit] if isinstance(e, m.Bitfield) and e.scalar else []
-    what = constant(e, found[0]) if found else f"the bit {bit}"  # type: ignore[arg-type]
-    return f"Valid if {what} is set in {_member(flags)}."
+def _valid(paths: Sequence[str], record: Record) -> str:
+    """The bits that vouch for a value, or for each of its elements."""
+    found: dict[str, list[str]] = {}
+    for path in dict.fromkeys(paths):
+        flags, _, bit = path.partition(".")
+        e = next(p.element for p in record.parameters if p.name == flags)
+        known = [b for b in e.bits if b.name == bit] if isinstance(e, m.Bitfield) and e.scalar else []
+        name = constant(e, known[0]) if known and isinstance(e, m.Bitfield) else bit
+        found.setdefault(_member(flags), []).append(name)
+    bits = _list([f"{_list(names)} in {flags}" for flags, names in found.items()])
+    return f"Valid if {bits} is set." if len(dict.fromkeys(paths)) == 1 else f"Each valid by its bit: {bits}."
 
 
 def _readings(reading: m.Reading) -> list[str]:
@@ -530,13 +531,13 @@ def function(head: str, arguments: Sequence[str], tail: str) -> str:
     """A function's head, or a call: on one line, or broken where it hurts least."""
     arguments = arguments or ["void"]
     pad = len(head) - len(head.lstrip()) + 4
-    kind, space, name = head.rpartition(" ")
+    kind, _, name = head.rpartition(" ")
     tries = [
         f"{head}{', '.join(arguments)}{tail}",
         f"{head}{fill(arguments, len(head), len(tail))}{tail}",
         f"{head}\n{' ' * pad}{fill(arguments, pad, len(tail))}{tail}",
     ]
-    if kind.strip() and arguments == ["void"] or not _fits(tries[-1]):
+    if (kind.strip() and arguments == ["void"]) or not _fits(tries[-1]):
         tries[1:] = [
             f"{kind}\n{name}{fill(arguments, len(name), len(tail))}{tail}",
             f"{kind}\n{name}\n{' ' * pad}{fill(arguments, pad, len(tail))}{tail}",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import struct
 import textwrap
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -433,7 +433,11 @@ def docstring(text: str, indent: int, before: int = 0) -> str:
     if clean.endswith('"'):
         clean += " "
     wrapped = textwrap.wrap(
-        " " * before + pad + clean, WIDTH - before, subsequent_indent=hang, break_long_words=False, break_on_hyphens=False
+        " " * before + pad + clean,
+        WIDTH - before,
+        subsequent_indent=hang,
+        break_long_words=False,
+        break_on_hyphens=False,
     )
     first = wrapped[0].strip() if wrapped else ""
     lines = [first, *wrapped[1:]]
@@ -553,7 +557,7 @@ def _reflected(p: m.Parameter) -> Tree:
     if scalar:
         parts.append(f'scalar="{scalar.name}"')
     if isinstance(e, m.Bitfield) and e.scalar is None:
-        parts.append(f'scalar="bits"')
+        parts.append('scalar="bits"')
         parts.append(f"size={e.size}")
     if isinstance(e, m.Vector):
         parts.append(f"elements={_tuple(e.elements)}")

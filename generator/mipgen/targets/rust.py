@@ -471,7 +471,8 @@ def fit(items: Sequence[str], head: str, tail: str, indent: int, pad: str = "") 
 def link(head: str, name: str) -> str:
     """An empty implementation of a trait."""
     line = f"impl {head} for {name} {{}}"
-    return line if len(line) <= WIDTH else f"impl {head}\n    for {name}\n{{\n}}"
+    # What rustfmt measures ends with the opening brace.
+    return line if len(line) <= WIDTH + 1 else f"impl {head}\n    for {name}\n{{\n}}"
 
 
 def number(value: float | int) -> str:

@@ -75,6 +75,18 @@ pub trait Wire: Sized {
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError>;
 }
 
+/// One of several alternatives, which another value, the tag, selects.
+pub trait Union: Sized {
+    /// The type of the tag.
+    type Tag;
+
+    /// Reads the alternative of a tag.
+    fn decode_as(tag: Self::Tag, reader: &mut Reader<'_>) -> Result<Self, DecodeError>;
+
+    /// Writes it if it is the alternative of this tag.
+    fn encode_as(&self, tag: Self::Tag, writer: &mut Writer<'_>) -> Result<(), EncodeError>;
+}
+
 /// Takes values off the front of a field's data.
 #[derive(Clone, Copy, Debug)]
 pub struct Reader<'a> {
@@ -166,6 +178,23 @@ impl<'a> Reader<'a> {
         self.rest().map(VarText)
     }
 
+    /// The alternative of a tag.
+    pub fn union<U: Union>(&mut self, tag: U::Tag) -> Result<U, DecodeError> {
+        U::decode_as(tag, self)
+    }
+
+    /// The alternative of a tag, as a group by itself; there is none without the tag.
+    pub fn some_union<U: Union>(
+        &mut self,
+        required: bool,
+        tag: impl Into<Option<U::Tag>>,
+    ) -> Result<Option<U>, DecodeError> {
+        match tag.into() {
+            Some(tag) => self.group(required, |reader| reader.union(tag)),
+            None => Ok(None),
+        }
+    }
+
     /// A group of values that come and go together: read if it must be there or is wholly there.
     ///
     /// After a group that is absent, everything that may be absent is.
@@ -230,6 +259,25 @@ impl<'a> Writer<'a> {
         value.encode_to(self)
     }
 
+    /// Appends an alternative.
+    pub fn union<U: Union>(&mut self, tag: U::Tag, value: &U) -> Result<(), EncodeError> {
+        value.encode_as(tag, self)
+    }
+
+    /// Appends an alternative that is a group by itself, if it is present and may be.
+    pub fn some_union<U: Union>(
+        &mut self,
+        required: bool,
+        tag: impl Into<Option<U::Tag>>,
+        value: &Option<U>,
+    ) -> Result<(), EncodeError> {
+        match (self.optional(required, value)?, tag.into()) {
+            (Some(value), Some(tag)) => self.union(tag, value),
+            (Some(_), None) => Err(EncodeError::Missing),
+            (None, _) => Ok(()),
+        }
+    }
+
     /// Appends the number of elements that follow later.
     pub fn count<C: Wire + TryFrom<usize>>(&mut self, count: usize) -> Result<(), EncodeError> {
         self.write(&C::try_from(count).map_err(|_| EncodeError::Count)?)
@@ -246,7 +294,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Appends a value that is a group by itself, if it is present and may be.
-    pub fn write_some<T: Wire>(
+    pub fn some<T: Wire>(
         &mut self,
         required: bool,
         value: &Option<T>,
