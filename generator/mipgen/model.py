@@ -212,18 +212,16 @@ class Variant:
             facts.append(f"unit {', '.join(self.units)}")
         if self.frame:
             facts.append(f"frame {self.frame}")
-        if self.minimum is not None or self.maximum is not None:
-            low, high = ("…" if x is None else x for x in (self.minimum, self.maximum))
-            facts.append(f"range {low} to {high}")
+        if self.minimum is not None and self.maximum is not None:
+            facts.append(f"range {self.minimum} to {self.maximum}")
+        elif self.minimum is not None or self.maximum is not None:
+            facts.append(f"at least {self.minimum}" if self.maximum is None else f"at most {self.maximum}")
         if self.default is not None:
-            facts.append(f"factory default {self.default}")
+            shown = str(self.default).lower() if isinstance(self.default, bool) else self.default
+            facts.append(f"factory default {shown}")
         head = f"On {self.key}" if self.by == "device" else f"If {self.by} is {self.key}"
-        text = f"{head}: {', '.join(facts)}" if facts else head
-        return (
-            f"{text}; {self.description}"
-            if self.description and facts
-            else (f"{head}: {self.description}" if self.description else f"{text}.")
-        )
+        said = "; ".join(x for x in (", ".join(facts), self.description.rstrip(".")) if x)
+        return f"{head}: {said}."
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from typing import Any
 from .. import codec
 from .. import model as m
 from ..naming import Escape, Identifier, upper
-from ..render import File, language
+from ..render import ROOT, File, language
 
 TITLE = "C99, library mip"
 WIDTH = 100
@@ -38,7 +38,8 @@ def files(model: m.Model) -> Iterator[File]:
     yield File("src/reflection.c", "reflection.c.j2")
     yield File("include/mip/devices.h", "devices.h.j2")
     yield File("src/devices.c", "devices.c.j2")
-    yield File("README.md", "README.md.j2")
+    taste = (ROOT / "templates/c/runtime/taste.c").read_text("utf-8").partition("*/\n")[2].rstrip()
+    yield File("README.md", "README.md.j2", {"taste": taste})
     yield File("CMakeLists.txt", "CMakeLists.txt.j2", {"sources": _sources(model)})
 
 
@@ -75,6 +76,8 @@ def _type_identifiers(t: m.Type) -> Iterator[Identifier]:
         for v in t.values:
             yield Identifier("C", constant(t, v), f"{t.name}.{v.name}", place)
     elif isinstance(t, m.Bitfield):
+        for accessor in ("set", "clear", "has") if t.scalar else ():
+            yield Identifier("C", f"{name}_{accessor}", t.name, place)
         for b in t.bits:
             if t.scalar:
                 yield Identifier("C", constant(t, b), f"{t.name}.{b.name}", place)
@@ -570,16 +573,29 @@ def define(name: str, text: str) -> str:
 
 
 def fill(items: Sequence[str], indent: int, more: int = 0) -> str:
-    """Items with commas between them, on as many lines as they need."""
+    """Items with commas between them, on as many lines as they need; long strings are taken apart."""
     lines, line = [], ""
     for i, item in enumerate(items):
         ending = "," if i < len(items) - 1 else ""
-        joined = f"{line} {item}{ending}" if line else item + ending
-        if line and indent + len(joined) + (0 if ending else more) > WIDTH:
+        parts = _parts(item + ending, WIDTH - indent - more)
+        joined = f"{line} {parts[0]}" if line else parts[0]
+        if line and (len(parts) > 1 or indent + len(joined) + (0 if ending else more) > WIDTH):
             lines.append(line)
-            joined = item + ending
+            joined = parts[0]
         line = joined
+        if len(parts) > 1:
+            lines += parts[:-1] if not ending else parts
+            line = "" if ending else parts[-1]
     return ("\n" + " " * indent).join([*lines, line])
+
+
+def _parts(item: str, width: int) -> list[str]:
+    """A string that is too long for a line as several that the compiler joins."""
+    if len(item) <= width or not item.startswith('"'):
+        return [item]
+    closing = item.rindex('"')
+    pieces = textwrap.wrap(item[1:closing], width - 4, break_long_words=False, break_on_hyphens=False)
+    return [*(f'"{piece} "' for piece in pieces[:-1]), f'"{pieces[-1]}{item[closing:]}']
 
 
 def string(text: str | None) -> str:

@@ -22,7 +22,7 @@ Record = Union[m.Field, m.Struct]
 
 module = Escape(KEYWORDS, digit_prefix="mip_")
 member = Escape(KEYWORDS | frozenset(LANGUAGE["members"]))
-_method = Escape(KEYWORDS | frozenset(LANGUAGE["bit_methods"]))
+method = Escape(KEYWORDS | frozenset(LANGUAGE["bit_methods"]))
 _type = Escape(KEYWORDS | frozenset(LANGUAGE["types"]), digit_prefix="Mip")
 _variant = Escape(KEYWORDS, digit_prefix="Mip")
 _constant = Escape(frozenset(LANGUAGE["constants"]))
@@ -73,7 +73,7 @@ def files(model: m.Model) -> Iterable[File]:
 
 def _samples(model: m.Model) -> dict[str, Any]:
     """Fields that the README can show with: whatever the specification has."""
-    names = _Names(model)
+    names = Names(model)
     commands = [f for f in model.fields if f.role == m.COMMAND]
     settings = []
     for f in commands:
@@ -156,7 +156,7 @@ def path(thing: m.Type | Record, here: str) -> str:
     return name if where == here else f"types::{name}" if where == "types" else f"crate::{where}::{name}"
 
 
-class _Names:
+class Names:
     """What the types of a model are called and made of."""
 
     def __init__(self, model: m.Model) -> None:
@@ -338,6 +338,12 @@ def default_of(x: Member) -> str:
     return f"[{default}; {op.count}]" if is_long(op) and isinstance(op, m.ArrayOp) else default
 
 
+def declaration(x: Member) -> str:
+    """The line of a member in its structure."""
+    line = f"    pub {x.name}: {x.whole_type},"
+    return line if len(line) <= WIDTH else f"    pub {x.name}:\n        {x.whole_type},"
+
+
 def defaults(members: Iterable[Member]) -> list[str]:
     return [f"{x.name}: {default_of(x)}" for x in members]
 
@@ -492,8 +498,8 @@ def bounds(p: m.Parameter) -> str:
 
 
 def literal(name: str, values: Sequence[str], indent: int) -> str:
-    """A structure as an expression."""
-    return fit(values, f"{name} {{", "}", indent, " ")
+    """A structure as an item of an array."""
+    return fit(values, f"{name} {{", "},", indent, " ").removesuffix(",")
 
 
 def wrap(text: str, indent: int) -> str:
@@ -513,14 +519,17 @@ def assign(value: str, name: str, indent: int, keyword: str = "let") -> str:
     """A new variable or constant."""
     margin = " " * indent
     line = f"{margin}{keyword} {name} = {value};"
-    return line if len(line) <= WIDTH else f"{margin}{keyword} {name} =\n{margin}    {value};"
+    return line if len(line) <= WIDTH - value.endswith("?") else f"{margin}{keyword} {name} =\n{margin}    {value};"
 
 
 def if_let(value: str, pattern: str, indent: int) -> str:
     """The head of a condition that takes a value apart."""
     margin = " " * indent
-    line = f"{margin}if let {pattern} = {value} {{"
-    return line if len(line) <= WIDTH else f"{margin}if let {pattern} =\n{margin}    {value}\n{margin}{{"
+    line = f"{margin}if let {pattern} = {value}"
+    if len(line) > WIDTH:
+        line = f"{margin}if let {pattern} =\n{margin}    {value}"
+        return f"{line}\n{margin}{{"
+    return f"{line} {{" if len(line) <= WIDTH - 2 else f"{line}\n{margin}{{"
 
 
 def listing(items: Sequence[str], name: str) -> str:
@@ -536,7 +545,7 @@ def option(value: object | None) -> str:
 
 
 def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
-    names = _Names(model)
+    names = Names(model)
     functions = {f.value: f for f in model.protocol.functions}
 
     def required_arms(f: m.Field) -> list[tuple[str, int]]:
@@ -677,11 +686,11 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         return next((c for c in op.cases if c.tag.value == 0), None)
 
     return {
-        "module": module, "member": member, "method": _method, "type_name": type_name, "variant": variant, "constant": constant,
+        "module": module, "member": member, "method": method, "type_name": type_name, "variant": variant, "constant": constant,
         "path": path, "home": home, "rust": names.rust, "inner": inner, "bits_type": unsigned,
         "members": names.members, "constructors": names.constructors, "accessors": names.accessors,
         "unions_of": names.unions_of, "find_union": names.find_union, "group_members": group_members, "tag_of": tag_of,
-        "default_case": default_case, "defaults": defaults, "byte_constants": byte_constants, "if_let": if_let, "derives_default": derives_default, "is_long": is_long,
+        "default_case": default_case, "defaults": defaults, "declaration": declaration, "byte_constants": byte_constants, "if_let": if_let, "derives_default": derives_default, "is_long": is_long,
         "variants": variants, "required_arms": required_arms, "condition": condition, "selected": selected,
         "condition_value": condition_value, "conversions": lambda _: conversions(), "commands_of": commands_of, "sets_of": sets_of,
         "layouts": layouts, "original": original, "structs": structs, "supported": supported, "is_kept": is_kept,
@@ -701,7 +710,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
 
 
 def identifiers(model: m.Model) -> Iterable[Identifier]:
-    names = _Names(model)
+    names = Names(model)
     for fixed in LANGUAGE["modules"]:
         yield Identifier("the crate", fixed, f"the module {fixed}", None)
     for s in model.sets:
@@ -730,7 +739,7 @@ def identifiers(model: m.Model) -> Iterable[Identifier]:
         yield Identifier("devices", constant(d.name), d.name, d.position)
 
 
-def _inside(names: _Names, t: m.Type) -> Iterator[Identifier]:
+def _inside(names: Names, t: m.Type) -> Iterator[Identifier]:
     where = f"{home(t)}::{type_name(t.name)}"
     match t:
         case m.Enum():
@@ -738,7 +747,7 @@ def _inside(names: _Names, t: m.Type) -> Iterator[Identifier]:
                 yield Identifier(where, constant(v.name), v.name, t.position)
         case m.Bitfield():
             for b in t.bits:
-                for name in (constant(b.name), _method(b.name), f"set_{b.name}", f"with_{b.name}"):
+                for name in (constant(b.name), method(b.name), f"set_{b.name}", f"with_{b.name}"):
                     yield Identifier(where, name, b.name, t.position)
         case m.Vector():
             for e in t.elements:
@@ -747,7 +756,7 @@ def _inside(names: _Names, t: m.Type) -> Iterator[Identifier]:
             yield from _record(names, t, t.name)
 
 
-def _record(names: _Names, record: Record, what: str) -> Iterator[Identifier]:
+def _record(names: Names, record: Record, what: str) -> Iterator[Identifier]:
     for x in names.members(record):
         yield Identifier(what, x.name, x.parameter.name, x.parameter.position)
     for c in names.constructors(record):

@@ -51,7 +51,9 @@ static uint8_t *bytes_of(struct arena *arena, const struct json *j, size_t *size
 
 struct scalar {
     size_t size;
-    enum { UNSIGNED, SIGNED, FLOAT } kind;
+    enum { UNSIGNED,
+           SIGNED,
+           FLOAT } kind;
 };
 
 static struct scalar scalar_of(uint8_t scalar) {

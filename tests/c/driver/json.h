@@ -6,7 +6,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum json_kind { JSON_NULL, JSON_BOOL, JSON_INTEGER, JSON_FRACTION, JSON_STRING, JSON_LIST, JSON_OBJECT };
+enum json_kind { JSON_NULL,
+                 JSON_BOOL,
+                 JSON_INTEGER,
+                 JSON_FRACTION,
+                 JSON_STRING,
+                 JSON_LIST,
+                 JSON_OBJECT };
 
 struct json {
     enum json_kind kind;

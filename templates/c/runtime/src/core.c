@@ -237,7 +237,7 @@ size_t mip_read_count(struct mip_reader *r, uint32_t count, size_t capacity, siz
         fail_reading(r, MIP_ERROR_COUNT);
         return 0;
     }
-    return count;
+    return (size_t)count;
 }
 
 size_t mip_read_rest(struct mip_reader *r, size_t capacity, size_t item) {
@@ -384,7 +384,7 @@ size_t mip_write_count(struct mip_writer *w, uint32_t count, size_t capacity) {
         fail_writing(w, MIP_ERROR_COUNT);
         return 0;
     }
-    return count;
+    return (size_t)count;
 }
 
 void mip_write_required(struct mip_writer *w, uint8_t function, const uint8_t *table, size_t size,

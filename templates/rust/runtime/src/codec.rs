@@ -247,10 +247,9 @@ impl<'a> Writer<'a> {
 
     /// Appends bytes.
     pub fn put(&mut self, bytes: &[u8]) -> Result<(), EncodeError> {
-        let end = self.length.saturating_add(bytes.len());
-        let free = self.buffer.get_mut(self.length..end).ok_or(EncodeError::Length)?;
-        free.copy_from_slice(bytes);
-        self.length = end;
+        let free = self.buffer.get_mut(self.length..).and_then(|free| free.get_mut(..bytes.len()));
+        free.ok_or(EncodeError::Length)?.copy_from_slice(bytes);
+        self.length = self.length.saturating_add(bytes.len());
         Ok(())
     }
 
@@ -294,11 +293,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Appends a value that is a group by itself, if it is present and may be.
-    pub fn some<T: Wire>(
-        &mut self,
-        required: bool,
-        value: &Option<T>,
-    ) -> Result<(), EncodeError> {
+    pub fn some<T: Wire>(&mut self, required: bool, value: &Option<T>) -> Result<(), EncodeError> {
         self.optional(required, value)?.map_or(Ok(()), |value| self.write(value))
     }
 

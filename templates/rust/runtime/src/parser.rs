@@ -194,16 +194,16 @@ impl Parser {
     /// Takes input until `size` bytes are held. Were there enough?
     fn fill(&mut self, size: usize, input: &mut &[u8]) -> bool {
         if self.start.saturating_add(size) > self.buffer.len() {
-            self.buffer.copy_within(self.start..self.end, 0);
+            self.buffer.rotate_left(self.start.min(MAX_PACKET));
             (self.start, self.end) = (0, self.end.saturating_sub(self.start));
         }
         let wanted = size.saturating_sub(self.end.saturating_sub(self.start));
         let count = wanted.min(input.len());
         let (head, tail) = input.split_at(count);
-        let end = self.end.saturating_add(count);
-        if let Some(free) = self.buffer.get_mut(self.end..end) {
+        let free = self.buffer.get_mut(self.end..).and_then(|free| free.get_mut(..count));
+        if let Some(free) = free {
             free.copy_from_slice(head);
-            self.end = end;
+            self.end = self.end.saturating_add(count);
         }
         *input = tail;
         count == wanted

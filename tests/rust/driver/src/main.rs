@@ -130,8 +130,9 @@ fn encode(request: &Json) -> Answer {
                 packet.push_raw(descriptor, &bytes(Some(raw))?).map_err(encode_error)?;
             }
             (None, Some(name)) => {
-                let any = AnyField::from_value(name, &to_value(field.get("values").ok_or("request")?)?)
-                    .map_err(value_error)?;
+                let any =
+                    AnyField::from_value(name, &to_value(field.get("values").ok_or("request")?)?)
+                        .map_err(value_error)?;
                 let info = any.info().expect("every field is listed");
                 if !info.in_set(set) || descriptor.is_some_and(|d| d != Some(info.descriptor)) {
                     return Err("unknown");

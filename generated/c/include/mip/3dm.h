@@ -1,0 +1,2918 @@
+/**
+ * @file
+ *
+ * 3DM (0x0C). Commands that set up the sensors, the outputs, the pins and the events of a device.
+ */
+#ifndef MIP_3DM_H
+#define MIP_3DM_H
+
+#include "mip/protocol.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/3dm.h and mip/core.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define MIP_3DM_SET 0x0C
+
+/**
+ * A field that a poll asks for.
+ *
+ * - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
+ */
+struct mip_3dm_poll_entry {
+    /** Field descriptor. */
+    uint8_t descriptor;
+    /** In place of a decimation. */
+    uint16_t reserved;
+};
+
+void mip_3dm_poll_entry_read(struct mip_reader *r, struct mip_3dm_poll_entry *v);
+void mip_3dm_poll_entry_write(struct mip_writer *w, const struct mip_3dm_poll_entry *v);
+
+/**
+ * What happens to the message formats that are set.
+ *
+ * - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
+ */
+typedef uint8_t mip_3dm_factory_streaming_action;
+/** The formats are replaced. */
+#define MIP_3DM_FACTORY_STREAMING_ACTION_OVERWRITE 0
+/** The support fields are merged into the formats; the order may change. */
+#define MIP_3DM_FACTORY_STREAMING_ACTION_MERGE 1
+/** The support fields are added behind the formats; fields may occur twice. */
+#define MIP_3DM_FACTORY_STREAMING_ACTION_ADD 2
+
+/**
+ * A data stream of a 5-series device.
+ *
+ * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
+ */
+typedef uint8_t mip_3dm_legacy_data_stream;
+/** All streams; for save, load and default only. */
+#define MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS 0
+/** Sensor data (0x80). */
+#define MIP_3DM_LEGACY_DATA_STREAM_IMU 1
+/** GNSS data. */
+#define MIP_3DM_LEGACY_DATA_STREAM_GNSS 2
+/** Estimation filter data (0x82). */
+#define MIP_3DM_LEGACY_DATA_STREAM_FILTER 3
+
+/**
+ * How SBAS is used.
+ *
+ * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
+ */
+typedef uint16_t mip_3dm_sbas_options;
+/** Bit 0: SBAS pseudoranges take part in the position solution. */
+#define MIP_3DM_SBAS_OPTIONS_ENABLE_RANGING 0x0001U
+/** Bit 1: SBAS differential corrections are applied. */
+#define MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS 0x0002U
+/** Bit 2: Only GPS satellites with SBAS integrity information are used. */
+#define MIP_3DM_SBAS_OPTIONS_APPLY_INTEGRITY 0x0004U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_3dm_sbas_options_set(mip_3dm_sbas_options *flags,
+                                            mip_3dm_sbas_options bits) {
+    *flags = (mip_3dm_sbas_options)(*flags | bits);
+}
+static inline void mip_3dm_sbas_options_clear(mip_3dm_sbas_options *flags,
+                                              mip_3dm_sbas_options bits) {
+    *flags = (mip_3dm_sbas_options)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_3dm_sbas_options_has(mip_3dm_sbas_options flags, mip_3dm_sbas_options bits) {
+    return (flags & bits) == bits;
+}
+
+/**
+ * Where the pulse per second comes from.
+ *
+ * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
+ */
+typedef uint8_t mip_3dm_pps_source;
+/** No pulse. */
+#define MIP_3DM_PPS_SOURCE_DISABLED 0
+/** From GNSS receiver 1. */
+#define MIP_3DM_PPS_SOURCE_RECEIVER_1 1
+/** From GNSS receiver 2. */
+#define MIP_3DM_PPS_SOURCE_RECEIVER_2 2
+/** From a GPIO pin that is configured as a PPS input. */
+#define MIP_3DM_PPS_SOURCE_GPIO 3
+/** From the oscillator of the device. */
+#define MIP_3DM_PPS_SOURCE_GENERATED 4
+
+/**
+ * Which part of the event system is asked about.
+ *
+ * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
+ */
+typedef uint8_t mip_3dm_supported_events_query;
+/** Triggers. */
+#define MIP_3DM_SUPPORTED_EVENTS_QUERY_TRIGGER_TYPES 1
+/** Actions. */
+#define MIP_3DM_SUPPORTED_EVENTS_QUERY_ACTION_TYPES 2
+
+/**
+ * How many instances of one trigger or action type a device can have.
+ *
+ * - 3dm-cv7-gnss-ins: Info
+ */
+struct mip_3dm_supported_event_info {
+    /** A value of event_trigger_type if triggers were asked about, else of event_action_type. */
+    uint8_t type;
+    /** Instances of this type at most. Unit: 1. */
+    uint8_t count;
+};
+
+void mip_3dm_supported_event_info_read(struct mip_reader *r,
+                                       struct mip_3dm_supported_event_info *v);
+void mip_3dm_supported_event_info_write(struct mip_writer *w,
+                                        const struct mip_3dm_supported_event_info *v);
+
+/**
+ * Type and state of one trigger.
+ *
+ * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
+ */
+struct mip_3dm_event_trigger_status_entry {
+    /** Configured type. */
+    mip_event_trigger_type type;
+    /** State. */
+    mip_event_trigger_status status;
+};
+
+void mip_3dm_event_trigger_status_entry_read(struct mip_reader *r,
+                                             struct mip_3dm_event_trigger_status_entry *v);
+void mip_3dm_event_trigger_status_entry_write(struct mip_writer *w,
+                                              const struct mip_3dm_event_trigger_status_entry *v);
+
+/**
+ * Type and trigger of one action.
+ *
+ * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
+ */
+struct mip_3dm_event_action_status_entry {
+    /** Configured type. */
+    mip_event_action_type action_type;
+    /** Trigger instance that the action follows. */
+    uint8_t trigger_id;
+};
+
+void mip_3dm_event_action_status_entry_read(struct mip_reader *r,
+                                            struct mip_3dm_event_action_status_entry *v);
+void mip_3dm_event_action_status_entry_write(struct mip_writer *w,
+                                             const struct mip_3dm_event_action_status_entry *v);
+
+/**
+ * How the odometer input works.
+ *
+ * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
+ */
+typedef uint8_t mip_3dm_odometer_mode;
+/** Not used. */
+#define MIP_3DM_ODOMETER_MODE_DISABLED 0
+/** Quadrature encoder on two pins. */
+#define MIP_3DM_ODOMETER_MODE_QUADRATURE 2
+
+/**
+ * A sensor whose range can be set, which also decides the unit of the range.
+ *
+ * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
+ */
+typedef uint8_t mip_3dm_sensor_range_type;
+/** All sensors; for save, load and default only. */
+#define MIP_3DM_SENSOR_RANGE_TYPE_ALL 0
+/** Accelerometer; standard gravities. */
+#define MIP_3DM_SENSOR_RANGE_TYPE_ACCEL 1
+/** Gyroscope; degrees per second. */
+#define MIP_3DM_SENSOR_RANGE_TYPE_GYRO 2
+/** Magnetometer; gauss. */
+#define MIP_3DM_SENSOR_RANGE_TYPE_MAG 3
+/** Pressure sensor; hectopascals, that is millibars. */
+#define MIP_3DM_SENSOR_RANGE_TYPE_PRESS 4
+
+/**
+ * A range that a sensor supports.
+ *
+ * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
+ */
+struct mip_3dm_sensor_range_entry {
+    /** Value for the sensor range command. */
+    uint8_t setting;
+    /** Largest measurable value; sensor_range_type gives the unit. */
+    float range;
+};
+
+void mip_3dm_sensor_range_entry_read(struct mip_reader *r, struct mip_3dm_sensor_range_entry *v);
+void mip_3dm_sensor_range_entry_write(struct mip_writer *w,
+                                      const struct mip_3dm_sensor_range_entry *v);
+
+/**
+ * How much a device status tells.
+ *
+ * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+ */
+typedef uint8_t mip_3dm_device_status_selector;
+/** State and timer. */
+#define MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC 1
+/** State and timer with the counters of streams and port. */
+#define MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC 2
+
+/**
+ * Poll IMU Data: command (0x0C,0x01).
+ *
+ * Asks for one sensor data packet (0x80) with the fields listed, in their order.
+ *
+ * An empty list polls the stored message format; without one the device refuses.
+ *
+ * Descriptors that the device does not know are ignored.
+ *
+ * The data comes in a packet of its own behind the reply.
+ *
+ * Not acknowledged if suppress_ack is true.
+ *
+ * - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
+ */
+struct mip_3dm_poll_imu_data {
+    /** Send no acknowledge. */
+    mip_bool suppress_ack;
+    /** Number of fields. */
+    uint8_t num_descriptors;
+    /** Fields to send. */
+    struct mip_3dm_poll_entry descriptors[83];
+};
+
+#define MIP_3DM_POLL_IMU_DATA_DESCRIPTOR 0x01
+#define MIP_3DM_POLL_IMU_DATA_NAME "3dm.poll_imu_data"
+
+extern const struct mip_codec mip_3dm_poll_imu_data_codec;
+mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_data *value,
+                                       const struct mip_field *field);
+mip_error mip_3dm_poll_imu_data_encode(const struct mip_3dm_poll_imu_data *value,
+                                       struct mip_builder *builder);
+/** Poll IMU Data. */
+struct mip_3dm_poll_imu_data mip_3dm_poll_imu_data_make(
+    mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]);
+
+/**
+ * Poll Estimation Filter Data: command (0x0C,0x03).
+ *
+ * Asks for one filter data packet (0x82) with the fields listed, in their order.
+ *
+ * An empty list polls the stored message format; without one the device refuses.
+ *
+ * Descriptors that the device does not know are ignored.
+ *
+ * The data comes in a packet of its own behind the reply.
+ *
+ * Not acknowledged if suppress_ack is true.
+ *
+ * - 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
+ */
+struct mip_3dm_poll_estimation_filter_data {
+    /** Send no acknowledge. */
+    mip_bool suppress_ack;
+    /** Number of fields. */
+    uint8_t num_descriptors;
+    /** Fields to send. */
+    struct mip_3dm_poll_entry descriptors[83];
+};
+
+#define MIP_3DM_POLL_ESTIMATION_FILTER_DATA_DESCRIPTOR 0x03
+#define MIP_3DM_POLL_ESTIMATION_FILTER_DATA_NAME "3dm.poll_estimation_filter_data"
+
+extern const struct mip_codec mip_3dm_poll_estimation_filter_data_codec;
+mip_error mip_3dm_poll_estimation_filter_data_decode(
+    struct mip_3dm_poll_estimation_filter_data *value, const struct mip_field *field);
+mip_error mip_3dm_poll_estimation_filter_data_encode(
+    const struct mip_3dm_poll_estimation_filter_data *value, struct mip_builder *builder);
+/** Poll Estimation Filter Data. */
+struct mip_3dm_poll_estimation_filter_data mip_3dm_poll_estimation_filter_data_make(
+    mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]);
+
+/**
+ * Poll NMEA Data: command (0x0C,0x04).
+ *
+ * Asks for the NMEA sentences listed, once.
+ *
+ * An empty list polls the stored NMEA format; without one the device refuses.
+ *
+ * The sentences follow the reply as ordinary NMEA text, on the port of the command even if NMEA is
+ * off there.
+ *
+ * A sentence is sent only if its data is valid.
+ *
+ * Not acknowledged if suppress_ack is true.
+ *
+ * - 3dm-cv7-gnss-ins: Poll NMEA Data (0x0C,0x04)
+ */
+struct mip_3dm_poll_nmea_data {
+    /** Send no acknowledge. */
+    mip_bool suppress_ack;
+    /** Number of sentences. */
+    uint8_t count;
+    /** Sentences to send. */
+    struct mip_nmea_message format_entries[50];
+};
+
+#define MIP_3DM_POLL_NMEA_DATA_DESCRIPTOR 0x04
+#define MIP_3DM_POLL_NMEA_DATA_NAME "3dm.poll_nmea_data"
+
+extern const struct mip_codec mip_3dm_poll_nmea_data_codec;
+mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_data *value,
+                                        const struct mip_field *field);
+mip_error mip_3dm_poll_nmea_data_encode(const struct mip_3dm_poll_nmea_data *value,
+                                        struct mip_builder *builder);
+/** Poll NMEA Data. */
+struct mip_3dm_poll_nmea_data mip_3dm_poll_nmea_data_make(
+    mip_bool suppress_ack, uint8_t count, const struct mip_nmea_message format_entries[]);
+
+/**
+ * Get IMU Data Base Rate: command (0x0C,0x06).
+ *
+ * Asks for the rate that the decimations of the IMU message format divide.
+ *
+ * Answered by mip_3dm_get_imu_data_base_rate_response.
+ *
+ * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
+ */
+struct mip_3dm_get_imu_data_base_rate {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_3DM_GET_IMU_DATA_BASE_RATE_DESCRIPTOR 0x06
+#define MIP_3DM_GET_IMU_DATA_BASE_RATE_NAME "3dm.get_imu_data_base_rate"
+
+extern const struct mip_codec mip_3dm_get_imu_data_base_rate_codec;
+mip_error mip_3dm_get_imu_data_base_rate_decode(struct mip_3dm_get_imu_data_base_rate *value,
+                                                const struct mip_field *field);
+mip_error mip_3dm_get_imu_data_base_rate_encode(const struct mip_3dm_get_imu_data_base_rate *value,
+                                                struct mip_builder *builder);
+
+/**
+ * Get IMU Data Base Rate response: response (0x0C,0x83).
+ *
+ * Answers Get IMU Data Base Rate (0x0C,0x06).
+ *
+ * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
+ */
+struct mip_3dm_get_imu_data_base_rate_response {
+    /** Base rate of the sensor data. Unit: Hz. */
+    uint16_t rate;
+};
+
+#define MIP_3DM_GET_IMU_DATA_BASE_RATE_RESPONSE_DESCRIPTOR 0x83
+#define MIP_3DM_GET_IMU_DATA_BASE_RATE_RESPONSE_NAME "3dm.get_imu_data_base_rate_response"
+
+extern const struct mip_codec mip_3dm_get_imu_data_base_rate_response_codec;
+mip_error mip_3dm_get_imu_data_base_rate_response_decode(
+    struct mip_3dm_get_imu_data_base_rate_response *value, const struct mip_field *field);
+mip_error mip_3dm_get_imu_data_base_rate_response_encode(
+    const struct mip_3dm_get_imu_data_base_rate_response *value, struct mip_builder *builder);
+
+/**
+ * IMU Message Format: command (0x0C,0x08).
+ *
+ * Fields of the sensor data packets (0x80), in order, with their decimations.
+ *
+ * The decimation is the base rate, as the get IMU data base rate command reports it, divided by the
+ * wanted rate.
+ *
+ * The list replaces the one before. If any descriptor is unknown the device refuses and changes
+ * nothing.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_imu_message_format_response.
+ *
+ * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
+ */
+struct mip_3dm_imu_message_format {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Number of fields. For write. */
+    uint8_t num_descriptors;
+    /** Fields and decimations. For write. */
+    struct mip_descriptor_rate descriptors[83];
+};
+
+#define MIP_3DM_IMU_MESSAGE_FORMAT_DESCRIPTOR 0x08
+#define MIP_3DM_IMU_MESSAGE_FORMAT_NAME "3dm.imu_message_format"
+
+extern const struct mip_codec mip_3dm_imu_message_format_codec;
+mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_message_format *value,
+                                            const struct mip_field *field);
+mip_error mip_3dm_imu_message_format_encode(const struct mip_3dm_imu_message_format *value,
+                                            struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_imu_message_format mip_3dm_imu_message_format_write(
+    uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]);
+/** Send the current setting back in a response. */
+struct mip_3dm_imu_message_format mip_3dm_imu_message_format_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_imu_message_format mip_3dm_imu_message_format_save(void);
+/** Load the saved setting. */
+struct mip_3dm_imu_message_format mip_3dm_imu_message_format_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_imu_message_format mip_3dm_imu_message_format_default(void);
+
+/**
+ * IMU Message Format response: response (0x0C,0x80).
+ *
+ * Answers IMU Message Format (0x0C,0x08).
+ *
+ * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
+ */
+struct mip_3dm_imu_message_format_response {
+    /** Number of fields. */
+    uint8_t num_descriptors;
+    /** Fields and decimations. */
+    struct mip_descriptor_rate descriptors[84];
+};
+
+#define MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x80
+#define MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_NAME "3dm.imu_message_format_response"
+
+extern const struct mip_codec mip_3dm_imu_message_format_response_codec;
+mip_error mip_3dm_imu_message_format_response_decode(
+    struct mip_3dm_imu_message_format_response *value, const struct mip_field *field);
+mip_error mip_3dm_imu_message_format_response_encode(
+    const struct mip_3dm_imu_message_format_response *value, struct mip_builder *builder);
+
+/**
+ * Estimation Filter Message Format: command (0x0C,0x0A).
+ *
+ * Fields of the filter data packets (0x82), in order, with their decimations.
+ *
+ * The decimation is the base rate, as the get estimation filter data base rate command reports it,
+ * divided by the wanted rate.
+ *
+ * The list replaces the one before. If any descriptor is unknown the device refuses and changes
+ * nothing.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_estimation_filter_message_format_response.
+ *
+ * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
+ */
+struct mip_3dm_estimation_filter_message_format {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Number of fields. For write. */
+    uint8_t num_descriptors;
+    /** Fields and decimations. For write. */
+    struct mip_descriptor_rate descriptors[83];
+};
+
+#define MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_DESCRIPTOR 0x0A
+#define MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_NAME "3dm.estimation_filter_message_format"
+
+extern const struct mip_codec mip_3dm_estimation_filter_message_format_codec;
+mip_error mip_3dm_estimation_filter_message_format_decode(
+    struct mip_3dm_estimation_filter_message_format *value, const struct mip_field *field);
+mip_error mip_3dm_estimation_filter_message_format_encode(
+    const struct mip_3dm_estimation_filter_message_format *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_estimation_filter_message_format mip_3dm_estimation_filter_message_format_write(
+    uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]);
+/** Send the current setting back in a response. */
+struct mip_3dm_estimation_filter_message_format mip_3dm_estimation_filter_message_format_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_estimation_filter_message_format mip_3dm_estimation_filter_message_format_save(void);
+/** Load the saved setting. */
+struct mip_3dm_estimation_filter_message_format mip_3dm_estimation_filter_message_format_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_estimation_filter_message_format
+mip_3dm_estimation_filter_message_format_default(void);
+
+/**
+ * Estimation Filter Message Format response: response (0x0C,0x82).
+ *
+ * Answers Estimation Filter Message Format (0x0C,0x0A).
+ *
+ * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
+ */
+struct mip_3dm_estimation_filter_message_format_response {
+    /** Number of fields. */
+    uint8_t num_descriptors;
+    /** Fields and decimations. */
+    struct mip_descriptor_rate descriptors[84];
+};
+
+#define MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x82
+#define MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_NAME \
+    "3dm.estimation_filter_message_format_response"
+
+extern const struct mip_codec mip_3dm_estimation_filter_message_format_response_codec;
+mip_error mip_3dm_estimation_filter_message_format_response_decode(
+    struct mip_3dm_estimation_filter_message_format_response *value, const struct mip_field *field);
+mip_error mip_3dm_estimation_filter_message_format_response_encode(
+    const struct mip_3dm_estimation_filter_message_format_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Get Estimation Filter Data Base Rate: command (0x0C,0x0B).
+ *
+ * Asks for the rate that the decimations of the estimation filter message format divide.
+ *
+ * Answered by mip_3dm_get_estimation_filter_data_base_rate_response.
+ *
+ * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
+ */
+struct mip_3dm_get_estimation_filter_data_base_rate {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_DESCRIPTOR 0x0B
+#define MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_NAME "3dm.get_estimation_filter_data_base_rate"
+
+extern const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_codec;
+mip_error mip_3dm_get_estimation_filter_data_base_rate_decode(
+    struct mip_3dm_get_estimation_filter_data_base_rate *value, const struct mip_field *field);
+mip_error mip_3dm_get_estimation_filter_data_base_rate_encode(
+    const struct mip_3dm_get_estimation_filter_data_base_rate *value, struct mip_builder *builder);
+
+/**
+ * Get Estimation Filter Data Base Rate response: response (0x0C,0x8A).
+ *
+ * Answers Get Estimation Filter Data Base Rate (0x0C,0x0B).
+ *
+ * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
+ */
+struct mip_3dm_get_estimation_filter_data_base_rate_response {
+    /** Base rate of the filter data. Unit: Hz. */
+    uint16_t rate;
+};
+
+#define MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_DESCRIPTOR 0x8A
+#define MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_NAME \
+    "3dm.get_estimation_filter_data_base_rate_response"
+
+extern const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_response_codec;
+mip_error mip_3dm_get_estimation_filter_data_base_rate_response_decode(
+    struct mip_3dm_get_estimation_filter_data_base_rate_response *value,
+    const struct mip_field *field);
+mip_error mip_3dm_get_estimation_filter_data_base_rate_response_encode(
+    const struct mip_3dm_get_estimation_filter_data_base_rate_response *value,
+    struct mip_builder *builder);
+
+/**
+ * NMEA Message Format: command (0x0C,0x0C).
+ *
+ * NMEA sentences that the device streams.
+ *
+ * A sentence may be listed several times with different talkers or sources.
+ *
+ * A sentence is sent only while the device is not idle and the data of the source is valid.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_nmea_message_format_response.
+ *
+ * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
+ */
+struct mip_3dm_nmea_message_format {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Number of sentences. For write. */
+    uint8_t count;
+    /** Sentences to stream. For write. */
+    struct mip_nmea_message format_entries[50];
+};
+
+#define MIP_3DM_NMEA_MESSAGE_FORMAT_DESCRIPTOR 0x0C
+#define MIP_3DM_NMEA_MESSAGE_FORMAT_NAME "3dm.nmea_message_format"
+
+extern const struct mip_codec mip_3dm_nmea_message_format_codec;
+mip_error mip_3dm_nmea_message_format_decode(struct mip_3dm_nmea_message_format *value,
+                                             const struct mip_field *field);
+mip_error mip_3dm_nmea_message_format_encode(const struct mip_3dm_nmea_message_format *value,
+                                             struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_write(
+    uint8_t count, const struct mip_nmea_message format_entries[]);
+/** Send the current setting back in a response. */
+struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_save(void);
+/** Load the saved setting. */
+struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_default(void);
+
+/**
+ * NMEA Message Format response: response (0x0C,0x8C).
+ *
+ * Answers NMEA Message Format (0x0C,0x0C).
+ *
+ * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
+ */
+struct mip_3dm_nmea_message_format_response {
+    /** Number of sentences. */
+    uint8_t count;
+    /** Sentences to stream. */
+    struct mip_nmea_message format_entries[50];
+};
+
+#define MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x8C
+#define MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_NAME "3dm.nmea_message_format_response"
+
+extern const struct mip_codec mip_3dm_nmea_message_format_response_codec;
+mip_error mip_3dm_nmea_message_format_response_decode(
+    struct mip_3dm_nmea_message_format_response *value, const struct mip_field *field);
+mip_error mip_3dm_nmea_message_format_response_encode(
+    const struct mip_3dm_nmea_message_format_response *value, struct mip_builder *builder);
+
+/**
+ * Poll Data: command (0x0C,0x0D).
+ *
+ * Asks for one data packet of the descriptor set with the fields listed, in their order.
+ *
+ * An empty list polls the stored message format; without one the device refuses.
+ *
+ * Descriptors that the device does not know are ignored.
+ *
+ * The data comes in a packet of its own behind the reply, on the port of the command.
+ *
+ * Shared descriptors (0xD0 and up) belong in front of the others.
+ *
+ * Not acknowledged if suppress_ack is true.
+ *
+ * - 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)
+ */
+struct mip_3dm_poll_data {
+    /** Data descriptor set. Range: 128 to 254. */
+    uint8_t desc_set;
+    /** Send no acknowledge. */
+    mip_bool suppress_ack;
+    /** Number of fields. */
+    uint8_t num_descriptors;
+    /** Field descriptors. */
+    uint8_t descriptors[250];
+};
+
+#define MIP_3DM_POLL_DATA_DESCRIPTOR 0x0D
+#define MIP_3DM_POLL_DATA_NAME "3dm.poll_data"
+
+extern const struct mip_codec mip_3dm_poll_data_codec;
+mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value, const struct mip_field *field);
+mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data *value,
+                                   struct mip_builder *builder);
+/** Poll Data. */
+struct mip_3dm_poll_data mip_3dm_poll_data_make(uint8_t desc_set, mip_bool suppress_ack,
+                                                uint8_t num_descriptors,
+                                                const uint8_t descriptors[]);
+
+/**
+ * Get Data Base Rate: command (0x0C,0x0E).
+ *
+ * Asks for the rate that the decimations of a descriptor set divide.
+ *
+ * Answered by mip_3dm_get_data_base_rate_response.
+ *
+ * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
+ */
+struct mip_3dm_get_data_base_rate {
+    /** Data descriptor set. Range: 128 to 254. */
+    uint8_t desc_set;
+};
+
+#define MIP_3DM_GET_DATA_BASE_RATE_DESCRIPTOR 0x0E
+#define MIP_3DM_GET_DATA_BASE_RATE_NAME "3dm.get_data_base_rate"
+
+extern const struct mip_codec mip_3dm_get_data_base_rate_codec;
+mip_error mip_3dm_get_data_base_rate_decode(struct mip_3dm_get_data_base_rate *value,
+                                            const struct mip_field *field);
+mip_error mip_3dm_get_data_base_rate_encode(const struct mip_3dm_get_data_base_rate *value,
+                                            struct mip_builder *builder);
+/** Get Data Base Rate. */
+struct mip_3dm_get_data_base_rate mip_3dm_get_data_base_rate_make(uint8_t desc_set);
+
+/**
+ * Get Data Base Rate response: response (0x0C,0x8E).
+ *
+ * Answers Get Data Base Rate (0x0C,0x0E).
+ *
+ * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
+ */
+struct mip_3dm_get_data_base_rate_response {
+    /** Data descriptor set of the command. */
+    uint8_t desc_set;
+    /** Base rate; 0 if the rate is variable or unknown and data is sent as it comes. Unit: Hz. */
+    uint16_t rate;
+};
+
+#define MIP_3DM_GET_DATA_BASE_RATE_RESPONSE_DESCRIPTOR 0x8E
+#define MIP_3DM_GET_DATA_BASE_RATE_RESPONSE_NAME "3dm.get_data_base_rate_response"
+
+extern const struct mip_codec mip_3dm_get_data_base_rate_response_codec;
+mip_error mip_3dm_get_data_base_rate_response_decode(
+    struct mip_3dm_get_data_base_rate_response *value, const struct mip_field *field);
+mip_error mip_3dm_get_data_base_rate_response_encode(
+    const struct mip_3dm_get_data_base_rate_response *value, struct mip_builder *builder);
+
+/**
+ * Message Format: command (0x0C,0x0F).
+ *
+ * Fields of the data packets of a descriptor set, in order, with their decimations.
+ *
+ * The decimation is the base rate, as the get data base rate command reports it, divided by the
+ * wanted rate.
+ *
+ * Shared descriptors (0xD0 and up) are listed under the set that they shall be sent with, in front
+ * of the others.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_message_format_response.
+ *
+ * - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
+ */
+struct mip_3dm_message_format {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Data descriptor set; 0 means all of them (save, load, default). */
+    uint8_t desc_set;
+    /** Number of fields. For write. */
+    uint8_t num_descriptors;
+    /** Fields and decimations. For write. */
+    struct mip_descriptor_rate descriptors[83];
+};
+
+#define MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR 0x0F
+#define MIP_3DM_MESSAGE_FORMAT_NAME "3dm.message_format"
+
+extern const struct mip_codec mip_3dm_message_format_codec;
+mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
+                                        const struct mip_field *field);
+mip_error mip_3dm_message_format_encode(const struct mip_3dm_message_format *value,
+                                        struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_message_format mip_3dm_message_format_write(
+    uint8_t desc_set, uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]);
+/** Send the current setting back in a response. */
+struct mip_3dm_message_format mip_3dm_message_format_read(uint8_t desc_set);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_message_format mip_3dm_message_format_save(uint8_t desc_set);
+/** Load the saved setting. */
+struct mip_3dm_message_format mip_3dm_message_format_load(uint8_t desc_set);
+/** Load the factory default setting. */
+struct mip_3dm_message_format mip_3dm_message_format_default(uint8_t desc_set);
+
+/**
+ * Message Format response: response (0x0C,0x8F).
+ *
+ * Answers Message Format (0x0C,0x0F).
+ *
+ * - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
+ */
+struct mip_3dm_message_format_response {
+    /** Data descriptor set; 0 means all of them (save, load, default). */
+    uint8_t desc_set;
+    /** Number of fields. */
+    uint8_t num_descriptors;
+    /** Fields and decimations. */
+    struct mip_descriptor_rate descriptors[83];
+};
+
+#define MIP_3DM_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x8F
+#define MIP_3DM_MESSAGE_FORMAT_RESPONSE_NAME "3dm.message_format_response"
+
+extern const struct mip_codec mip_3dm_message_format_response_codec;
+mip_error mip_3dm_message_format_response_decode(struct mip_3dm_message_format_response *value,
+                                                 const struct mip_field *field);
+mip_error mip_3dm_message_format_response_encode(
+    const struct mip_3dm_message_format_response *value, struct mip_builder *builder);
+
+/**
+ * Factory Streaming: command (0x0C,0x10).
+ *
+ * Sets all message formats to those that technical support wants to have recorded.
+ *
+ * - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
+ */
+struct mip_3dm_factory_streaming {
+    /** What happens to the present formats. */
+    mip_3dm_factory_streaming_action action;
+    /**  */
+    uint8_t reserved;
+};
+
+#define MIP_3DM_FACTORY_STREAMING_DESCRIPTOR 0x10
+#define MIP_3DM_FACTORY_STREAMING_NAME "3dm.factory_streaming"
+
+extern const struct mip_codec mip_3dm_factory_streaming_codec;
+mip_error mip_3dm_factory_streaming_decode(struct mip_3dm_factory_streaming *value,
+                                           const struct mip_field *field);
+mip_error mip_3dm_factory_streaming_encode(const struct mip_3dm_factory_streaming *value,
+                                           struct mip_builder *builder);
+/** Factory Streaming. */
+struct mip_3dm_factory_streaming mip_3dm_factory_streaming_make(
+    mip_3dm_factory_streaming_action action);
+
+/**
+ * Data Stream Control: command (0x0C,0x11).
+ *
+ * Switches a data stream on or off.
+ *
+ * 5-series devices name the stream by a number of their own (legacy_data_stream), others by its
+ * descriptor set.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_data_stream_control_response.
+ *
+ * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
+ * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
+ */
+struct mip_3dm_data_stream_control {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * Data descriptor set; 0 means all streams (save, load, default). On the 3dm-gx5-15:
+     * mip_3dm_legacy_data_stream.
+     */
+    uint8_t desc_set;
+    /** Whether the stream is sent. Default: true. For write. */
+    mip_bool enable;
+};
+
+#define MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR 0x11
+#define MIP_3DM_DATA_STREAM_CONTROL_NAME "3dm.data_stream_control"
+
+extern const struct mip_codec mip_3dm_data_stream_control_codec;
+mip_error mip_3dm_data_stream_control_decode(struct mip_3dm_data_stream_control *value,
+                                             const struct mip_field *field);
+mip_error mip_3dm_data_stream_control_encode(const struct mip_3dm_data_stream_control *value,
+                                             struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_write(uint8_t desc_set,
+                                                                     mip_bool enable);
+/** Send the current setting back in a response. */
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_read(uint8_t desc_set);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_save(uint8_t desc_set);
+/** Load the saved setting. */
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_load(uint8_t desc_set);
+/** Load the factory default setting. */
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_default(uint8_t desc_set);
+
+/**
+ * Data Stream Control response: response (0x0C,0x85).
+ *
+ * Answers Data Stream Control (0x0C,0x11).
+ *
+ * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
+ * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
+ */
+struct mip_3dm_data_stream_control_response {
+    /** Stream of the command. On the 3dm-gx5-15: mip_3dm_legacy_data_stream. */
+    uint8_t desc_set;
+    /** Whether the stream is sent. */
+    mip_bool enabled;
+};
+
+#define MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_DESCRIPTOR 0x85
+#define MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_NAME "3dm.data_stream_control_response"
+
+extern const struct mip_codec mip_3dm_data_stream_control_response_codec;
+mip_error mip_3dm_data_stream_control_response_decode(
+    struct mip_3dm_data_stream_control_response *value, const struct mip_field *field);
+mip_error mip_3dm_data_stream_control_response_encode(
+    const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder);
+
+/**
+ * GNSS SBAS Settings: command (0x0C,0x22).
+ *
+ * How the GNSS receivers use satellite based augmentation.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_sbas_settings_response.
+ *
+ * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
+ */
+struct mip_3dm_gnss_sbas_settings {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** 1 switches SBAS on, 0 off. Range: 0 to 1. For write. */
+    uint8_t enable_sbas;
+    /** What SBAS is used for. For write. */
+    mip_3dm_sbas_options sbas_options;
+    /** Number of satellites listed; 0 searches for all. For write. */
+    uint8_t num_included_prns;
+    /** PRN numbers of the SBAS satellites to search for. For write. */
+    uint16_t included_prns[124];
+};
+
+#define MIP_3DM_GNSS_SBAS_SETTINGS_DESCRIPTOR 0x22
+#define MIP_3DM_GNSS_SBAS_SETTINGS_NAME "3dm.gnss_sbas_settings"
+
+extern const struct mip_codec mip_3dm_gnss_sbas_settings_codec;
+mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sbas_settings *value,
+                                            const struct mip_field *field);
+mip_error mip_3dm_gnss_sbas_settings_encode(const struct mip_3dm_gnss_sbas_settings *value,
+                                            struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_write(
+    uint8_t enable_sbas, mip_3dm_sbas_options sbas_options, uint8_t num_included_prns,
+    const uint16_t included_prns[]);
+/** Send the current setting back in a response. */
+struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_save(void);
+/** Load the saved setting. */
+struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_default(void);
+
+/**
+ * GNSS SBAS Settings response: response (0x0C,0xA1).
+ *
+ * Answers GNSS SBAS Settings (0x0C,0x22).
+ *
+ * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
+ */
+struct mip_3dm_gnss_sbas_settings_response {
+    /** 1 switches SBAS on, 0 off. Range: 0 to 1. */
+    uint8_t enable_sbas;
+    /** What SBAS is used for. */
+    mip_3dm_sbas_options sbas_options;
+    /** Number of satellites listed; 0 searches for all. */
+    uint8_t num_included_prns;
+    /** PRN numbers of the SBAS satellites to search for. */
+    uint16_t included_prns[124];
+};
+
+#define MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_DESCRIPTOR 0xA1
+#define MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_NAME "3dm.gnss_sbas_settings_response"
+
+extern const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec;
+mip_error mip_3dm_gnss_sbas_settings_response_decode(
+    struct mip_3dm_gnss_sbas_settings_response *value, const struct mip_field *field);
+mip_error mip_3dm_gnss_sbas_settings_response_encode(
+    const struct mip_3dm_gnss_sbas_settings_response *value, struct mip_builder *builder);
+
+/**
+ * PPS Source Control: command (0x0C,0x28).
+ *
+ * Where the device takes its pulse per second from.
+ *
+ * The pins are configured apart from this by the GPIO configuration command.
+ *
+ * The filter needs a valid pulse. disabled and generated are seldom what is wanted.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_pps_source_control_response.
+ *
+ * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
+ */
+struct mip_3dm_pps_source_control {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Source of the pulse. Default: receiver_1. For write. */
+    mip_3dm_pps_source source;
+};
+
+#define MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR 0x28
+#define MIP_3DM_PPS_SOURCE_CONTROL_NAME "3dm.pps_source_control"
+
+extern const struct mip_codec mip_3dm_pps_source_control_codec;
+mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_source_control *value,
+                                            const struct mip_field *field);
+mip_error mip_3dm_pps_source_control_encode(const struct mip_3dm_pps_source_control *value,
+                                            struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_pps_source_control mip_3dm_pps_source_control_write(mip_3dm_pps_source source);
+/** Send the current setting back in a response. */
+struct mip_3dm_pps_source_control mip_3dm_pps_source_control_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_pps_source_control mip_3dm_pps_source_control_save(void);
+/** Load the saved setting. */
+struct mip_3dm_pps_source_control mip_3dm_pps_source_control_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_pps_source_control mip_3dm_pps_source_control_default(void);
+
+/**
+ * PPS Source Control response: response (0x0C,0xA8).
+ *
+ * Answers PPS Source Control (0x0C,0x28).
+ *
+ * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
+ */
+struct mip_3dm_pps_source_control_response {
+    /** Source of the pulse. Default: receiver_1. */
+    mip_3dm_pps_source source;
+};
+
+#define MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_DESCRIPTOR 0xA8
+#define MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_NAME "3dm.pps_source_control_response"
+
+extern const struct mip_codec mip_3dm_pps_source_control_response_codec;
+mip_error mip_3dm_pps_source_control_response_decode(
+    struct mip_3dm_pps_source_control_response *value, const struct mip_field *field);
+mip_error mip_3dm_pps_source_control_response_encode(
+    const struct mip_3dm_pps_source_control_response *value, struct mip_builder *builder);
+
+/**
+ * Get Supported Events: command (0x0C,0x2A).
+ *
+ * Asks which types of event triggers or actions there are and how many of each.
+ *
+ * Answered by mip_3dm_get_supported_events_response.
+ *
+ * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
+ */
+struct mip_3dm_get_supported_events {
+    /** Triggers or actions. */
+    mip_3dm_supported_events_query query;
+};
+
+#define MIP_3DM_GET_SUPPORTED_EVENTS_DESCRIPTOR 0x2A
+#define MIP_3DM_GET_SUPPORTED_EVENTS_NAME "3dm.get_supported_events"
+
+extern const struct mip_codec mip_3dm_get_supported_events_codec;
+mip_error mip_3dm_get_supported_events_decode(struct mip_3dm_get_supported_events *value,
+                                              const struct mip_field *field);
+mip_error mip_3dm_get_supported_events_encode(const struct mip_3dm_get_supported_events *value,
+                                              struct mip_builder *builder);
+/** Get Supported Events. */
+struct mip_3dm_get_supported_events mip_3dm_get_supported_events_make(
+    mip_3dm_supported_events_query query);
+
+/**
+ * Get Supported Events response: response (0x0C,0xB4).
+ *
+ * Answers Get Supported Events (0x0C,0x2A).
+ *
+ * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
+ */
+struct mip_3dm_get_supported_events_response {
+    /** Query of the command. */
+    mip_3dm_supported_events_query query;
+    /** Number of slots; instances go from 1 to this. Unit: 1. */
+    uint8_t max_instances;
+    /** Number of types. */
+    uint8_t num_entries;
+    /** The types. */
+    struct mip_3dm_supported_event_info entries[125];
+};
+
+#define MIP_3DM_GET_SUPPORTED_EVENTS_RESPONSE_DESCRIPTOR 0xB4
+#define MIP_3DM_GET_SUPPORTED_EVENTS_RESPONSE_NAME "3dm.get_supported_events_response"
+
+extern const struct mip_codec mip_3dm_get_supported_events_response_codec;
+mip_error mip_3dm_get_supported_events_response_decode(
+    struct mip_3dm_get_supported_events_response *value, const struct mip_field *field);
+mip_error mip_3dm_get_supported_events_response_encode(
+    const struct mip_3dm_get_supported_events_response *value, struct mip_builder *builder);
+
+/**
+ * Event Control: command (0x0C,0x2B).
+ *
+ * Enables, disables or tests an event trigger.
+ *
+ * Triggers are disabled by default and after configuration.
+ *
+ * A trigger of type none cannot be enabled.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_event_control_response.
+ *
+ * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
+ */
+struct mip_3dm_event_control {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Trigger instance; 0 means all configured triggers, except for read. */
+    uint8_t instance;
+    /** New mode. Default: disabled. For write. */
+    mip_event_trigger_mode mode;
+};
+
+#define MIP_3DM_EVENT_CONTROL_DESCRIPTOR 0x2B
+#define MIP_3DM_EVENT_CONTROL_NAME "3dm.event_control"
+
+extern const struct mip_codec mip_3dm_event_control_codec;
+mip_error mip_3dm_event_control_decode(struct mip_3dm_event_control *value,
+                                       const struct mip_field *field);
+mip_error mip_3dm_event_control_encode(const struct mip_3dm_event_control *value,
+                                       struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_event_control mip_3dm_event_control_write(uint8_t instance,
+                                                         mip_event_trigger_mode mode);
+/** Send the current setting back in a response. */
+struct mip_3dm_event_control mip_3dm_event_control_read(uint8_t instance);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_event_control mip_3dm_event_control_save(uint8_t instance);
+/** Load the saved setting. */
+struct mip_3dm_event_control mip_3dm_event_control_load(uint8_t instance);
+/** Load the factory default setting. */
+struct mip_3dm_event_control mip_3dm_event_control_default(uint8_t instance);
+
+/**
+ * Event Control response: response (0x0C,0xB5).
+ *
+ * Answers Event Control (0x0C,0x2B).
+ *
+ * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
+ */
+struct mip_3dm_event_control_response {
+    /** Trigger instance; 0 means all configured triggers, except for read. */
+    uint8_t instance;
+    /** New mode. Default: disabled. */
+    mip_event_trigger_mode mode;
+};
+
+#define MIP_3DM_EVENT_CONTROL_RESPONSE_DESCRIPTOR 0xB5
+#define MIP_3DM_EVENT_CONTROL_RESPONSE_NAME "3dm.event_control_response"
+
+extern const struct mip_codec mip_3dm_event_control_response_codec;
+mip_error mip_3dm_event_control_response_decode(struct mip_3dm_event_control_response *value,
+                                                const struct mip_field *field);
+mip_error mip_3dm_event_control_response_encode(const struct mip_3dm_event_control_response *value,
+                                                struct mip_builder *builder);
+
+/**
+ * Get Event Trigger Status: command (0x0C,0x2C).
+ *
+ * Asks for the type and the state of event triggers.
+ *
+ * Answered by mip_3dm_get_event_trigger_status_response.
+ *
+ * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
+ */
+struct mip_3dm_get_event_trigger_status {
+    /** Number of triggers asked for; 0 asks for all slots. */
+    uint8_t requested_count;
+    /** Trigger instances. */
+    uint8_t requested_instances[252];
+};
+
+#define MIP_3DM_GET_EVENT_TRIGGER_STATUS_DESCRIPTOR 0x2C
+#define MIP_3DM_GET_EVENT_TRIGGER_STATUS_NAME "3dm.get_event_trigger_status"
+
+extern const struct mip_codec mip_3dm_get_event_trigger_status_codec;
+mip_error mip_3dm_get_event_trigger_status_decode(struct mip_3dm_get_event_trigger_status *value,
+                                                  const struct mip_field *field);
+mip_error mip_3dm_get_event_trigger_status_encode(
+    const struct mip_3dm_get_event_trigger_status *value, struct mip_builder *builder);
+/** Get Event Trigger Status. */
+struct mip_3dm_get_event_trigger_status mip_3dm_get_event_trigger_status_make(
+    uint8_t requested_count, const uint8_t requested_instances[]);
+
+/**
+ * Get Event Trigger Status response: response (0x0C,0xB6).
+ *
+ * Answers Get Event Trigger Status (0x0C,0x2C).
+ *
+ * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
+ */
+struct mip_3dm_get_event_trigger_status_response {
+    /** Number of entries. */
+    uint8_t count;
+    /** One entry per trigger, in the order asked for, or by instance if all were asked for. */
+    struct mip_3dm_event_trigger_status_entry triggers[126];
+};
+
+#define MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_DESCRIPTOR 0xB6
+#define MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_NAME "3dm.get_event_trigger_status_response"
+
+extern const struct mip_codec mip_3dm_get_event_trigger_status_response_codec;
+mip_error mip_3dm_get_event_trigger_status_response_decode(
+    struct mip_3dm_get_event_trigger_status_response *value, const struct mip_field *field);
+mip_error mip_3dm_get_event_trigger_status_response_encode(
+    const struct mip_3dm_get_event_trigger_status_response *value, struct mip_builder *builder);
+
+/**
+ * Get Event Action Status: command (0x0C,0x2D).
+ *
+ * Asks for the type and the trigger of event actions.
+ *
+ * Answered by mip_3dm_get_event_action_status_response.
+ *
+ * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
+ */
+struct mip_3dm_get_event_action_status {
+    /** Number of actions asked for; 0 asks for all slots. */
+    uint8_t requested_count;
+    /** Action instances. */
+    uint8_t requested_instances[252];
+};
+
+#define MIP_3DM_GET_EVENT_ACTION_STATUS_DESCRIPTOR 0x2D
+#define MIP_3DM_GET_EVENT_ACTION_STATUS_NAME "3dm.get_event_action_status"
+
+extern const struct mip_codec mip_3dm_get_event_action_status_codec;
+mip_error mip_3dm_get_event_action_status_decode(struct mip_3dm_get_event_action_status *value,
+                                                 const struct mip_field *field);
+mip_error mip_3dm_get_event_action_status_encode(
+    const struct mip_3dm_get_event_action_status *value, struct mip_builder *builder);
+/** Get Event Action Status. */
+struct mip_3dm_get_event_action_status mip_3dm_get_event_action_status_make(
+    uint8_t requested_count, const uint8_t requested_instances[]);
+
+/**
+ * Get Event Action Status response: response (0x0C,0xB7).
+ *
+ * Answers Get Event Action Status (0x0C,0x2D).
+ *
+ * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
+ */
+struct mip_3dm_get_event_action_status_response {
+    /** Number of entries. */
+    uint8_t count;
+    /** One entry per action, in the order asked for, or by instance if all were asked for. */
+    struct mip_3dm_event_action_status_entry actions[126];
+};
+
+#define MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_DESCRIPTOR 0xB7
+#define MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_NAME "3dm.get_event_action_status_response"
+
+extern const struct mip_codec mip_3dm_get_event_action_status_response_codec;
+mip_error mip_3dm_get_event_action_status_response_decode(
+    struct mip_3dm_get_event_action_status_response *value, const struct mip_field *field);
+mip_error mip_3dm_get_event_action_status_response_encode(
+    const struct mip_3dm_get_event_action_status_response *value, struct mip_builder *builder);
+
+/** The member of mip_3dm_event_trigger_configuration that `type` selects. */
+union mip_3dm_event_trigger_configuration_parameters {
+    /** If type is gpio. */
+    struct mip_event_trigger_gpio gpio;
+    /** If type is threshold. */
+    struct mip_event_trigger_threshold threshold;
+    /** If type is combination. */
+    struct mip_event_trigger_combination combination;
+};
+
+/**
+ * Event Trigger Configuration: command (0x0C,0x2E).
+ *
+ * Kind and condition of an event trigger.
+ *
+ * The trigger is disabled afterwards; the event control command enables it.
+ *
+ * A GPIO trigger needs its pin configured by the GPIO configuration command.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_event_trigger_configuration_response.
+ *
+ * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
+ */
+struct mip_3dm_event_trigger_configuration {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Trigger instance; 0 means all (save, load, default). */
+    uint8_t instance;
+    /** Kind of trigger. Default: none. For write. */
+    mip_event_trigger_type type;
+    /** The condition. For write. */
+    union mip_3dm_event_trigger_configuration_parameters parameters;
+};
+
+#define MIP_3DM_EVENT_TRIGGER_CONFIGURATION_DESCRIPTOR 0x2E
+#define MIP_3DM_EVENT_TRIGGER_CONFIGURATION_NAME "3dm.event_trigger_configuration"
+
+extern const struct mip_codec mip_3dm_event_trigger_configuration_codec;
+mip_error mip_3dm_event_trigger_configuration_decode(
+    struct mip_3dm_event_trigger_configuration *value, const struct mip_field *field);
+mip_error mip_3dm_event_trigger_configuration_encode(
+    const struct mip_3dm_event_trigger_configuration *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_write(
+    uint8_t instance, mip_event_trigger_type type,
+    const union mip_3dm_event_trigger_configuration_parameters *parameters);
+/** Send the current setting back in a response. */
+struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_read(
+    uint8_t instance);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_save(
+    uint8_t instance);
+/** Load the saved setting. */
+struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_load(
+    uint8_t instance);
+/** Load the factory default setting. */
+struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_default(
+    uint8_t instance);
+
+/** The member of mip_3dm_event_trigger_configuration_response that `type` selects. */
+union mip_3dm_event_trigger_configuration_response_parameters {
+    /** If type is gpio. */
+    struct mip_event_trigger_gpio gpio;
+    /** If type is threshold. */
+    struct mip_event_trigger_threshold threshold;
+    /** If type is combination. */
+    struct mip_event_trigger_combination combination;
+};
+
+/**
+ * Event Trigger Configuration response: response (0x0C,0xB8).
+ *
+ * Answers Event Trigger Configuration (0x0C,0x2E).
+ *
+ * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
+ */
+struct mip_3dm_event_trigger_configuration_response {
+    /** Trigger instance; 0 means all (save, load, default). */
+    uint8_t instance;
+    /** Kind of trigger. Default: none. */
+    mip_event_trigger_type type;
+    /** The condition. */
+    union mip_3dm_event_trigger_configuration_response_parameters parameters;
+};
+
+#define MIP_3DM_EVENT_TRIGGER_CONFIGURATION_RESPONSE_DESCRIPTOR 0xB8
+#define MIP_3DM_EVENT_TRIGGER_CONFIGURATION_RESPONSE_NAME "3dm.event_trigger_configuration_response"
+
+extern const struct mip_codec mip_3dm_event_trigger_configuration_response_codec;
+mip_error mip_3dm_event_trigger_configuration_response_decode(
+    struct mip_3dm_event_trigger_configuration_response *value, const struct mip_field *field);
+mip_error mip_3dm_event_trigger_configuration_response_encode(
+    const struct mip_3dm_event_trigger_configuration_response *value, struct mip_builder *builder);
+
+/** The member of mip_3dm_event_action_configuration that `type` selects. */
+union mip_3dm_event_action_configuration_parameters {
+    /** If type is gpio. */
+    struct mip_event_action_gpio gpio;
+    /** If type is message. */
+    struct mip_event_action_message message;
+};
+
+/**
+ * Event Action Configuration: command (0x0C,0x2F).
+ *
+ * Trigger and effect of an event action.
+ *
+ * A packet holds one descriptor set; for several sets use several actions with the same trigger.
+ *
+ * A GPIO action needs its pin configured as an output with the gpio feature.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_event_action_configuration_response.
+ *
+ * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
+ */
+struct mip_3dm_event_action_configuration {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Action instance; 0 means all (save, load, default). */
+    uint8_t instance;
+    /** Trigger instance that the action follows. For write. */
+    uint8_t trigger;
+    /** Kind of action. Default: none. For write. */
+    mip_event_action_type type;
+    /** The effect. For write. */
+    union mip_3dm_event_action_configuration_parameters parameters;
+};
+
+#define MIP_3DM_EVENT_ACTION_CONFIGURATION_DESCRIPTOR 0x2F
+#define MIP_3DM_EVENT_ACTION_CONFIGURATION_NAME "3dm.event_action_configuration"
+
+extern const struct mip_codec mip_3dm_event_action_configuration_codec;
+mip_error mip_3dm_event_action_configuration_decode(
+    struct mip_3dm_event_action_configuration *value, const struct mip_field *field);
+mip_error mip_3dm_event_action_configuration_encode(
+    const struct mip_3dm_event_action_configuration *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_write(
+    uint8_t instance, uint8_t trigger, mip_event_action_type type,
+    const union mip_3dm_event_action_configuration_parameters *parameters);
+/** Send the current setting back in a response. */
+struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_read(uint8_t instance);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_save(uint8_t instance);
+/** Load the saved setting. */
+struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_load(uint8_t instance);
+/** Load the factory default setting. */
+struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_default(
+    uint8_t instance);
+
+/** The member of mip_3dm_event_action_configuration_response that `type` selects. */
+union mip_3dm_event_action_configuration_response_parameters {
+    /** If type is gpio. */
+    struct mip_event_action_gpio gpio;
+    /** If type is message. */
+    struct mip_event_action_message message;
+};
+
+/**
+ * Event Action Configuration response: response (0x0C,0xB9).
+ *
+ * Answers Event Action Configuration (0x0C,0x2F).
+ *
+ * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
+ */
+struct mip_3dm_event_action_configuration_response {
+    /** Action instance; 0 means all (save, load, default). */
+    uint8_t instance;
+    /** Trigger instance that the action follows. */
+    uint8_t trigger;
+    /** Kind of action. Default: none. */
+    mip_event_action_type type;
+    /** The effect. */
+    union mip_3dm_event_action_configuration_response_parameters parameters;
+};
+
+#define MIP_3DM_EVENT_ACTION_CONFIGURATION_RESPONSE_DESCRIPTOR 0xB9
+#define MIP_3DM_EVENT_ACTION_CONFIGURATION_RESPONSE_NAME "3dm.event_action_configuration_response"
+
+extern const struct mip_codec mip_3dm_event_action_configuration_response_codec;
+mip_error mip_3dm_event_action_configuration_response_decode(
+    struct mip_3dm_event_action_configuration_response *value, const struct mip_field *field);
+mip_error mip_3dm_event_action_configuration_response_encode(
+    const struct mip_3dm_event_action_configuration_response *value, struct mip_builder *builder);
+
+/**
+ * Device Start Up Settings: command (0x0C,0x30).
+ *
+ * Saves, loads or resets all settings of the device at once.
+ *
+ * A save may disturb the data output for a short time.
+ *
+ * Functions: save, load and default. The device may take 1 s to answer.
+ *
+ * - 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30)
+ * - 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
+ */
+struct mip_3dm_device_start_up_settings {
+    /** What to do with the setting. */
+    mip_function_selector function;
+};
+
+#define MIP_3DM_DEVICE_START_UP_SETTINGS_DESCRIPTOR 0x30
+#define MIP_3DM_DEVICE_START_UP_SETTINGS_NAME "3dm.device_start_up_settings"
+
+extern const struct mip_codec mip_3dm_device_start_up_settings_codec;
+mip_error mip_3dm_device_start_up_settings_decode(struct mip_3dm_device_start_up_settings *value,
+                                                  const struct mip_field *field);
+mip_error mip_3dm_device_start_up_settings_encode(
+    const struct mip_3dm_device_start_up_settings *value, struct mip_builder *builder);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_save(void);
+/** Load the saved setting. */
+struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_default(void);
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Euler: command (0x0C,0x31).
+ *
+ * Mounting of the sensor in the vehicle as Euler angles.
+ *
+ * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
+ * be another form of it.
+ *
+ * The mounting is reached from the vehicle frame by turning about the sensor's own z, y and x axes
+ * by yaw, pitch and roll.
+ *
+ * A vector in the vehicle frame is Rz(yaw) Ry(pitch) Rx(roll) times the vector in the sensor frame.
+ *
+ * It applies to the sensor data, the complementary filter and the attitude, acceleration, rate and
+ * gravity of the filter.
+ *
+ * A change resets the low-pass filters, the complementary filter and the estimation filter.
+ *
+ * On some older products the setting means the inverse rotation.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_sensor_to_vehicle_frame_transformation_euler_response.
+ *
+ * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
+ */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_euler {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Rotation about the x axis. Unit: rad. For write. */
+    float roll;
+    /** Rotation about the y axis. Unit: rad. For write. */
+    float pitch;
+    /** Rotation about the z axis. Unit: rad. For write. */
+    float yaw;
+};
+
+#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_DESCRIPTOR 0x31
+#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_NAME \
+    "3dm.sensor_to_vehicle_frame_transformation_euler"
+
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_codec;
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_decode(
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *value,
+    const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_encode(
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *value,
+    struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
+mip_3dm_sensor_to_vehicle_frame_transformation_euler_write(float roll, float pitch, float yaw);
+/** Send the current setting back in a response. */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
+mip_3dm_sensor_to_vehicle_frame_transformation_euler_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
+mip_3dm_sensor_to_vehicle_frame_transformation_euler_save(void);
+/** Load the saved setting. */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
+mip_3dm_sensor_to_vehicle_frame_transformation_euler_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
+mip_3dm_sensor_to_vehicle_frame_transformation_euler_default(void);
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Euler response: response (0x0C,0xB1).
+ *
+ * Answers Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
+ *
+ * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
+ */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response {
+    /** Rotation about the x axis. Unit: rad. */
+    float roll;
+    /** Rotation about the y axis. Unit: rad. */
+    float pitch;
+    /** Rotation about the z axis. Unit: rad. */
+    float yaw;
+};
+
+#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_DESCRIPTOR 0xB1
+#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_NAME \
+    "3dm.sensor_to_vehicle_frame_transformation_euler_response"
+
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_codec;
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_decode(
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *value,
+    const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Quaternion: command (0x0C,0x32).
+ *
+ * Mounting of the sensor in the vehicle as a quaternion.
+ *
+ * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
+ * be another form of it.
+ *
+ * A change resets the low-pass filters, the complementary filter and the estimation filter.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response.
+ *
+ * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
+ */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
+     * w, x, y, z. Unit: 1. For write.
+     */
+    float q[4];
+};
+
+#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_DESCRIPTOR 0x32
+#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_NAME \
+    "3dm.sensor_to_vehicle_frame_transformation_quaternion"
+
+extern const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_codec;
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_decode(
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *value,
+    const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_encode(
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *value,
+    struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
+mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_write(const float q[4]);
+/** Send the current setting back in a response. */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
+mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
+mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_save(void);
+/** Load the saved setting. */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
+mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
+mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_default(void);
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Quaternion response: response (0x0C,0xB2).
+ *
+ * Answers Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
+ *
+ * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
+ */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response {
+    /**
+     * Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
+     * w, x, y, z. Unit: 1.
+     */
+    float q[4];
+};
+
+#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_DESCRIPTOR 0xB2
+#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_NAME \
+    "3dm.sensor_to_vehicle_frame_transformation_quaternion_response"
+
+extern const struct mip_codec
+    mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_codec;
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_decode(
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *value,
+    const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix: command (0x0C,0x33).
+ *
+ * Mounting of the sensor in the vehicle as a direction cosine matrix.
+ *
+ * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
+ * be another form of it.
+ *
+ * A vector in the vehicle frame is this matrix times the vector in the sensor frame.
+ *
+ * A change resets the low-pass filters, the complementary filter and the estimation filter.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response.
+ *
+ * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
+ */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+     * 1. For write.
+     */
+    float dcm[9];
+};
+
+#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_DESCRIPTOR 0x33
+#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_NAME \
+    "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix"
+
+extern const struct mip_codec
+    mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_codec;
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_decode(
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *value,
+    const struct mip_field *field);
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_encode(
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *value,
+    struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
+mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_write(const float dcm[9]);
+/** Send the current setting back in a response. */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
+mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
+mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_save(void);
+/** Load the saved setting. */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
+mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
+mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_default(void);
+
+/**
+ * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response: response (0x0C,0xB3).
+ *
+ * Answers Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
+ *
+ * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
+ */
+struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response {
+    /**
+     * The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+     * 1.
+     */
+    float dcm[9];
+};
+
+#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_DESCRIPTOR 0xB3
+#define MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_NAME \
+    "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response"
+
+extern const struct mip_codec
+    mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_codec;
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_decode(
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *value,
+    const struct mip_field *field);
+mip_error
+mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Accelerometer Bias Configuration: command (0x0C,0x37).
+ *
+ * Bias that is subtracted from the scaled acceleration.
+ *
+ * For advanced use. Functions: write, read, save, load, default and apply. Answered by
+ * mip_3dm_accelerometer_bias_configuration_response.
+ *
+ * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
+ * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
+ */
+struct mip_3dm_accelerometer_bias_configuration {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. For write and apply. */
+    float bias[3];
+};
+
+#define MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_DESCRIPTOR 0x37
+#define MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_NAME "3dm.accelerometer_bias_configuration"
+
+extern const struct mip_codec mip_3dm_accelerometer_bias_configuration_codec;
+mip_error mip_3dm_accelerometer_bias_configuration_decode(
+    struct mip_3dm_accelerometer_bias_configuration *value, const struct mip_field *field);
+mip_error mip_3dm_accelerometer_bias_configuration_encode(
+    const struct mip_3dm_accelerometer_bias_configuration *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_write(
+    const float bias[3]);
+/** Send the current setting back in a response. */
+struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_save(void);
+/** Load the saved setting. */
+struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_accelerometer_bias_configuration
+mip_3dm_accelerometer_bias_configuration_default(void);
+/** Apply the new setting and send no acknowledge (5-series devices). */
+struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_apply(
+    const float bias[3]);
+
+/**
+ * Accelerometer Bias Configuration response: response (0x0C,0x9A).
+ *
+ * Answers Accelerometer Bias Configuration (0x0C,0x37).
+ *
+ * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
+ * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
+ */
+struct mip_3dm_accelerometer_bias_configuration_response {
+    /** Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. */
+    float bias[3];
+};
+
+#define MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR 0x9A
+#define MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_NAME \
+    "3dm.accelerometer_bias_configuration_response"
+
+extern const struct mip_codec mip_3dm_accelerometer_bias_configuration_response_codec;
+mip_error mip_3dm_accelerometer_bias_configuration_response_decode(
+    struct mip_3dm_accelerometer_bias_configuration_response *value, const struct mip_field *field);
+mip_error mip_3dm_accelerometer_bias_configuration_response_encode(
+    const struct mip_3dm_accelerometer_bias_configuration_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Gyroscope Bias Configuration: command (0x0C,0x38).
+ *
+ * Bias that is subtracted from the scaled angular rate.
+ *
+ * For advanced use. Functions: write, read, save, load, default and apply. Answered by
+ * mip_3dm_gyroscope_bias_configuration_response.
+ *
+ * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
+ * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
+ */
+struct mip_3dm_gyroscope_bias_configuration {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. For write and apply. */
+    float bias[3];
+};
+
+#define MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_DESCRIPTOR 0x38
+#define MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_NAME "3dm.gyroscope_bias_configuration"
+
+extern const struct mip_codec mip_3dm_gyroscope_bias_configuration_codec;
+mip_error mip_3dm_gyroscope_bias_configuration_decode(
+    struct mip_3dm_gyroscope_bias_configuration *value, const struct mip_field *field);
+mip_error mip_3dm_gyroscope_bias_configuration_encode(
+    const struct mip_3dm_gyroscope_bias_configuration *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_write(
+    const float bias[3]);
+/** Send the current setting back in a response. */
+struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_save(void);
+/** Load the saved setting. */
+struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_default(void);
+/** Apply the new setting and send no acknowledge (5-series devices). */
+struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_apply(
+    const float bias[3]);
+
+/**
+ * Gyroscope Bias Configuration response: response (0x0C,0x9B).
+ *
+ * The bias in use. The capture gyroscope bias command answers with it too.
+ *
+ * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
+ * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
+ */
+struct mip_3dm_gyroscope_bias_configuration_response {
+    /** Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. */
+    float bias[3];
+};
+
+#define MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR 0x9B
+#define MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_NAME \
+    "3dm.gyroscope_bias_configuration_response"
+
+extern const struct mip_codec mip_3dm_gyroscope_bias_configuration_response_codec;
+mip_error mip_3dm_gyroscope_bias_configuration_response_decode(
+    struct mip_3dm_gyroscope_bias_configuration_response *value, const struct mip_field *field);
+mip_error mip_3dm_gyroscope_bias_configuration_response_encode(
+    const struct mip_3dm_gyroscope_bias_configuration_response *value, struct mip_builder *builder);
+
+/**
+ * Capture Gyroscope Bias: command (0x0C,0x39).
+ *
+ * Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
+ *
+ * The device must stand still, with as little vibration as possible, for the whole time.
+ *
+ * The reply comes after the averaging time.
+ *
+ * The bias is not saved; the gyroscope bias configuration command with save does it.
+ *
+ * The 3DM-GX5-15 also initializes its orientation from the samples.
+ *
+ * Answered by mip_3dm_gyroscope_bias_configuration_response. The device may take 31 s to answer.
+ *
+ * - 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39)
+ * - 3dm-cv7-gnss-ins: Capture Gyroscope Bias (0x0C,0x39)
+ */
+struct mip_3dm_capture_gyroscope_bias {
+    /** Time to average over. Unit: ms. Range: 1000 to 30000. */
+    uint16_t averaging_time_ms;
+};
+
+#define MIP_3DM_CAPTURE_GYROSCOPE_BIAS_DESCRIPTOR 0x39
+#define MIP_3DM_CAPTURE_GYROSCOPE_BIAS_NAME "3dm.capture_gyroscope_bias"
+
+extern const struct mip_codec mip_3dm_capture_gyroscope_bias_codec;
+mip_error mip_3dm_capture_gyroscope_bias_decode(struct mip_3dm_capture_gyroscope_bias *value,
+                                                const struct mip_field *field);
+mip_error mip_3dm_capture_gyroscope_bias_encode(const struct mip_3dm_capture_gyroscope_bias *value,
+                                                struct mip_builder *builder);
+/** Capture Gyroscope Bias. */
+struct mip_3dm_capture_gyroscope_bias mip_3dm_capture_gyroscope_bias_make(
+    uint16_t averaging_time_ms);
+
+/**
+ * Magnetometer Hard Iron Offset: command (0x0C,0x3A).
+ *
+ * Offset that corrects the scaled magnetic field for hard iron.
+ *
+ * The values come from a calibration of the device as it is installed.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_magnetometer_hard_iron_offset_response.
+ *
+ * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
+ */
+struct mip_3dm_magnetometer_hard_iron_offset {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. For write. */
+    float offset[3];
+};
+
+#define MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_DESCRIPTOR 0x3A
+#define MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_NAME "3dm.magnetometer_hard_iron_offset"
+
+extern const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_codec;
+mip_error mip_3dm_magnetometer_hard_iron_offset_decode(
+    struct mip_3dm_magnetometer_hard_iron_offset *value, const struct mip_field *field);
+mip_error mip_3dm_magnetometer_hard_iron_offset_encode(
+    const struct mip_3dm_magnetometer_hard_iron_offset *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_write(
+    const float offset[3]);
+/** Send the current setting back in a response. */
+struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_save(void);
+/** Load the saved setting. */
+struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_default(void);
+
+/**
+ * Magnetometer Hard Iron Offset response: response (0x0C,0x9C).
+ *
+ * Answers Magnetometer Hard Iron Offset (0x0C,0x3A).
+ *
+ * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
+ */
+struct mip_3dm_magnetometer_hard_iron_offset_response {
+    /** Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. */
+    float offset[3];
+};
+
+#define MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR 0x9C
+#define MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_NAME \
+    "3dm.magnetometer_hard_iron_offset_response"
+
+extern const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_response_codec;
+mip_error mip_3dm_magnetometer_hard_iron_offset_response_decode(
+    struct mip_3dm_magnetometer_hard_iron_offset_response *value, const struct mip_field *field);
+mip_error mip_3dm_magnetometer_hard_iron_offset_response_encode(
+    const struct mip_3dm_magnetometer_hard_iron_offset_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Magnetometer Soft Iron Matrix: command (0x0C,0x3B).
+ *
+ * Matrix that corrects the scaled magnetic field for soft iron.
+ *
+ * The values come from a calibration of the device as it is installed.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_magnetometer_soft_iron_matrix_response.
+ *
+ * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
+ */
+struct mip_3dm_magnetometer_soft_iron_matrix {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+     * Unit: 1. Frame: sensor. For write.
+     */
+    float offset[9];
+};
+
+#define MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_DESCRIPTOR 0x3B
+#define MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_NAME "3dm.magnetometer_soft_iron_matrix"
+
+extern const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_codec;
+mip_error mip_3dm_magnetometer_soft_iron_matrix_decode(
+    struct mip_3dm_magnetometer_soft_iron_matrix *value, const struct mip_field *field);
+mip_error mip_3dm_magnetometer_soft_iron_matrix_encode(
+    const struct mip_3dm_magnetometer_soft_iron_matrix *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_write(
+    const float offset[9]);
+/** Send the current setting back in a response. */
+struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_save(void);
+/** Load the saved setting. */
+struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_default(void);
+
+/**
+ * Magnetometer Soft Iron Matrix response: response (0x0C,0x9D).
+ *
+ * Answers Magnetometer Soft Iron Matrix (0x0C,0x3B).
+ *
+ * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
+ */
+struct mip_3dm_magnetometer_soft_iron_matrix_response {
+    /**
+     * Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+     * Unit: 1. Frame: sensor.
+     */
+    float offset[9];
+};
+
+#define MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR 0x9D
+#define MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_NAME \
+    "3dm.magnetometer_soft_iron_matrix_response"
+
+extern const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_response_codec;
+mip_error mip_3dm_magnetometer_soft_iron_matrix_response_decode(
+    struct mip_3dm_magnetometer_soft_iron_matrix_response *value, const struct mip_field *field);
+mip_error mip_3dm_magnetometer_soft_iron_matrix_response_encode(
+    const struct mip_3dm_magnetometer_soft_iron_matrix_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Coning and Sculling Enable: command (0x0C,0x3E).
+ *
+ * Switches the compensation of coning and sculling on or off.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_coning_and_sculling_enable_response.
+ *
+ * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
+ */
+struct mip_3dm_coning_and_sculling_enable {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Whether the compensation is on. Default: true. For write. */
+    mip_bool enable;
+};
+
+#define MIP_3DM_CONING_AND_SCULLING_ENABLE_DESCRIPTOR 0x3E
+#define MIP_3DM_CONING_AND_SCULLING_ENABLE_NAME "3dm.coning_and_sculling_enable"
+
+extern const struct mip_codec mip_3dm_coning_and_sculling_enable_codec;
+mip_error mip_3dm_coning_and_sculling_enable_decode(
+    struct mip_3dm_coning_and_sculling_enable *value, const struct mip_field *field);
+mip_error mip_3dm_coning_and_sculling_enable_encode(
+    const struct mip_3dm_coning_and_sculling_enable *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_write(mip_bool enable);
+/** Send the current setting back in a response. */
+struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_save(void);
+/** Load the saved setting. */
+struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_default(void);
+
+/**
+ * Coning and Sculling Enable response: response (0x0C,0x9E).
+ *
+ * Answers Coning and Sculling Enable (0x0C,0x3E).
+ *
+ * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
+ */
+struct mip_3dm_coning_and_sculling_enable_response {
+    /** Whether the compensation is on. Default: true. */
+    mip_bool enable;
+};
+
+#define MIP_3DM_CONING_AND_SCULLING_ENABLE_RESPONSE_DESCRIPTOR 0x9E
+#define MIP_3DM_CONING_AND_SCULLING_ENABLE_RESPONSE_NAME "3dm.coning_and_sculling_enable_response"
+
+extern const struct mip_codec mip_3dm_coning_and_sculling_enable_response_codec;
+mip_error mip_3dm_coning_and_sculling_enable_response_decode(
+    struct mip_3dm_coning_and_sculling_enable_response *value, const struct mip_field *field);
+mip_error mip_3dm_coning_and_sculling_enable_response_encode(
+    const struct mip_3dm_coning_and_sculling_enable_response *value, struct mip_builder *builder);
+
+/**
+ * UART Baud Rate: command (0x0C,0x40).
+ *
+ * Baud rate of the main port.
+ *
+ * The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later.
+ *
+ * The 3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then nothing is
+ * certain.
+ *
+ * Set the device to idle first, send the command in a packet of its own and wait 250 ms afterwards.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_uart_baud_rate_response.
+ *
+ * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
+ * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
+ */
+struct mip_3dm_uart_baud_rate {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Baud rate. Unit: Bd. For write. On 3dm-gx5-15: factory default 115200. */
+    uint32_t baud;
+};
+
+#define MIP_3DM_UART_BAUD_RATE_DESCRIPTOR 0x40
+#define MIP_3DM_UART_BAUD_RATE_NAME "3dm.uart_baud_rate"
+
+extern const struct mip_codec mip_3dm_uart_baud_rate_codec;
+mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_rate *value,
+                                        const struct mip_field *field);
+mip_error mip_3dm_uart_baud_rate_encode(const struct mip_3dm_uart_baud_rate *value,
+                                        struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_write(uint32_t baud);
+/** Send the current setting back in a response. */
+struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_save(void);
+/** Load the saved setting. */
+struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_default(void);
+
+/**
+ * UART Baud Rate response: response (0x0C,0x87).
+ *
+ * Answers UART Baud Rate (0x0C,0x40).
+ *
+ * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
+ * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
+ */
+struct mip_3dm_uart_baud_rate_response {
+    /** Baud rate. Unit: Bd. On 3dm-gx5-15: factory default 115200. */
+    uint32_t baud;
+};
+
+#define MIP_3DM_UART_BAUD_RATE_RESPONSE_DESCRIPTOR 0x87
+#define MIP_3DM_UART_BAUD_RATE_RESPONSE_NAME "3dm.uart_baud_rate_response"
+
+extern const struct mip_codec mip_3dm_uart_baud_rate_response_codec;
+mip_error mip_3dm_uart_baud_rate_response_decode(struct mip_3dm_uart_baud_rate_response *value,
+                                                 const struct mip_field *field);
+mip_error mip_3dm_uart_baud_rate_response_encode(
+    const struct mip_3dm_uart_baud_rate_response *value, struct mip_builder *builder);
+
+/**
+ * GPIO Configuration: command (0x0C,0x41).
+ *
+ * What a GPIO pin is used for.
+ *
+ * Not every pin has every feature.
+ *
+ * Configure the function behind an output before its pin, and the pin of an input before its
+ * function.
+ *
+ * A configuration that only one pin can have passes to the latest pin; the earlier pin is reset.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_gpio_configuration_response.
+ *
+ * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
+ */
+struct mip_3dm_gpio_configuration {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** GPIO pin, counted from 1; 0 means all pins (save, load, default). */
+    uint8_t pin;
+    /** Use of the pin. Default: unused. For write. */
+    mip_gpio_feature feature;
+    /**
+     * Role of the pin within the feature; 0 where the feature names none. If feature is unused:
+     * mip_gpio_unused_behavior. If feature is gpio: mip_gpio_behavior. If feature is pps:
+     * mip_gpio_pps_behavior. If feature is encoder: mip_gpio_encoder_behavior. If feature is
+     * timestamp: mip_gpio_timestamp_behavior. If feature is uart: mip_gpio_uart_behavior. For
+     * write.
+     */
+    uint8_t behavior;
+    /** Electrical options. For write. */
+    mip_gpio_pin_mode pin_mode;
+};
+
+#define MIP_3DM_GPIO_CONFIGURATION_DESCRIPTOR 0x41
+#define MIP_3DM_GPIO_CONFIGURATION_NAME "3dm.gpio_configuration"
+
+extern const struct mip_codec mip_3dm_gpio_configuration_codec;
+mip_error mip_3dm_gpio_configuration_decode(struct mip_3dm_gpio_configuration *value,
+                                            const struct mip_field *field);
+mip_error mip_3dm_gpio_configuration_encode(const struct mip_3dm_gpio_configuration *value,
+                                            struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_write(uint8_t pin,
+                                                                   mip_gpio_feature feature,
+                                                                   uint8_t behavior,
+                                                                   mip_gpio_pin_mode pin_mode);
+/** Send the current setting back in a response. */
+struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_read(uint8_t pin);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_save(uint8_t pin);
+/** Load the saved setting. */
+struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_load(uint8_t pin);
+/** Load the factory default setting. */
+struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_default(uint8_t pin);
+
+/**
+ * GPIO Configuration response: response (0x0C,0xC1).
+ *
+ * Answers GPIO Configuration (0x0C,0x41).
+ *
+ * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
+ */
+struct mip_3dm_gpio_configuration_response {
+    /** GPIO pin, counted from 1; 0 means all pins (save, load, default). */
+    uint8_t pin;
+    /** Use of the pin. Default: unused. */
+    mip_gpio_feature feature;
+    /**
+     * Role of the pin within the feature; 0 where the feature names none. If feature is unused:
+     * mip_gpio_unused_behavior. If feature is gpio: mip_gpio_behavior. If feature is pps:
+     * mip_gpio_pps_behavior. If feature is encoder: mip_gpio_encoder_behavior. If feature is
+     * timestamp: mip_gpio_timestamp_behavior. If feature is uart: mip_gpio_uart_behavior.
+     */
+    uint8_t behavior;
+    /** Electrical options. */
+    mip_gpio_pin_mode pin_mode;
+};
+
+#define MIP_3DM_GPIO_CONFIGURATION_RESPONSE_DESCRIPTOR 0xC1
+#define MIP_3DM_GPIO_CONFIGURATION_RESPONSE_NAME "3dm.gpio_configuration_response"
+
+extern const struct mip_codec mip_3dm_gpio_configuration_response_codec;
+mip_error mip_3dm_gpio_configuration_response_decode(
+    struct mip_3dm_gpio_configuration_response *value, const struct mip_field *field);
+mip_error mip_3dm_gpio_configuration_response_encode(
+    const struct mip_3dm_gpio_configuration_response *value, struct mip_builder *builder);
+
+/**
+ * GPIO State: command (0x0C,0x42).
+ *
+ * Sets or reads the state of a GPIO pin.
+ *
+ * What is read is the level of the pin itself.
+ *
+ * Writing shows only on a pin that is configured as an output.
+ *
+ * The state at power-up is a matter of the GPIO configuration command.
+ *
+ * Functions: write and read. Answered by mip_3dm_gpio_state_response.
+ *
+ * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
+ */
+struct mip_3dm_gpio_state {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** GPIO pin, counted from 1. At least 1. */
+    uint8_t pin;
+    /** True is high. For write. */
+    mip_bool state;
+};
+
+#define MIP_3DM_GPIO_STATE_DESCRIPTOR 0x42
+#define MIP_3DM_GPIO_STATE_NAME "3dm.gpio_state"
+
+extern const struct mip_codec mip_3dm_gpio_state_codec;
+mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *value,
+                                    const struct mip_field *field);
+mip_error mip_3dm_gpio_state_encode(const struct mip_3dm_gpio_state *value,
+                                    struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_gpio_state mip_3dm_gpio_state_write(uint8_t pin, mip_bool state);
+/** Send the current setting back in a response. */
+struct mip_3dm_gpio_state mip_3dm_gpio_state_read(uint8_t pin);
+
+/**
+ * GPIO State response: response (0x0C,0xC2).
+ *
+ * Answers GPIO State (0x0C,0x42).
+ *
+ * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
+ */
+struct mip_3dm_gpio_state_response {
+    /** GPIO pin, counted from 1. At least 1. */
+    uint8_t pin;
+    /** True is high. */
+    mip_bool state;
+};
+
+#define MIP_3DM_GPIO_STATE_RESPONSE_DESCRIPTOR 0xC2
+#define MIP_3DM_GPIO_STATE_RESPONSE_NAME "3dm.gpio_state_response"
+
+extern const struct mip_codec mip_3dm_gpio_state_response_codec;
+mip_error mip_3dm_gpio_state_response_decode(struct mip_3dm_gpio_state_response *value,
+                                             const struct mip_field *field);
+mip_error mip_3dm_gpio_state_response_encode(const struct mip_3dm_gpio_state_response *value,
+                                             struct mip_builder *builder);
+
+/**
+ * Odometer Configuration: command (0x0C,0x43).
+ *
+ * Input from a wheel encoder.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_odometer_configuration_response.
+ *
+ * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
+ */
+struct mip_3dm_odometer_configuration {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** How the input works. For write. */
+    mip_3dm_odometer_mode mode;
+    /**
+     * Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
+     * For write. Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
+     */
+    float scaling;
+    /** Relative uncertainty of the scaling, 1 sigma. Unit: 1. For write. */
+    float uncertainty;
+};
+
+#define MIP_3DM_ODOMETER_CONFIGURATION_DESCRIPTOR 0x43
+#define MIP_3DM_ODOMETER_CONFIGURATION_NAME "3dm.odometer_configuration"
+
+extern const struct mip_codec mip_3dm_odometer_configuration_codec;
+mip_error mip_3dm_odometer_configuration_decode(struct mip_3dm_odometer_configuration *value,
+                                                const struct mip_field *field);
+mip_error mip_3dm_odometer_configuration_encode(const struct mip_3dm_odometer_configuration *value,
+                                                struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_write(
+    mip_3dm_odometer_mode mode, float scaling, float uncertainty);
+/** Send the current setting back in a response. */
+struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_save(void);
+/** Load the saved setting. */
+struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_default(void);
+
+/**
+ * Odometer Configuration response: response (0x0C,0xC3).
+ *
+ * Answers Odometer Configuration (0x0C,0x43).
+ *
+ * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
+ */
+struct mip_3dm_odometer_configuration_response {
+    /** How the input works. */
+    mip_3dm_odometer_mode mode;
+    /**
+     * Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
+     * Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
+     */
+    float scaling;
+    /** Relative uncertainty of the scaling, 1 sigma. Unit: 1. */
+    float uncertainty;
+};
+
+#define MIP_3DM_ODOMETER_CONFIGURATION_RESPONSE_DESCRIPTOR 0xC3
+#define MIP_3DM_ODOMETER_CONFIGURATION_RESPONSE_NAME "3dm.odometer_configuration_response"
+
+extern const struct mip_codec mip_3dm_odometer_configuration_response_codec;
+mip_error mip_3dm_odometer_configuration_response_decode(
+    struct mip_3dm_odometer_configuration_response *value, const struct mip_field *field);
+mip_error mip_3dm_odometer_configuration_response_encode(
+    const struct mip_3dm_odometer_configuration_response *value, struct mip_builder *builder);
+
+/**
+ * Advanced Low-Pass Filter Settings: command (0x0C,0x50).
+ *
+ * Low-pass filter of one quantity of the sensor data.
+ *
+ * The filter has one pole. By default it is on and its cutoff is half the rate of the message
+ * format.
+ *
+ * Deprecated: use 3dm.low_pass_anti_aliasing_filter where the device has it. For advanced use.
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_advanced_low_pass_filter_settings_response.
+ *
+ * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
+ * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
+ */
+struct mip_3dm_advanced_low_pass_filter_settings {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
+     * magnetic field 0x06 or pressure 0x17. On the 3DM-CV7 0 means all of them, except for read.
+     */
+    uint8_t target_descriptor;
+    /** Whether the quantity is filtered. Default: true. For write. */
+    mip_bool enable;
+    /**
+     * True uses the frequency; false follows half the rate of the message format. Default: false.
+     * For write.
+     */
+    mip_bool manual;
+    /**
+     * Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. For write. On 3dm-gx5-15:
+     * range … to 250.
+     */
+    uint16_t frequency;
+    /** For write. */
+    uint8_t reserved;
+};
+
+#define MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_DESCRIPTOR 0x50
+#define MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_NAME "3dm.advanced_low_pass_filter_settings"
+
+extern const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_codec;
+mip_error mip_3dm_advanced_low_pass_filter_settings_decode(
+    struct mip_3dm_advanced_low_pass_filter_settings *value, const struct mip_field *field);
+mip_error mip_3dm_advanced_low_pass_filter_settings_encode(
+    const struct mip_3dm_advanced_low_pass_filter_settings *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_write(
+    uint8_t target_descriptor, mip_bool enable, mip_bool manual, uint16_t frequency);
+/** Send the current setting back in a response. */
+struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_read(
+    uint8_t target_descriptor);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_save(
+    uint8_t target_descriptor);
+/** Load the saved setting. */
+struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_load(
+    uint8_t target_descriptor);
+/** Load the factory default setting. */
+struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_default(
+    uint8_t target_descriptor);
+
+/**
+ * Advanced Low-Pass Filter Settings response: response (0x0C,0x8B).
+ *
+ * Answers Advanced Low-Pass Filter Settings (0x0C,0x50).
+ *
+ * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
+ * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
+ */
+struct mip_3dm_advanced_low_pass_filter_settings_response {
+    /**
+     * Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
+     * magnetic field 0x06 or pressure 0x17. On the 3DM-CV7 0 means all of them, except for read.
+     */
+    uint8_t target_descriptor;
+    /** Whether the quantity is filtered. Default: true. */
+    mip_bool enable;
+    /**
+     * True uses the frequency; false follows half the rate of the message format. Default: false.
+     */
+    mip_bool manual;
+    /**
+     * Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. On 3dm-gx5-15: range … to
+     * 250.
+     */
+    uint16_t frequency;
+    /**  */
+    uint8_t reserved;
+};
+
+#define MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_DESCRIPTOR 0x8B
+#define MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_NAME \
+    "3dm.advanced_low_pass_filter_settings_response"
+
+extern const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_response_codec;
+mip_error mip_3dm_advanced_low_pass_filter_settings_response_decode(
+    struct mip_3dm_advanced_low_pass_filter_settings_response *value,
+    const struct mip_field *field);
+mip_error mip_3dm_advanced_low_pass_filter_settings_response_encode(
+    const struct mip_3dm_advanced_low_pass_filter_settings_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Complementary Filter Configuration: command (0x0C,0x51).
+ *
+ * Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
+ *
+ * Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
+ *
+ * The heading follows the magnetometer, if the device has one.
+ *
+ * The device refuses time constants out of range.
+ *
+ * The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for compatibility.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_complementary_filter_configuration_response.
+ *
+ * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
+ * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
+ */
+struct mip_3dm_complementary_filter_configuration {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * Corrects pitch and roll (up, in terms of the 5-series). For write. On 3dm-gx5-15: factory
+     * default True.
+     */
+    mip_bool pitch_roll_enable;
+    /**
+     * Corrects the heading (north, in terms of the 5-series). For write. On 3dm-gx5-15: factory
+     * default True.
+     */
+    mip_bool heading_enable;
+    /**
+     * Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
+     * For write.
+     */
+    float pitch_roll_time_constant;
+    /**
+     * Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10. For
+     * write.
+     */
+    float heading_time_constant;
+};
+
+#define MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_DESCRIPTOR 0x51
+#define MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_NAME "3dm.complementary_filter_configuration"
+
+extern const struct mip_codec mip_3dm_complementary_filter_configuration_codec;
+mip_error mip_3dm_complementary_filter_configuration_decode(
+    struct mip_3dm_complementary_filter_configuration *value, const struct mip_field *field);
+mip_error mip_3dm_complementary_filter_configuration_encode(
+    const struct mip_3dm_complementary_filter_configuration *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_complementary_filter_configuration mip_3dm_complementary_filter_configuration_write(
+    mip_bool pitch_roll_enable, mip_bool heading_enable, float pitch_roll_time_constant,
+    float heading_time_constant);
+/** Send the current setting back in a response. */
+struct mip_3dm_complementary_filter_configuration
+mip_3dm_complementary_filter_configuration_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_complementary_filter_configuration
+mip_3dm_complementary_filter_configuration_save(void);
+/** Load the saved setting. */
+struct mip_3dm_complementary_filter_configuration
+mip_3dm_complementary_filter_configuration_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_complementary_filter_configuration
+mip_3dm_complementary_filter_configuration_default(void);
+
+/**
+ * Complementary Filter Configuration response: response (0x0C,0x97).
+ *
+ * Answers Complementary Filter Configuration (0x0C,0x51).
+ *
+ * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
+ * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
+ */
+struct mip_3dm_complementary_filter_configuration_response {
+    /**
+     * Corrects pitch and roll (up, in terms of the 5-series). On 3dm-gx5-15: factory default True.
+     */
+    mip_bool pitch_roll_enable;
+    /**
+     * Corrects the heading (north, in terms of the 5-series). On 3dm-gx5-15: factory default True.
+     */
+    mip_bool heading_enable;
+    /**
+     * Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
+     */
+    float pitch_roll_time_constant;
+    /** Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10. */
+    float heading_time_constant;
+};
+
+#define MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_DESCRIPTOR 0x97
+#define MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_NAME \
+    "3dm.complementary_filter_configuration_response"
+
+extern const struct mip_codec mip_3dm_complementary_filter_configuration_response_codec;
+mip_error mip_3dm_complementary_filter_configuration_response_decode(
+    struct mip_3dm_complementary_filter_configuration_response *value,
+    const struct mip_field *field);
+mip_error mip_3dm_complementary_filter_configuration_response_encode(
+    const struct mip_3dm_complementary_filter_configuration_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Sensor Range: command (0x0C,0x52).
+ *
+ * Measuring range of a sensor.
+ *
+ * The get calibrated sensor ranges command lists the settings. The device may refuse others or
+ * measure wrongly.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_sensor_range_response.
+ *
+ * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
+ */
+struct mip_3dm_sensor_range {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** The sensor. */
+    mip_3dm_sensor_range_type sensor;
+    /** Number of the range. For write. */
+    uint8_t setting;
+};
+
+#define MIP_3DM_SENSOR_RANGE_DESCRIPTOR 0x52
+#define MIP_3DM_SENSOR_RANGE_NAME "3dm.sensor_range"
+
+extern const struct mip_codec mip_3dm_sensor_range_codec;
+mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range *value,
+                                      const struct mip_field *field);
+mip_error mip_3dm_sensor_range_encode(const struct mip_3dm_sensor_range *value,
+                                      struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_sensor_range mip_3dm_sensor_range_write(mip_3dm_sensor_range_type sensor,
+                                                       uint8_t setting);
+/** Send the current setting back in a response. */
+struct mip_3dm_sensor_range mip_3dm_sensor_range_read(mip_3dm_sensor_range_type sensor);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_sensor_range mip_3dm_sensor_range_save(mip_3dm_sensor_range_type sensor);
+/** Load the saved setting. */
+struct mip_3dm_sensor_range mip_3dm_sensor_range_load(mip_3dm_sensor_range_type sensor);
+/** Load the factory default setting. */
+struct mip_3dm_sensor_range mip_3dm_sensor_range_default(mip_3dm_sensor_range_type sensor);
+
+/**
+ * Sensor Range response: response (0x0C,0xD2).
+ *
+ * Answers Sensor Range (0x0C,0x52).
+ *
+ * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
+ */
+struct mip_3dm_sensor_range_response {
+    /** The sensor. */
+    mip_3dm_sensor_range_type sensor;
+    /** Number of the range. */
+    uint8_t setting;
+};
+
+#define MIP_3DM_SENSOR_RANGE_RESPONSE_DESCRIPTOR 0xD2
+#define MIP_3DM_SENSOR_RANGE_RESPONSE_NAME "3dm.sensor_range_response"
+
+extern const struct mip_codec mip_3dm_sensor_range_response_codec;
+mip_error mip_3dm_sensor_range_response_decode(struct mip_3dm_sensor_range_response *value,
+                                               const struct mip_field *field);
+mip_error mip_3dm_sensor_range_response_encode(const struct mip_3dm_sensor_range_response *value,
+                                               struct mip_builder *builder);
+
+/**
+ * Get Calibrated Sensor Ranges: command (0x0C,0x53).
+ *
+ * Asks for the ranges that a sensor supports.
+ *
+ * Answered by mip_3dm_get_calibrated_sensor_ranges_response.
+ *
+ * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
+ */
+struct mip_3dm_get_calibrated_sensor_ranges {
+    /** The sensor; not all. */
+    mip_3dm_sensor_range_type sensor;
+};
+
+#define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_DESCRIPTOR 0x53
+#define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_NAME "3dm.get_calibrated_sensor_ranges"
+
+extern const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec;
+mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
+    struct mip_3dm_get_calibrated_sensor_ranges *value, const struct mip_field *field);
+mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
+    const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder);
+/** Get Calibrated Sensor Ranges. */
+struct mip_3dm_get_calibrated_sensor_ranges mip_3dm_get_calibrated_sensor_ranges_make(
+    mip_3dm_sensor_range_type sensor);
+
+/**
+ * Get Calibrated Sensor Ranges response: response (0x0C,0xD3).
+ *
+ * Answers Get Calibrated Sensor Ranges (0x0C,0x53).
+ *
+ * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
+ */
+struct mip_3dm_get_calibrated_sensor_ranges_response {
+    /** Sensor of the command. */
+    mip_3dm_sensor_range_type sensor;
+    /** Number of ranges. */
+    uint8_t num_ranges;
+    /** The ranges. */
+    struct mip_3dm_sensor_range_entry ranges[50];
+};
+
+#define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_DESCRIPTOR 0xD3
+#define MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_NAME \
+    "3dm.get_calibrated_sensor_ranges_response"
+
+extern const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec;
+mip_error mip_3dm_get_calibrated_sensor_ranges_response_decode(
+    struct mip_3dm_get_calibrated_sensor_ranges_response *value, const struct mip_field *field);
+mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
+    const struct mip_3dm_get_calibrated_sensor_ranges_response *value, struct mip_builder *builder);
+
+/**
+ * Low-Pass Anti-Aliasing Filter: command (0x0C,0x54).
+ *
+ * Low-pass filter of a data field.
+ *
+ * Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_low_pass_anti_aliasing_filter_response.
+ *
+ * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
+ */
+struct mip_3dm_low_pass_anti_aliasing_filter {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Descriptor set of the field. */
+    uint8_t desc_set;
+    /** Field descriptor; 0 if the set is 0. */
+    uint8_t field_desc;
+    /** Whether the field is filtered. For write. */
+    mip_bool enable;
+    /**
+     * True uses the frequency; false follows half the rate of the field in the message format. For
+     * write.
+     */
+    mip_bool manual;
+    /**
+     * Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz. For
+     * write.
+     */
+    float frequency;
+};
+
+#define MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_DESCRIPTOR 0x54
+#define MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_NAME "3dm.low_pass_anti_aliasing_filter"
+
+extern const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_codec;
+mip_error mip_3dm_low_pass_anti_aliasing_filter_decode(
+    struct mip_3dm_low_pass_anti_aliasing_filter *value, const struct mip_field *field);
+mip_error mip_3dm_low_pass_anti_aliasing_filter_encode(
+    const struct mip_3dm_low_pass_anti_aliasing_filter *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_write(
+    uint8_t desc_set, uint8_t field_desc, mip_bool enable, mip_bool manual, float frequency);
+/** Send the current setting back in a response. */
+struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_read(
+    uint8_t desc_set, uint8_t field_desc);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_save(
+    uint8_t desc_set, uint8_t field_desc);
+/** Load the saved setting. */
+struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_load(
+    uint8_t desc_set, uint8_t field_desc);
+/** Load the factory default setting. */
+struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_default(
+    uint8_t desc_set, uint8_t field_desc);
+
+/**
+ * Low-Pass Anti-Aliasing Filter response: response (0x0C,0xD4).
+ *
+ * Answers Low-Pass Anti-Aliasing Filter (0x0C,0x54).
+ *
+ * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
+ */
+struct mip_3dm_low_pass_anti_aliasing_filter_response {
+    /** Descriptor set of the field. */
+    uint8_t desc_set;
+    /** Field descriptor; 0 if the set is 0. */
+    uint8_t field_desc;
+    /** Whether the field is filtered. */
+    mip_bool enable;
+    /** True uses the frequency; false follows half the rate of the field in the message format. */
+    mip_bool manual;
+    /** Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz. */
+    float frequency;
+};
+
+#define MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_DESCRIPTOR 0xD4
+#define MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_NAME \
+    "3dm.low_pass_anti_aliasing_filter_response"
+
+extern const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_response_codec;
+mip_error mip_3dm_low_pass_anti_aliasing_filter_response_decode(
+    struct mip_3dm_low_pass_anti_aliasing_filter_response *value, const struct mip_field *field);
+mip_error mip_3dm_low_pass_anti_aliasing_filter_response_encode(
+    const struct mip_3dm_low_pass_anti_aliasing_filter_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Device Status: command (0x0C,0x64).
+ *
+ * Asks for the state of the device, in one of two layouts.
+ *
+ * The layouts hold for this model number only; other models answer with layouts of their own.
+ *
+ * For advanced use. Answered by mip_3dm_device_status_basic_response or
+ * mip_3dm_device_status_diagnostic_response.
+ *
+ * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+ */
+struct mip_3dm_device_status {
+    /** Layout of the answer. */
+    mip_3dm_device_status_selector status_selector;
+};
+
+#define MIP_3DM_DEVICE_STATUS_DESCRIPTOR 0x64
+#define MIP_3DM_DEVICE_STATUS_NAME "3dm.device_status"
+
+extern const struct mip_codec mip_3dm_device_status_codec;
+mip_error mip_3dm_device_status_decode(struct mip_3dm_device_status *value,
+                                       const struct mip_field *field);
+mip_error mip_3dm_device_status_encode(const struct mip_3dm_device_status *value,
+                                       struct mip_builder *builder);
+/** Device Status. */
+struct mip_3dm_device_status mip_3dm_device_status_make(
+    mip_3dm_device_status_selector status_selector);
+
+/**
+ * Basic Device Status: response (0x0C,0x90).
+ *
+ * State and timer.
+ *
+ * Sent if status_selector is basic.
+ *
+ * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+ */
+struct mip_3dm_device_status_basic_response {
+    /** Reserved. */
+    uint32_t status_flags;
+    /** State of the system; its values are not documented. */
+    uint16_t system_state;
+    /** Time since start-up. Unit: ms. */
+    uint32_t system_timer;
+};
+
+#define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_DESCRIPTOR 0x90
+#define MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_NAME "3dm.device_status_basic_response"
+
+extern const struct mip_codec mip_3dm_device_status_basic_response_codec;
+mip_error mip_3dm_device_status_basic_response_decode(
+    struct mip_3dm_device_status_basic_response *value, const struct mip_field *field);
+mip_error mip_3dm_device_status_basic_response_encode(
+    const struct mip_3dm_device_status_basic_response *value, struct mip_builder *builder);
+
+/**
+ * Diagnostic Device Status: response (0x0C,0x90).
+ *
+ * State and timer with the counters of streams and port.
+ *
+ * Sent if status_selector is diagnostic.
+ *
+ * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+ */
+struct mip_3dm_device_status_diagnostic_response {
+    /** Reserved. */
+    uint32_t status_flags;
+    /** State of the system; its values are not documented. */
+    uint16_t system_state;
+    /** Time since start-up. Unit: ms. */
+    uint32_t system_timer;
+    /** Whether sensor data is streamed. */
+    mip_bool imu_stream_enabled;
+    /** Whether filter data is streamed. */
+    mip_bool filter_stream_enabled;
+    /** Sensor data packets that were not sent. Unit: 1. */
+    uint32_t imu_dropped_packets;
+    /** Filter data packets that were not sent. Unit: 1. */
+    uint32_t filter_dropped_packets;
+    /** Bytes written to the port. Unit: byte. */
+    uint32_t com_port_bytes_written;
+    /** Bytes read from the port. Unit: byte. */
+    uint32_t com_port_bytes_read;
+    /** Overruns while writing to the port. Unit: 1. */
+    uint32_t com_port_write_overruns;
+    /** Overruns while reading from the port. Unit: 1. */
+    uint32_t com_port_read_overruns;
+    /** Messages of the IMU that could not be parsed. Unit: 1. */
+    uint32_t imu_parser_errors;
+    /** Messages of the IMU that were read. Unit: 1. */
+    uint32_t imu_message_count;
+    /** System timer at the last message of the IMU. Unit: ms. */
+    uint32_t imu_last_message_time;
+};
+
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR 0x90
+#define MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_NAME "3dm.device_status_diagnostic_response"
+
+extern const struct mip_codec mip_3dm_device_status_diagnostic_response_codec;
+mip_error mip_3dm_device_status_diagnostic_response_decode(
+    struct mip_3dm_device_status_diagnostic_response *value, const struct mip_field *field);
+mip_error mip_3dm_device_status_diagnostic_response_encode(
+    const struct mip_3dm_device_status_diagnostic_response *value, struct mip_builder *builder);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,579 @@
+/**
+ * @file
+ *
+ * Base (0x01). Commands common to all devices: identity, supported descriptors, idle and resume,
+ * self test, reset.
+ */
+#ifndef MIP_BASE_H
+#define MIP_BASE_H
+
+#include "mip/protocol.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/base.h and mip/core.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define MIP_BASE_SET 0x01
+
+/**
+ * Identity of a device. The strings are padded with spaces.
+ *
+ * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
+ * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
+ */
+struct mip_base_device_info {
+    /** Firmware version as one decimal number: 1202 stands for 1.2.02. */
+    uint16_t firmware_version;
+    /** Name of the model. */
+    char model_name[17];
+    /** Part number of the model. */
+    char model_number[17];
+    /** Serial number. */
+    char serial_number[17];
+    /** Lot number; reserved and blank on some devices. */
+    char lot_number[17];
+    /** Options of the unit, such as its sensor ranges. */
+    char device_options[17];
+};
+
+void mip_base_device_info_read(struct mip_reader *r, struct mip_base_device_info *v);
+void mip_base_device_info_write(struct mip_writer *w, const struct mip_base_device_info *v);
+
+/** The part of the GPS time that a value holds. */
+typedef uint8_t mip_base_gps_time_field;
+/** Week number. */
+#define MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER 1
+/** Time of week in whole seconds. */
+#define MIP_BASE_GPS_TIME_FIELD_TIME_OF_WEEK 2
+
+/**
+ * Ping: command (0x01,0x01).
+ *
+ * Asks whether a device is there and answers commands.
+ *
+ * A device that is not in a normal operating mode may refuse the command.
+ *
+ * - 3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)
+ * - 3dm-cv7-gnss-ins: Ping (0x01,0x01)
+ */
+struct mip_base_ping {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_BASE_PING_DESCRIPTOR 0x01
+#define MIP_BASE_PING_NAME "base.ping"
+
+extern const struct mip_codec mip_base_ping_codec;
+mip_error mip_base_ping_decode(struct mip_base_ping *value, const struct mip_field *field);
+mip_error mip_base_ping_encode(const struct mip_base_ping *value, struct mip_builder *builder);
+
+/**
+ * Set to idle: command (0x01,0x02).
+ *
+ * Stops all data streams, and wakes a sleeping device, so that it can be set up.
+ *
+ * The resume command restores the previous mode.
+ *
+ * While idle the device sends no NMEA sentences either.
+ *
+ * - 3dm-gx5-15: 4.1.2 Set To Idle (0x01, 0x02)
+ * - 3dm-cv7-gnss-ins: Set to idle (0x01,0x02)
+ */
+struct mip_base_set_to_idle {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_BASE_SET_TO_IDLE_DESCRIPTOR 0x02
+#define MIP_BASE_SET_TO_IDLE_NAME "base.set_to_idle"
+
+extern const struct mip_codec mip_base_set_to_idle_codec;
+mip_error mip_base_set_to_idle_decode(struct mip_base_set_to_idle *value,
+                                      const struct mip_field *field);
+mip_error mip_base_set_to_idle_encode(const struct mip_base_set_to_idle *value,
+                                      struct mip_builder *builder);
+
+/**
+ * Get device information: command (0x01,0x03).
+ *
+ * Gets the firmware version and the identity strings of the device.
+ *
+ * Answered by mip_base_get_device_information_response.
+ *
+ * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
+ * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
+ */
+struct mip_base_get_device_information {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_BASE_GET_DEVICE_INFORMATION_DESCRIPTOR 0x03
+#define MIP_BASE_GET_DEVICE_INFORMATION_NAME "base.get_device_information"
+
+extern const struct mip_codec mip_base_get_device_information_codec;
+mip_error mip_base_get_device_information_decode(struct mip_base_get_device_information *value,
+                                                 const struct mip_field *field);
+mip_error mip_base_get_device_information_encode(
+    const struct mip_base_get_device_information *value, struct mip_builder *builder);
+
+/**
+ * Get device information response: response (0x01,0x81).
+ *
+ * Answers Get device information (0x01,0x03).
+ *
+ * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
+ * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
+ */
+struct mip_base_get_device_information_response {
+    /** Identity of the device. */
+    struct mip_base_device_info device_info;
+};
+
+#define MIP_BASE_GET_DEVICE_INFORMATION_RESPONSE_DESCRIPTOR 0x81
+#define MIP_BASE_GET_DEVICE_INFORMATION_RESPONSE_NAME "base.get_device_information_response"
+
+extern const struct mip_codec mip_base_get_device_information_response_codec;
+mip_error mip_base_get_device_information_response_decode(
+    struct mip_base_get_device_information_response *value, const struct mip_field *field);
+mip_error mip_base_get_device_information_response_encode(
+    const struct mip_base_get_device_information_response *value, struct mip_builder *builder);
+
+/**
+ * Get device descriptors: command (0x01,0x04).
+ *
+ * Gets the command and data descriptors that the device supports.
+ *
+ * When the list contains (0x01,0x07), more descriptors come from the extended command.
+ *
+ * Answered by mip_base_get_device_descriptors_response.
+ *
+ * - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
+ * - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
+ */
+struct mip_base_get_device_descriptors {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_BASE_GET_DEVICE_DESCRIPTORS_DESCRIPTOR 0x04
+#define MIP_BASE_GET_DEVICE_DESCRIPTORS_NAME "base.get_device_descriptors"
+
+extern const struct mip_codec mip_base_get_device_descriptors_codec;
+mip_error mip_base_get_device_descriptors_decode(struct mip_base_get_device_descriptors *value,
+                                                 const struct mip_field *field);
+mip_error mip_base_get_device_descriptors_encode(
+    const struct mip_base_get_device_descriptors *value, struct mip_builder *builder);
+
+/**
+ * Get device descriptors response: response (0x01,0x82).
+ *
+ * Answers Get device descriptors (0x01,0x04).
+ *
+ * - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
+ * - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
+ */
+struct mip_base_get_device_descriptors_response {
+    /**
+     * Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
+     * byte.
+     */
+    uint8_t descriptors_count;
+    uint16_t descriptors[126];
+};
+
+#define MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE_DESCRIPTOR 0x82
+#define MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE_NAME "base.get_device_descriptors_response"
+
+extern const struct mip_codec mip_base_get_device_descriptors_response_codec;
+mip_error mip_base_get_device_descriptors_response_decode(
+    struct mip_base_get_device_descriptors_response *value, const struct mip_field *field);
+mip_error mip_base_get_device_descriptors_response_encode(
+    const struct mip_base_get_device_descriptors_response *value, struct mip_builder *builder);
+
+/**
+ * Built-in test: command (0x01,0x05).
+ *
+ * Runs the self test of the device and gets its result.
+ *
+ * The test interrupts normal operation for up to several seconds; no data is available meanwhile.
+ *
+ * The device must be at rest; acceleration, rotation or vibration cause false failures.
+ *
+ * The continuous built-in test, where there is one, tells more about a failure.
+ *
+ * Answered by mip_base_built_in_test_response. The device may take 10 s to answer.
+ *
+ * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
+ * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
+ */
+struct mip_base_built_in_test {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_BASE_BUILT_IN_TEST_DESCRIPTOR 0x05
+#define MIP_BASE_BUILT_IN_TEST_NAME "base.built_in_test"
+
+extern const struct mip_codec mip_base_built_in_test_codec;
+mip_error mip_base_built_in_test_decode(struct mip_base_built_in_test *value,
+                                        const struct mip_field *field);
+mip_error mip_base_built_in_test_encode(const struct mip_base_built_in_test *value,
+                                        struct mip_builder *builder);
+
+/**
+ * Built-in test response: response (0x01,0x83).
+ *
+ * Answers Built-in test (0x01,0x05).
+ *
+ * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
+ * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
+ */
+struct mip_base_built_in_test_response {
+    /**
+     * Failure flags, defined by each device. Zero means that every test passed. On the 3dm-gx5-15:
+     * mip_gx5_built_in_test. On the 3dm-cv7-gnss-ins: mip_cv7_built_in_test.
+     */
+    uint32_t result;
+};
+
+#define MIP_BASE_BUILT_IN_TEST_RESPONSE_DESCRIPTOR 0x83
+#define MIP_BASE_BUILT_IN_TEST_RESPONSE_NAME "base.built_in_test_response"
+
+extern const struct mip_codec mip_base_built_in_test_response_codec;
+mip_error mip_base_built_in_test_response_decode(struct mip_base_built_in_test_response *value,
+                                                 const struct mip_field *field);
+mip_error mip_base_built_in_test_response_encode(
+    const struct mip_base_built_in_test_response *value, struct mip_builder *builder);
+
+/**
+ * Resume: command (0x01,0x06).
+ *
+ * Ends idle mode and returns the device to the mode that it was in before.
+ *
+ * If the device was not idle, it enters its default mode (3DM-GX5-15).
+ *
+ * - 3dm-gx5-15: 4.1.6 Resume (0x01, 0x06)
+ * - 3dm-cv7-gnss-ins: Resume (0x01,0x06)
+ */
+struct mip_base_resume {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_BASE_RESUME_DESCRIPTOR 0x06
+#define MIP_BASE_RESUME_NAME "base.resume"
+
+extern const struct mip_codec mip_base_resume_codec;
+mip_error mip_base_resume_decode(struct mip_base_resume *value, const struct mip_field *field);
+mip_error mip_base_resume_encode(const struct mip_base_resume *value, struct mip_builder *builder);
+
+/**
+ * Get device descriptors (extended): command (0x01,0x07).
+ *
+ * Gets the supported descriptors that did not fit into the reply of get device descriptors.
+ *
+ * Only supported if get device descriptors lists (0x01,0x07).
+ *
+ * Answered by mip_base_get_device_descriptors_extended_response.
+ *
+ * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
+ * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
+ */
+struct mip_base_get_device_descriptors_extended {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_DESCRIPTOR 0x07
+#define MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_NAME "base.get_device_descriptors_extended"
+
+extern const struct mip_codec mip_base_get_device_descriptors_extended_codec;
+mip_error mip_base_get_device_descriptors_extended_decode(
+    struct mip_base_get_device_descriptors_extended *value, const struct mip_field *field);
+mip_error mip_base_get_device_descriptors_extended_encode(
+    const struct mip_base_get_device_descriptors_extended *value, struct mip_builder *builder);
+
+/**
+ * Get device descriptors (extended) response: response (0x01,0x86).
+ *
+ * Answers Get device descriptors (extended) (0x01,0x07).
+ *
+ * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
+ * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
+ */
+struct mip_base_get_device_descriptors_extended_response {
+    /**
+     * Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
+     * byte.
+     */
+    uint8_t descriptors_count;
+    uint16_t descriptors[126];
+};
+
+#define MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_RESPONSE_DESCRIPTOR 0x86
+#define MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_RESPONSE_NAME \
+    "base.get_device_descriptors_extended_response"
+
+extern const struct mip_codec mip_base_get_device_descriptors_extended_response_codec;
+mip_error mip_base_get_device_descriptors_extended_response_decode(
+    struct mip_base_get_device_descriptors_extended_response *value, const struct mip_field *field);
+mip_error mip_base_get_device_descriptors_extended_response_encode(
+    const struct mip_base_get_device_descriptors_extended_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Continuous built-in test: command (0x01,0x08).
+ *
+ * Gets the flags of the tests that run all the time. It does not interrupt operation.
+ *
+ * It is less thorough than the built-in test command.
+ *
+ * Each flag stays set until it is reported by this command, apart from the copy of the streamed
+ * field.
+ *
+ * The self-test flags change only when the built-in test command runs.
+ *
+ * Answered by mip_base_continuous_built_in_test_response.
+ *
+ * - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
+ */
+struct mip_base_continuous_built_in_test {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_DESCRIPTOR 0x08
+#define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_NAME "base.continuous_built_in_test"
+
+extern const struct mip_codec mip_base_continuous_built_in_test_codec;
+mip_error mip_base_continuous_built_in_test_decode(struct mip_base_continuous_built_in_test *value,
+                                                   const struct mip_field *field);
+mip_error mip_base_continuous_built_in_test_encode(
+    const struct mip_base_continuous_built_in_test *value, struct mip_builder *builder);
+
+/**
+ * Continuous built-in test response: response (0x01,0x88).
+ *
+ * Answers Continuous built-in test (0x01,0x08).
+ *
+ * - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
+ */
+struct mip_base_continuous_built_in_test_response {
+    /**
+     * Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
+     * byte. On the 3dm-cv7-gnss-ins: mip_cv7_continuous_built_in_test.
+     */
+    uint8_t result[16];
+};
+
+#define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE_DESCRIPTOR 0x88
+#define MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE_NAME "base.continuous_built_in_test_response"
+
+extern const struct mip_codec mip_base_continuous_built_in_test_response_codec;
+mip_error mip_base_continuous_built_in_test_response_decode(
+    struct mip_base_continuous_built_in_test_response *value, const struct mip_field *field);
+mip_error mip_base_continuous_built_in_test_response_encode(
+    const struct mip_base_continuous_built_in_test_response *value, struct mip_builder *builder);
+
+/**
+ * Comm port speed: command (0x01,0x09).
+ *
+ * Baud rate of one communication port.
+ *
+ * The change waits until pending data is sent and received, at most 250 ms.
+ *
+ * Send it alone in a packet while the device is idle, and wait 250 ms before going on.
+ *
+ * Commands and data during the change may be lost or come at either rate.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_base_comm_port_speed_response.
+ *
+ * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
+ */
+struct mip_base_comm_port_speed {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Port id of the device; 0 means all ports, and is for save, load and default only. */
+    uint8_t port;
+    /** Baud rate; one that the port supports. Unit: Bd. For write. */
+    uint32_t baud;
+};
+
+#define MIP_BASE_COMM_PORT_SPEED_DESCRIPTOR 0x09
+#define MIP_BASE_COMM_PORT_SPEED_NAME "base.comm_port_speed"
+
+extern const struct mip_codec mip_base_comm_port_speed_codec;
+mip_error mip_base_comm_port_speed_decode(struct mip_base_comm_port_speed *value,
+                                          const struct mip_field *field);
+mip_error mip_base_comm_port_speed_encode(const struct mip_base_comm_port_speed *value,
+                                          struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_base_comm_port_speed mip_base_comm_port_speed_write(uint8_t port, uint32_t baud);
+/** Send the current setting back in a response. */
+struct mip_base_comm_port_speed mip_base_comm_port_speed_read(uint8_t port);
+/** Save the current setting to non-volatile memory. */
+struct mip_base_comm_port_speed mip_base_comm_port_speed_save(uint8_t port);
+/** Load the saved setting. */
+struct mip_base_comm_port_speed mip_base_comm_port_speed_load(uint8_t port);
+/** Load the factory default setting. */
+struct mip_base_comm_port_speed mip_base_comm_port_speed_default(uint8_t port);
+
+/**
+ * Comm port speed response: response (0x01,0x89).
+ *
+ * Answers Comm port speed (0x01,0x09).
+ *
+ * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
+ */
+struct mip_base_comm_port_speed_response {
+    /** Port id of the device; 0 means all ports, and is for save, load and default only. */
+    uint8_t port;
+    /** Baud rate; one that the port supports. Unit: Bd. */
+    uint32_t baud;
+};
+
+#define MIP_BASE_COMM_PORT_SPEED_RESPONSE_DESCRIPTOR 0x89
+#define MIP_BASE_COMM_PORT_SPEED_RESPONSE_NAME "base.comm_port_speed_response"
+
+extern const struct mip_codec mip_base_comm_port_speed_response_codec;
+mip_error mip_base_comm_port_speed_response_decode(struct mip_base_comm_port_speed_response *value,
+                                                   const struct mip_field *field);
+mip_error mip_base_comm_port_speed_response_encode(
+    const struct mip_base_comm_port_speed_response *value, struct mip_builder *builder);
+
+/**
+ * GPS time update: command (0x01,0x72).
+ *
+ * Sets the week number or the time of week of the external (GPS) time.
+ *
+ * Send it once for the time of week and once for the week number after the PPS is locked.
+ *
+ * The PPS supplies the fraction of the second; send the whole second that began at its last edge.
+ *
+ * Send it within 250 ms after the rising edge of the PPS.
+ *
+ * The 3DM-GX5-15 wants it once per second; the 3DM-CV7-GNSS/INS at least once.
+ *
+ * Functions: write, read and apply. Answered by mip_base_gps_time_update_week_number_response or
+ * mip_base_gps_time_update_time_of_week_response.
+ *
+ * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
+ * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
+ */
+struct mip_base_gps_time_update {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** What the value is. */
+    mip_base_gps_time_field field_id;
+    /**
+     * Week number since 6 January 1980, or whole seconds of the week, as field_id says. For write
+     * and apply. If field_id is week_number: unit week. If field_id is time_of_week: unit s.
+     */
+    uint32_t value;
+};
+
+#define MIP_BASE_GPS_TIME_UPDATE_DESCRIPTOR 0x72
+#define MIP_BASE_GPS_TIME_UPDATE_NAME "base.gps_time_update"
+
+extern const struct mip_codec mip_base_gps_time_update_codec;
+mip_error mip_base_gps_time_update_decode(struct mip_base_gps_time_update *value,
+                                          const struct mip_field *field);
+mip_error mip_base_gps_time_update_encode(const struct mip_base_gps_time_update *value,
+                                          struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_base_gps_time_update mip_base_gps_time_update_write(mip_base_gps_time_field field_id,
+                                                               uint32_t value);
+/** Send the current setting back in a response. */
+struct mip_base_gps_time_update mip_base_gps_time_update_read(mip_base_gps_time_field field_id);
+/** Apply the new setting and send no acknowledge (5-series devices). */
+struct mip_base_gps_time_update mip_base_gps_time_update_apply(mip_base_gps_time_field field_id,
+                                                               uint32_t value);
+
+/**
+ * GPS time update, week number: response (0x01,0x84).
+ *
+ * The current week number.
+ *
+ * Sent if field_id is week_number.
+ *
+ * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
+ * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
+ */
+struct mip_base_gps_time_update_week_number_response {
+    /** GPS week number. Unit: week. */
+    uint32_t week_number;
+};
+
+#define MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_DESCRIPTOR 0x84
+#define MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_NAME \
+    "base.gps_time_update_week_number_response"
+
+extern const struct mip_codec mip_base_gps_time_update_week_number_response_codec;
+mip_error mip_base_gps_time_update_week_number_response_decode(
+    struct mip_base_gps_time_update_week_number_response *value, const struct mip_field *field);
+mip_error mip_base_gps_time_update_week_number_response_encode(
+    const struct mip_base_gps_time_update_week_number_response *value, struct mip_builder *builder);
+
+/**
+ * GPS time update, time of week: response (0x01,0x85).
+ *
+ * The current time of week.
+ *
+ * Sent if field_id is time_of_week.
+ *
+ * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
+ * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
+ */
+struct mip_base_gps_time_update_time_of_week_response {
+    /** GPS time of week in whole seconds. Unit: s. */
+    uint32_t time_of_week;
+};
+
+#define MIP_BASE_GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_DESCRIPTOR 0x85
+#define MIP_BASE_GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_NAME \
+    "base.gps_time_update_time_of_week_response"
+
+extern const struct mip_codec mip_base_gps_time_update_time_of_week_response_codec;
+mip_error mip_base_gps_time_update_time_of_week_response_decode(
+    struct mip_base_gps_time_update_time_of_week_response *value, const struct mip_field *field);
+mip_error mip_base_gps_time_update_time_of_week_response_encode(
+    const struct mip_base_gps_time_update_time_of_week_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Reset device: command (0x01,0x7E).
+ *
+ * Acknowledges the command, then resets the device at once.
+ *
+ * - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
+ * - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)
+ */
+struct mip_base_reset_device {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_BASE_RESET_DEVICE_DESCRIPTOR 0x7E
+#define MIP_BASE_RESET_DEVICE_NAME "base.reset_device"
+
+extern const struct mip_codec mip_base_reset_device_codec;
+mip_error mip_base_reset_device_decode(struct mip_base_reset_device *value,
+                                       const struct mip_field *field);
+mip_error mip_base_reset_device_encode(const struct mip_base_reset_device *value,
+                                       struct mip_builder *builder);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

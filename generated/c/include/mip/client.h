@@ -1,0 +1,101 @@
+/**
+ * @file
+ * Commands and their answers, without input, output or a clock.
+ *
+ * The caller builds a packet, sends it, hands over the packets that come back, and says what time
+ * it is. The caller also owns the requests: each must stay in place until it is no longer waiting.
+ *
+ *     mip_builder_start(&packet, buffer, sizeof(buffer), MIP_3DM_SET);
+ *     mip_client_add(&client, &request, &packet, &mip_3dm_pps_source_control_codec, &command, now);
+ *     mip_client_expect(&request, &mip_3dm_pps_source_control_response_codec, &response);
+ *     ... send mip_builder_finish(&packet) ...
+ *     while (request.state == MIP_REQUEST_WAITING) {
+ *         ... mip_client_receive(&client, &received) for each packet that comes ...
+ *         mip_client_expire(&client, now);
+ *     }
+ */
+#ifndef MIP_CLIENT_H
+#define MIP_CLIENT_H
+
+#include "mip/protocol.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** How long a device may take to answer, in milliseconds, unless the command says otherwise. */
+#define MIP_DEFAULT_TIMEOUT 500
+
+/** No answer yet. */
+#define MIP_REQUEST_WAITING 0
+/** The device has carried the command out. */
+#define MIP_REQUEST_ACKNOWLEDGED 1
+/** The device has refused the command; `code` says why. */
+#define MIP_REQUEST_REFUSED 2
+/** The device did not answer in time. */
+#define MIP_REQUEST_TIMED_OUT 3
+/** The device does not answer this command: it is done when it is sent. */
+#define MIP_REQUEST_SILENT 4
+/** The caller does not wait any longer. */
+#define MIP_REQUEST_CANCELLED 5
+
+/** One command on its way. */
+struct mip_request {
+    /** A MIP_REQUEST_... value. */
+    uint8_t state;
+    /** The code of the answer, if there is one. */
+    mip_ack_code code;
+    /** Has the response come, and could it be decoded? */
+    bool responded;
+    /** A mip_error: what is wrong with the response that came; then `response` is all zero. */
+    uint8_t error;
+    uint8_t descriptor_set;
+    uint8_t descriptor;
+    /** The response that is expected, and where it goes; NULL if there is none. */
+    const struct mip_codec *codec;
+    void *response;
+    /** When it is too late, in the milliseconds of the caller. */
+    uint32_t deadline;
+    /** The next one that waits. */
+    struct mip_request *next;
+};
+
+/** The commands that wait for an answer, oldest first. */
+struct mip_client {
+    struct mip_request *waiting;
+    /** Milliseconds that a device may take to answer. */
+    uint32_t timeout;
+};
+
+/** Makes a client ready: nothing is waiting, and the time-out is MIP_DEFAULT_TIMEOUT. */
+void mip_client_init(struct mip_client *client);
+
+/**
+ * Adds a command to a packet and waits for its answer. `now` is the time in milliseconds, which may
+ * wrap around. On an error the packet and the client stay as they were. `command` may be NULL where
+ * the command has no parameters.
+ */
+mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
+                         struct mip_builder *packet, const struct mip_codec *codec,
+                         const void *command, uint32_t now);
+
+/** Says which response is expected, and where it goes. To be called right after mip_client_add. */
+void mip_client_expect(struct mip_request *request, const struct mip_codec *codec, void *response);
+
+/**
+ * Takes a packet that has come. True if it answered anything; data and late answers disturb
+ * nothing. The answered requests are no longer waiting.
+ */
+bool mip_client_receive(struct mip_client *client, const struct mip_packet *packet);
+
+/** Ends the waiting of all requests whose time is over; gives how many these are. */
+size_t mip_client_expire(struct mip_client *client, uint32_t now);
+
+/** Ends the waiting of one request, so that it may go away. */
+void mip_client_cancel(struct mip_client *client, struct mip_request *request);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

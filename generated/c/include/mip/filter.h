@@ -1,0 +1,2455 @@
+/**
+ * @file
+ *
+ * Filter commands (0x0D). Commands that set up, start and aid the navigation filter.
+ */
+#ifndef MIP_FILTER_H
+#define MIP_FILTER_H
+
+#include "mip/protocol.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/filter.h and mip/core.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define MIP_FILTER_SET 0x0D
+
+/** States that the filter estimates. */
+typedef uint16_t mip_filter_estimated_states;
+/** Bit 0: Estimate the gyroscope bias (recommended). */
+#define MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS 0x0001U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_filter_estimated_states_set(mip_filter_estimated_states *flags,
+                                                   mip_filter_estimated_states bits) {
+    *flags = (mip_filter_estimated_states)(*flags | bits);
+}
+static inline void mip_filter_estimated_states_clear(mip_filter_estimated_states *flags,
+                                                     mip_filter_estimated_states bits) {
+    *flags = (mip_filter_estimated_states)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_filter_estimated_states_has(mip_filter_estimated_states flags,
+                                                   mip_filter_estimated_states bits) {
+    return (flags & bits) == bits;
+}
+
+/** Where the filter takes GNSS data from. */
+typedef uint8_t mip_filter_gnss_aiding_source;
+/** All internal receivers. */
+#define MIP_FILTER_GNSS_AIDING_SOURCE_ALL_INT 1
+/** GNSS measurements that the user sends. */
+#define MIP_FILTER_GNSS_AIDING_SOURCE_EXT 2
+/** Internal receiver 1 only. */
+#define MIP_FILTER_GNSS_AIDING_SOURCE_INT_1 3
+/** Internal receiver 2 only. */
+#define MIP_FILTER_GNSS_AIDING_SOURCE_INT_2 4
+
+/** The north that a heading refers to. */
+typedef uint8_t mip_filter_heading_type;
+/** True north. */
+#define MIP_FILTER_HEADING_TYPE_TRUE_HEADING 1
+/** Magnetic north. */
+#define MIP_FILTER_HEADING_TYPE_MAGNETIC_HEADING 2
+
+/** Where the filter takes heading updates from. */
+typedef uint8_t mip_filter_heading_update_source;
+/** No heading updates. */
+#define MIP_FILTER_HEADING_UPDATE_SOURCE_NONE 0
+/** The heading messages that the user sends. */
+#define MIP_FILTER_HEADING_UPDATE_SOURCE_EXTERNAL 3
+
+/** Axes to tare; 0 resets all axes. */
+typedef uint8_t mip_filter_tare_axes;
+/** Bit 0: Tare roll. */
+#define MIP_FILTER_TARE_AXES_ROLL 0x01U
+/** Bit 1: Tare pitch. */
+#define MIP_FILTER_TARE_AXES_PITCH 0x02U
+/** Bit 2: Tare yaw. */
+#define MIP_FILTER_TARE_AXES_YAW 0x04U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_filter_tare_axes_set(mip_filter_tare_axes *flags,
+                                            mip_filter_tare_axes bits) {
+    *flags = (mip_filter_tare_axes)(*flags | bits);
+}
+static inline void mip_filter_tare_axes_clear(mip_filter_tare_axes *flags,
+                                              mip_filter_tare_axes bits) {
+    *flags = (mip_filter_tare_axes)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_filter_tare_axes_has(mip_filter_tare_axes flags, mip_filter_tare_axes bits) {
+    return (flags & bits) == bits;
+}
+
+/** Measurements that the filter uses. */
+typedef uint16_t mip_filter_measurement_flags;
+/** Bit 0: Accelerometer measurements. */
+#define MIP_FILTER_MEASUREMENT_FLAGS_ACCELEROMETER 0x0001U
+/** Bit 1: Magnetometer measurements, on models that have a magnetometer. */
+#define MIP_FILTER_MEASUREMENT_FLAGS_MAGNETOMETER 0x0002U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_filter_measurement_flags_set(mip_filter_measurement_flags *flags,
+                                                    mip_filter_measurement_flags bits) {
+    *flags = (mip_filter_measurement_flags)(*flags | bits);
+}
+static inline void mip_filter_measurement_flags_clear(mip_filter_measurement_flags *flags,
+                                                      mip_filter_measurement_flags bits) {
+    *flags = (mip_filter_measurement_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_filter_measurement_flags_has(mip_filter_measurement_flags flags,
+                                                    mip_filter_measurement_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** Where the declination of the magnetic field comes from. */
+typedef uint8_t mip_filter_declination_source;
+/** No source. */
+#define MIP_FILTER_DECLINATION_SOURCE_NONE 1
+/** The World Magnetic Model, at the estimated position. */
+#define MIP_FILTER_DECLINATION_SOURCE_WMM 2
+/** The angle that the command gives. */
+#define MIP_FILTER_DECLINATION_SOURCE_MANUAL 3
+
+/** How measurements of the gravity direction are weighted. */
+typedef uint8_t mip_filter_adaptive_measurement_selector;
+/** No adaptation. */
+#define MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED 0
+/** Adapted by the limits that the command gives. */
+#define MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED 1
+/** Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later. */
+#define MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_AUTO 2
+
+/** What aids pitch and roll. */
+typedef uint8_t mip_filter_pitch_roll_aiding_source;
+/** No aiding. */
+#define MIP_FILTER_PITCH_ROLL_AIDING_SOURCE_NONE 0
+/** The measured gravity vector. */
+#define MIP_FILTER_PITCH_ROLL_AIDING_SOURCE_GRAVITY_VECTOR 1
+
+/** A source of aiding measurements. */
+typedef uint16_t mip_filter_aiding_source;
+/** GNSS position and velocity. */
+#define MIP_FILTER_AIDING_SOURCE_GNSS_POS_VEL 0
+/** GNSS heading of two antennas. */
+#define MIP_FILTER_AIDING_SOURCE_GNSS_HEADING 1
+/** Built-in pressure altimeter. */
+#define MIP_FILTER_AIDING_SOURCE_ALTIMETER 2
+/** Speed sensor or odometer. */
+#define MIP_FILTER_AIDING_SOURCE_SPEED 3
+/** Built-in magnetometer. */
+#define MIP_FILTER_AIDING_SOURCE_MAGNETOMETER 4
+/** Heading that the user sends. */
+#define MIP_FILTER_AIDING_SOURCE_EXTERNAL_HEADING 5
+/** Pressure altitude that the user sends. */
+#define MIP_FILTER_AIDING_SOURCE_EXTERNAL_ALTIMETER 6
+/** Magnetic field that the user sends. */
+#define MIP_FILTER_AIDING_SOURCE_EXTERNAL_MAGNETOMETER 7
+/** Velocity in the vehicle that the user sends. */
+#define MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VEL 8
+/** All sources, for save, load and default. */
+#define MIP_FILTER_AIDING_SOURCE_ALL 0xFFFF
+
+/** Which initial conditions the device finds itself and which the user gives. */
+typedef uint8_t mip_filter_initial_condition_source;
+/** Position, velocity and attitude are found. */
+#define MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL_ATT 0
+/** Position, velocity, pitch and roll are found; the heading is given. */
+#define MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL_PITCH_ROLL 1
+/** Position and velocity are found; the attitude is given. */
+#define MIP_FILTER_INITIAL_CONDITION_SOURCE_AUTO_POS_VEL 2
+/** Position, velocity and attitude are given. */
+#define MIP_FILTER_INITIAL_CONDITION_SOURCE_MANUAL 3
+
+/** Ways in which the device may find its initial heading. */
+typedef uint8_t mip_filter_heading_alignment;
+/** Bit 0: From the baseline between two GNSS antennas. */
+#define MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA 0x01U
+/** Bit 1: From the GNSS velocity; assumes motion along the positive x axis of the vehicle. */
+#define MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC 0x02U
+/** Bit 2: From the built-in magnetometer. */
+#define MIP_FILTER_HEADING_ALIGNMENT_MAGNETOMETER 0x04U
+/** Bit 3: From the heading that the user sends. */
+#define MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL 0x08U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_filter_heading_alignment_set(mip_filter_heading_alignment *flags,
+                                                    mip_filter_heading_alignment bits) {
+    *flags = (mip_filter_heading_alignment)(*flags | bits);
+}
+static inline void mip_filter_heading_alignment_clear(mip_filter_heading_alignment *flags,
+                                                      mip_filter_heading_alignment bits) {
+    *flags = (mip_filter_heading_alignment)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_filter_heading_alignment_has(mip_filter_heading_alignment flags,
+                                                    mip_filter_heading_alignment bits) {
+    return (flags & bits) == bits;
+}
+
+/** Frame in which a position is given. */
+typedef uint8_t mip_filter_reference_frame;
+/** Earth-centred, Earth-fixed coordinates (WGS84). */
+#define MIP_FILTER_REFERENCE_FRAME_ECEF 1
+/** Latitude, longitude and height above the ellipsoid (WGS84). */
+#define MIP_FILTER_REFERENCE_FRAME_LLH 2
+
+/** How strongly the filter adapts to measurements that do not fit. */
+typedef uint8_t mip_filter_adaptive_level;
+/** No adaptation. */
+#define MIP_FILTER_ADAPTIVE_LEVEL_OFF 0
+/** Little adaptation. */
+#define MIP_FILTER_ADAPTIVE_LEVEL_CONSERVATIVE 1
+/** Moderate adaptation. */
+#define MIP_FILTER_ADAPTIVE_LEVEL_MODERATE 2
+/** Strong adaptation. */
+#define MIP_FILTER_ADAPTIVE_LEVEL_AGGRESSIVE 3
+
+/** Where the reference of relative positions comes from. */
+typedef uint8_t mip_filter_relative_position_source;
+/** The base station of the RTK corrections. */
+#define MIP_FILTER_RELATIVE_POSITION_SOURCE_AUTO 0
+/** The coordinates that the command gives. */
+#define MIP_FILTER_RELATIVE_POSITION_SOURCE_MANUAL 1
+
+/** A point of reference. */
+typedef uint8_t mip_filter_reference_point;
+/** The origin of the vehicle. */
+#define MIP_FILTER_REFERENCE_POINT_VEH 1
+
+/**
+ * Reset navigation filter: command (0x0D,0x01).
+ *
+ * Puts the filter back into its initialization state.
+ *
+ * If automatic initialization is off, the attitude or heading must be set before the filter runs
+ * again.
+ *
+ * 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first found.
+ *
+ * - 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01)
+ * - 3dm-gx5-15: 4.3.1 Reset Filter (0x0D, 0x01)
+ */
+struct mip_filter_reset_navigation_filter {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_FILTER_RESET_NAVIGATION_FILTER_DESCRIPTOR 0x01
+#define MIP_FILTER_RESET_NAVIGATION_FILTER_NAME "filter.reset_navigation_filter"
+
+extern const struct mip_codec mip_filter_reset_navigation_filter_codec;
+mip_error mip_filter_reset_navigation_filter_decode(
+    struct mip_filter_reset_navigation_filter *value, const struct mip_field *field);
+mip_error mip_filter_reset_navigation_filter_encode(
+    const struct mip_filter_reset_navigation_filter *value, struct mip_builder *builder);
+
+/**
+ * Set initial attitude: command (0x0D,0x02).
+ *
+ * Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
+ *
+ * Accepted only in the initialization state.
+ *
+ * - 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02)
+ */
+struct mip_filter_set_initial_attitude {
+    /** Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. */
+    float roll;
+    /** Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966. */
+    float pitch;
+    /**
+     * Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+     */
+    float heading;
+};
+
+#define MIP_FILTER_SET_INITIAL_ATTITUDE_DESCRIPTOR 0x02
+#define MIP_FILTER_SET_INITIAL_ATTITUDE_NAME "filter.set_initial_attitude"
+
+extern const struct mip_codec mip_filter_set_initial_attitude_codec;
+mip_error mip_filter_set_initial_attitude_decode(struct mip_filter_set_initial_attitude *value,
+                                                 const struct mip_field *field);
+mip_error mip_filter_set_initial_attitude_encode(
+    const struct mip_filter_set_initial_attitude *value, struct mip_builder *builder);
+/** Set initial attitude. */
+struct mip_filter_set_initial_attitude mip_filter_set_initial_attitude_make(float roll, float pitch,
+                                                                            float heading);
+
+/**
+ * Set initial heading: command (0x0D,0x03).
+ *
+ * Gives the filter its initial heading; pitch and roll come from the accelerometers.
+ *
+ * 3DM-GX5: accepted only in the initialization state.
+ *
+ * 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
+ * ignored.
+ *
+ * - 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03)
+ * - 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
+ */
+struct mip_filter_set_initial_heading_control {
+    /** Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793. */
+    float heading;
+};
+
+#define MIP_FILTER_SET_INITIAL_HEADING_CONTROL_DESCRIPTOR 0x03
+#define MIP_FILTER_SET_INITIAL_HEADING_CONTROL_NAME "filter.set_initial_heading_control"
+
+extern const struct mip_codec mip_filter_set_initial_heading_control_codec;
+mip_error mip_filter_set_initial_heading_control_decode(
+    struct mip_filter_set_initial_heading_control *value, const struct mip_field *field);
+mip_error mip_filter_set_initial_heading_control_encode(
+    const struct mip_filter_set_initial_heading_control *value, struct mip_builder *builder);
+/** Set initial heading. */
+struct mip_filter_set_initial_heading_control mip_filter_set_initial_heading_control_make(
+    float heading);
+
+/**
+ * Run navigation filter: command (0x0D,0x05).
+ *
+ * Starts a filter that was set up to wait for this command.
+ *
+ * The filter waits in its initialization state if `wait_for_run_command` of
+ * `navigation_filter_initialization` is set.
+ *
+ * - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
+ */
+struct mip_filter_run_navigation_filter {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_FILTER_RUN_NAVIGATION_FILTER_DESCRIPTOR 0x05
+#define MIP_FILTER_RUN_NAVIGATION_FILTER_NAME "filter.run_navigation_filter"
+
+extern const struct mip_codec mip_filter_run_navigation_filter_codec;
+mip_error mip_filter_run_navigation_filter_decode(struct mip_filter_run_navigation_filter *value,
+                                                  const struct mip_field *field);
+mip_error mip_filter_run_navigation_filter_encode(
+    const struct mip_filter_run_navigation_filter *value, struct mip_builder *builder);
+
+/**
+ * Sensor to vehicle frame transformation: command (0x0D,0x11).
+ *
+ * Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
+ *
+ * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+ * velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
+ * vector of the filter.
+ *
+ * The 3DM-CV7 takes the inverse instead: `3dm.sensor_to_vehicle_frame_transformation_euler`.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_sensor_to_vehicle_frame_transformation_response.
+ *
+ * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
+ */
+struct mip_filter_sensor_to_vehicle_frame_transformation {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Roll angle. Unit: rad. For write. */
+    float roll;
+    /** Pitch angle. Unit: rad. For write. */
+    float pitch;
+    /** Yaw angle. Unit: rad. For write. */
+    float yaw;
+};
+
+#define MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DESCRIPTOR 0x11
+#define MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_NAME \
+    "filter.sensor_to_vehicle_frame_transformation"
+
+extern const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_codec;
+mip_error mip_filter_sensor_to_vehicle_frame_transformation_decode(
+    struct mip_filter_sensor_to_vehicle_frame_transformation *value, const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_frame_transformation_encode(
+    const struct mip_filter_sensor_to_vehicle_frame_transformation *value,
+    struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_sensor_to_vehicle_frame_transformation
+mip_filter_sensor_to_vehicle_frame_transformation_write(float roll, float pitch, float yaw);
+/** Send the current setting back in a response. */
+struct mip_filter_sensor_to_vehicle_frame_transformation
+mip_filter_sensor_to_vehicle_frame_transformation_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_sensor_to_vehicle_frame_transformation
+mip_filter_sensor_to_vehicle_frame_transformation_save(void);
+/** Load the saved setting. */
+struct mip_filter_sensor_to_vehicle_frame_transformation
+mip_filter_sensor_to_vehicle_frame_transformation_load(void);
+/** Load the factory default setting. */
+struct mip_filter_sensor_to_vehicle_frame_transformation
+mip_filter_sensor_to_vehicle_frame_transformation_default(void);
+
+/**
+ * Sensor to vehicle frame transformation response: response (0x0D,0x81).
+ *
+ * Answers Sensor to vehicle frame transformation (0x0D,0x11).
+ *
+ * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
+ */
+struct mip_filter_sensor_to_vehicle_frame_transformation_response {
+    /** Roll angle. Unit: rad. */
+    float roll;
+    /** Pitch angle. Unit: rad. */
+    float pitch;
+    /** Yaw angle. Unit: rad. */
+    float yaw;
+};
+
+#define MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_DESCRIPTOR 0x81
+#define MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_NAME \
+    "filter.sensor_to_vehicle_frame_transformation_response"
+
+extern const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_response_codec;
+mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_decode(
+    struct mip_filter_sensor_to_vehicle_frame_transformation_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_encode(
+    const struct mip_filter_sensor_to_vehicle_frame_transformation_response *value,
+    struct mip_builder *builder);
+
+/**
+ * GNSS antenna offset: command (0x0D,0x13).
+ *
+ * Position of the GNSS antenna relative to the origin of the sensor.
+ *
+ * The magnitude of the vector is limited to 10.
+ *
+ * 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
+ *
+ * On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding commands use
+ * `aiding.frame_configuration`.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_gnss_antenna_offset_control_response.
+ *
+ * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
+ */
+struct mip_filter_gnss_antenna_offset_control {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
+     * vehicle. Range: -10 to 10. For write.
+     */
+    float offset[3];
+};
+
+#define MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_DESCRIPTOR 0x13
+#define MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_NAME "filter.gnss_antenna_offset_control"
+
+extern const struct mip_codec mip_filter_gnss_antenna_offset_control_codec;
+mip_error mip_filter_gnss_antenna_offset_control_decode(
+    struct mip_filter_gnss_antenna_offset_control *value, const struct mip_field *field);
+mip_error mip_filter_gnss_antenna_offset_control_encode(
+    const struct mip_filter_gnss_antenna_offset_control *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_write(
+    const float offset[3]);
+/** Send the current setting back in a response. */
+struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_save(void);
+/** Load the saved setting. */
+struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_load(void);
+/** Load the factory default setting. */
+struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_default(void);
+
+/**
+ * GNSS antenna offset response: response (0x0D,0x83).
+ *
+ * Answers GNSS antenna offset (0x0D,0x13).
+ *
+ * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
+ */
+struct mip_filter_gnss_antenna_offset_control_response {
+    /**
+     * From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
+     * vehicle. Range: -10 to 10.
+     */
+    float offset[3];
+};
+
+#define MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR 0x83
+#define MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_NAME \
+    "filter.gnss_antenna_offset_control_response"
+
+extern const struct mip_codec mip_filter_gnss_antenna_offset_control_response_codec;
+mip_error mip_filter_gnss_antenna_offset_control_response_decode(
+    struct mip_filter_gnss_antenna_offset_control_response *value, const struct mip_field *field);
+mip_error mip_filter_gnss_antenna_offset_control_response_encode(
+    const struct mip_filter_gnss_antenna_offset_control_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Estimation control flags: command (0x0D,0x14).
+ *
+ * Which states the filter estimates.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_estimation_control_flags_response.
+ *
+ * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
+ */
+struct mip_filter_estimation_control_flags {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** States to estimate. For write. */
+    mip_filter_estimated_states flags;
+};
+
+#define MIP_FILTER_ESTIMATION_CONTROL_FLAGS_DESCRIPTOR 0x14
+#define MIP_FILTER_ESTIMATION_CONTROL_FLAGS_NAME "filter.estimation_control_flags"
+
+extern const struct mip_codec mip_filter_estimation_control_flags_codec;
+mip_error mip_filter_estimation_control_flags_decode(
+    struct mip_filter_estimation_control_flags *value, const struct mip_field *field);
+mip_error mip_filter_estimation_control_flags_encode(
+    const struct mip_filter_estimation_control_flags *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_write(
+    mip_filter_estimated_states flags);
+/** Send the current setting back in a response. */
+struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_save(void);
+/** Load the saved setting. */
+struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_load(void);
+/** Load the factory default setting. */
+struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_default(void);
+
+/**
+ * Estimation control flags response: response (0x0D,0x84).
+ *
+ * Answers Estimation control flags (0x0D,0x14).
+ *
+ * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
+ */
+struct mip_filter_estimation_control_flags_response {
+    /** States to estimate. */
+    mip_filter_estimated_states flags;
+};
+
+#define MIP_FILTER_ESTIMATION_CONTROL_FLAGS_RESPONSE_DESCRIPTOR 0x84
+#define MIP_FILTER_ESTIMATION_CONTROL_FLAGS_RESPONSE_NAME "filter.estimation_control_flags_response"
+
+extern const struct mip_codec mip_filter_estimation_control_flags_response_codec;
+mip_error mip_filter_estimation_control_flags_response_decode(
+    struct mip_filter_estimation_control_flags_response *value, const struct mip_field *field);
+mip_error mip_filter_estimation_control_flags_response_encode(
+    const struct mip_filter_estimation_control_flags_response *value, struct mip_builder *builder);
+
+/**
+ * GNSS aiding source: command (0x0D,0x15).
+ *
+ * Which GNSS receiver aids the filter.
+ *
+ * A change while the filter runs may put it back into initialization until the new source gives
+ * data.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_gnss_aiding_source_control_response.
+ *
+ * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
+ */
+struct mip_filter_gnss_aiding_source_control {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Source of the GNSS data. For write. */
+    mip_filter_gnss_aiding_source source;
+};
+
+#define MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_DESCRIPTOR 0x15
+#define MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_NAME "filter.gnss_aiding_source_control"
+
+extern const struct mip_codec mip_filter_gnss_aiding_source_control_codec;
+mip_error mip_filter_gnss_aiding_source_control_decode(
+    struct mip_filter_gnss_aiding_source_control *value, const struct mip_field *field);
+mip_error mip_filter_gnss_aiding_source_control_encode(
+    const struct mip_filter_gnss_aiding_source_control *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_write(
+    mip_filter_gnss_aiding_source source);
+/** Send the current setting back in a response. */
+struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_save(void);
+/** Load the saved setting. */
+struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_load(void);
+/** Load the factory default setting. */
+struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_default(void);
+
+/**
+ * GNSS aiding source response: response (0x0D,0x86).
+ *
+ * Answers GNSS aiding source (0x0D,0x15).
+ *
+ * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
+ */
+struct mip_filter_gnss_aiding_source_control_response {
+    /** Source of the GNSS data. */
+    mip_filter_gnss_aiding_source source;
+};
+
+#define MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_RESPONSE_DESCRIPTOR 0x86
+#define MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_RESPONSE_NAME \
+    "filter.gnss_aiding_source_control_response"
+
+extern const struct mip_codec mip_filter_gnss_aiding_source_control_response_codec;
+mip_error mip_filter_gnss_aiding_source_control_response_decode(
+    struct mip_filter_gnss_aiding_source_control_response *value, const struct mip_field *field);
+mip_error mip_filter_gnss_aiding_source_control_response_encode(
+    const struct mip_filter_gnss_aiding_source_control_response *value,
+    struct mip_builder *builder);
+
+/**
+ * External heading update: command (0x0D,0x17).
+ *
+ * Gives the filter one measurement of the heading of the sensor frame in the NED frame.
+ *
+ * Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
+ * and by `aiding_measurement_control` on the 3DM-CV7.
+ *
+ * The 3DM-GX5-15 takes at most 20 updates per second.
+ *
+ * If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
+ * ones.
+ *
+ * - 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17)
+ * - 3dm-gx5-15: 4.3.7 External Heading Update (0x0D, 0x17)
+ */
+struct mip_filter_external_heading_update {
+    /**
+     * Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+     * -3.141592653589793 to 3.141592653589793.
+     */
+    float heading;
+    /** Standard deviation; it must be greater than 0, other values are refused. Unit: rad. */
+    float heading_uncertainty;
+    /** North that the heading refers to. */
+    mip_filter_heading_type type;
+};
+
+#define MIP_FILTER_EXTERNAL_HEADING_UPDATE_DESCRIPTOR 0x17
+#define MIP_FILTER_EXTERNAL_HEADING_UPDATE_NAME "filter.external_heading_update"
+
+extern const struct mip_codec mip_filter_external_heading_update_codec;
+mip_error mip_filter_external_heading_update_decode(
+    struct mip_filter_external_heading_update *value, const struct mip_field *field);
+mip_error mip_filter_external_heading_update_encode(
+    const struct mip_filter_external_heading_update *value, struct mip_builder *builder);
+/** External heading update. */
+struct mip_filter_external_heading_update mip_filter_external_heading_update_make(
+    float heading, float heading_uncertainty, mip_filter_heading_type type);
+
+/**
+ * Heading update control: command (0x0D,0x18).
+ *
+ * Source of the heading that aids the filter.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_heading_update_control_response.
+ *
+ * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
+ */
+struct mip_filter_heading_update_control {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Source of the heading. For write. */
+    mip_filter_heading_update_source enable;
+};
+
+#define MIP_FILTER_HEADING_UPDATE_CONTROL_DESCRIPTOR 0x18
+#define MIP_FILTER_HEADING_UPDATE_CONTROL_NAME "filter.heading_update_control"
+
+extern const struct mip_codec mip_filter_heading_update_control_codec;
+mip_error mip_filter_heading_update_control_decode(struct mip_filter_heading_update_control *value,
+                                                   const struct mip_field *field);
+mip_error mip_filter_heading_update_control_encode(
+    const struct mip_filter_heading_update_control *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_heading_update_control mip_filter_heading_update_control_write(
+    mip_filter_heading_update_source enable);
+/** Send the current setting back in a response. */
+struct mip_filter_heading_update_control mip_filter_heading_update_control_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_heading_update_control mip_filter_heading_update_control_save(void);
+/** Load the saved setting. */
+struct mip_filter_heading_update_control mip_filter_heading_update_control_load(void);
+/** Load the factory default setting. */
+struct mip_filter_heading_update_control mip_filter_heading_update_control_default(void);
+
+/**
+ * Heading update control response: response (0x0D,0x87).
+ *
+ * Answers Heading update control (0x0D,0x18).
+ *
+ * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
+ */
+struct mip_filter_heading_update_control_response {
+    /** Source of the heading. */
+    mip_filter_heading_update_source enable;
+};
+
+#define MIP_FILTER_HEADING_UPDATE_CONTROL_RESPONSE_DESCRIPTOR 0x87
+#define MIP_FILTER_HEADING_UPDATE_CONTROL_RESPONSE_NAME "filter.heading_update_control_response"
+
+extern const struct mip_codec mip_filter_heading_update_control_response_codec;
+mip_error mip_filter_heading_update_control_response_decode(
+    struct mip_filter_heading_update_control_response *value, const struct mip_field *field);
+mip_error mip_filter_heading_update_control_response_encode(
+    const struct mip_filter_heading_update_control_response *value, struct mip_builder *builder);
+
+/**
+ * Automatic initialization: command (0x0D,0x19).
+ *
+ * Whether the filter initializes by itself when the device starts.
+ *
+ * It needs a valid heading source.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_auto_initialization_control_response.
+ *
+ * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
+ */
+struct mip_filter_auto_initialization_control {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    uint8_t enable;
+};
+
+#define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_DESCRIPTOR 0x19
+#define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_NAME "filter.auto_initialization_control"
+
+extern const struct mip_codec mip_filter_auto_initialization_control_codec;
+mip_error mip_filter_auto_initialization_control_decode(
+    struct mip_filter_auto_initialization_control *value, const struct mip_field *field);
+mip_error mip_filter_auto_initialization_control_encode(
+    const struct mip_filter_auto_initialization_control *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_write(
+    uint8_t enable);
+/** Send the current setting back in a response. */
+struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_save(void);
+/** Load the saved setting. */
+struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_load(void);
+/** Load the factory default setting. */
+struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_default(void);
+
+/**
+ * Automatic initialization response: response (0x0D,0x88).
+ *
+ * Answers Automatic initialization (0x0D,0x19).
+ *
+ * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
+ */
+struct mip_filter_auto_initialization_control_response {
+    /** 0 disables, 1 enables. Range: 0 to 1. */
+    uint8_t enable;
+};
+
+#define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_DESCRIPTOR 0x88
+#define MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_NAME \
+    "filter.auto_initialization_control_response"
+
+extern const struct mip_codec mip_filter_auto_initialization_control_response_codec;
+mip_error mip_filter_auto_initialization_control_response_decode(
+    struct mip_filter_auto_initialization_control_response *value, const struct mip_field *field);
+mip_error mip_filter_auto_initialization_control_response_encode(
+    const struct mip_filter_auto_initialization_control_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Accelerometer noise: command (0x0D,0x1A).
+ *
+ * Standard deviation of the accelerometer noise that the filter assumes (process noise).
+ *
+ * Every value must be greater than 0. The factory values suit most laboratory conditions.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_accelerometer_noise_standard_deviation_response.
+ *
+ * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
+ * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
+ */
+struct mip_filter_accelerometer_noise_standard_deviation {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. For write. */
+    float noise[3];
+};
+
+#define MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_DESCRIPTOR 0x1A
+#define MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_NAME \
+    "filter.accelerometer_noise_standard_deviation"
+
+extern const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_codec;
+mip_error mip_filter_accelerometer_noise_standard_deviation_decode(
+    struct mip_filter_accelerometer_noise_standard_deviation *value, const struct mip_field *field);
+mip_error mip_filter_accelerometer_noise_standard_deviation_encode(
+    const struct mip_filter_accelerometer_noise_standard_deviation *value,
+    struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_accelerometer_noise_standard_deviation
+mip_filter_accelerometer_noise_standard_deviation_write(const float noise[3]);
+/** Send the current setting back in a response. */
+struct mip_filter_accelerometer_noise_standard_deviation
+mip_filter_accelerometer_noise_standard_deviation_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_accelerometer_noise_standard_deviation
+mip_filter_accelerometer_noise_standard_deviation_save(void);
+/** Load the saved setting. */
+struct mip_filter_accelerometer_noise_standard_deviation
+mip_filter_accelerometer_noise_standard_deviation_load(void);
+/** Load the factory default setting. */
+struct mip_filter_accelerometer_noise_standard_deviation
+mip_filter_accelerometer_noise_standard_deviation_default(void);
+
+/**
+ * Accelerometer noise response: response (0x0D,0x89).
+ *
+ * Answers Accelerometer noise (0x0D,0x1A).
+ *
+ * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
+ * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
+ */
+struct mip_filter_accelerometer_noise_standard_deviation_response {
+    /** Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. */
+    float noise[3];
+};
+
+#define MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR 0x89
+#define MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_NAME \
+    "filter.accelerometer_noise_standard_deviation_response"
+
+extern const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_response_codec;
+mip_error mip_filter_accelerometer_noise_standard_deviation_response_decode(
+    struct mip_filter_accelerometer_noise_standard_deviation_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_accelerometer_noise_standard_deviation_response_encode(
+    const struct mip_filter_accelerometer_noise_standard_deviation_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Gyroscope noise: command (0x0D,0x1B).
+ *
+ * Standard deviation of the gyroscope noise that the filter assumes (process noise).
+ *
+ * Every value must be greater than 0. The factory values suit most laboratory conditions.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_gyroscope_noise_standard_deviation_response.
+ *
+ * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
+ * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
+ */
+struct mip_filter_gyroscope_noise_standard_deviation {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Standard deviation per axis. Elements: x, y, z. Unit: rad/s. For write. */
+    float noise[3];
+};
+
+#define MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_DESCRIPTOR 0x1B
+#define MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_NAME \
+    "filter.gyroscope_noise_standard_deviation"
+
+extern const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_codec;
+mip_error mip_filter_gyroscope_noise_standard_deviation_decode(
+    struct mip_filter_gyroscope_noise_standard_deviation *value, const struct mip_field *field);
+mip_error mip_filter_gyroscope_noise_standard_deviation_encode(
+    const struct mip_filter_gyroscope_noise_standard_deviation *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_gyroscope_noise_standard_deviation
+mip_filter_gyroscope_noise_standard_deviation_write(const float noise[3]);
+/** Send the current setting back in a response. */
+struct mip_filter_gyroscope_noise_standard_deviation
+mip_filter_gyroscope_noise_standard_deviation_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_gyroscope_noise_standard_deviation
+mip_filter_gyroscope_noise_standard_deviation_save(void);
+/** Load the saved setting. */
+struct mip_filter_gyroscope_noise_standard_deviation
+mip_filter_gyroscope_noise_standard_deviation_load(void);
+/** Load the factory default setting. */
+struct mip_filter_gyroscope_noise_standard_deviation
+mip_filter_gyroscope_noise_standard_deviation_default(void);
+
+/**
+ * Gyroscope noise response: response (0x0D,0x8A).
+ *
+ * Answers Gyroscope noise (0x0D,0x1B).
+ *
+ * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
+ * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
+ */
+struct mip_filter_gyroscope_noise_standard_deviation_response {
+    /** Standard deviation per axis. Elements: x, y, z. Unit: rad/s. */
+    float noise[3];
+};
+
+#define MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR 0x8A
+#define MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_NAME \
+    "filter.gyroscope_noise_standard_deviation_response"
+
+extern const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_response_codec;
+mip_error mip_filter_gyroscope_noise_standard_deviation_response_decode(
+    struct mip_filter_gyroscope_noise_standard_deviation_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_gyroscope_noise_standard_deviation_response_encode(
+    const struct mip_filter_gyroscope_noise_standard_deviation_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Accelerometer bias model: command (0x0D,0x1C).
+ *
+ * Parameters of the model by which the accelerometer bias drifts.
+ *
+ * Every noise value must be greater than 0.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_accelerometer_bias_model_parameters_response.
+ *
+ * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
+ */
+struct mip_filter_accelerometer_bias_model_parameters {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. For write. */
+    float beta[3];
+    /** Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. For write. */
+    float noise[3];
+};
+
+#define MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_DESCRIPTOR 0x1C
+#define MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_NAME \
+    "filter.accelerometer_bias_model_parameters"
+
+extern const struct mip_codec mip_filter_accelerometer_bias_model_parameters_codec;
+mip_error mip_filter_accelerometer_bias_model_parameters_decode(
+    struct mip_filter_accelerometer_bias_model_parameters *value, const struct mip_field *field);
+mip_error mip_filter_accelerometer_bias_model_parameters_encode(
+    const struct mip_filter_accelerometer_bias_model_parameters *value,
+    struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_accelerometer_bias_model_parameters
+mip_filter_accelerometer_bias_model_parameters_write(const float beta[3], const float noise[3]);
+/** Send the current setting back in a response. */
+struct mip_filter_accelerometer_bias_model_parameters
+mip_filter_accelerometer_bias_model_parameters_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_accelerometer_bias_model_parameters
+mip_filter_accelerometer_bias_model_parameters_save(void);
+/** Load the saved setting. */
+struct mip_filter_accelerometer_bias_model_parameters
+mip_filter_accelerometer_bias_model_parameters_load(void);
+/** Load the factory default setting. */
+struct mip_filter_accelerometer_bias_model_parameters
+mip_filter_accelerometer_bias_model_parameters_default(void);
+
+/**
+ * Accelerometer bias model response: response (0x0D,0x8B).
+ *
+ * Answers Accelerometer bias model (0x0D,0x1C).
+ *
+ * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
+ */
+struct mip_filter_accelerometer_bias_model_parameters_response {
+    /** Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. */
+    float beta[3];
+    /** Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. */
+    float noise[3];
+};
+
+#define MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR 0x8B
+#define MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_NAME \
+    "filter.accelerometer_bias_model_parameters_response"
+
+extern const struct mip_codec mip_filter_accelerometer_bias_model_parameters_response_codec;
+mip_error mip_filter_accelerometer_bias_model_parameters_response_decode(
+    struct mip_filter_accelerometer_bias_model_parameters_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_accelerometer_bias_model_parameters_response_encode(
+    const struct mip_filter_accelerometer_bias_model_parameters_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Gyroscope bias model: command (0x0D,0x1D).
+ *
+ * Parameters of the model by which the gyroscope bias drifts.
+ *
+ * Every noise value must be greater than 0.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_gyroscope_bias_model_parameters_response.
+ *
+ * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
+ * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
+ */
+struct mip_filter_gyroscope_bias_model_parameters {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. For write. */
+    float beta[3];
+    /** Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. For write. */
+    float noise[3];
+};
+
+#define MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_DESCRIPTOR 0x1D
+#define MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_NAME "filter.gyroscope_bias_model_parameters"
+
+extern const struct mip_codec mip_filter_gyroscope_bias_model_parameters_codec;
+mip_error mip_filter_gyroscope_bias_model_parameters_decode(
+    struct mip_filter_gyroscope_bias_model_parameters *value, const struct mip_field *field);
+mip_error mip_filter_gyroscope_bias_model_parameters_encode(
+    const struct mip_filter_gyroscope_bias_model_parameters *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_gyroscope_bias_model_parameters mip_filter_gyroscope_bias_model_parameters_write(
+    const float beta[3], const float noise[3]);
+/** Send the current setting back in a response. */
+struct mip_filter_gyroscope_bias_model_parameters
+mip_filter_gyroscope_bias_model_parameters_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_gyroscope_bias_model_parameters
+mip_filter_gyroscope_bias_model_parameters_save(void);
+/** Load the saved setting. */
+struct mip_filter_gyroscope_bias_model_parameters
+mip_filter_gyroscope_bias_model_parameters_load(void);
+/** Load the factory default setting. */
+struct mip_filter_gyroscope_bias_model_parameters
+mip_filter_gyroscope_bias_model_parameters_default(void);
+
+/**
+ * Gyroscope bias model response: response (0x0D,0x8C).
+ *
+ * Answers Gyroscope bias model (0x0D,0x1D).
+ *
+ * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
+ * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
+ */
+struct mip_filter_gyroscope_bias_model_parameters_response {
+    /** Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. */
+    float beta[3];
+    /** Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. */
+    float noise[3];
+};
+
+#define MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR 0x8C
+#define MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_NAME \
+    "filter.gyroscope_bias_model_parameters_response"
+
+extern const struct mip_codec mip_filter_gyroscope_bias_model_parameters_response_codec;
+mip_error mip_filter_gyroscope_bias_model_parameters_response_decode(
+    struct mip_filter_gyroscope_bias_model_parameters_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_gyroscope_bias_model_parameters_response_encode(
+    const struct mip_filter_gyroscope_bias_model_parameters_response *value,
+    struct mip_builder *builder);
+
+/**
+ * External heading update with time: command (0x0D,0x1F).
+ *
+ * Gives the filter one measurement of the heading of the sensor frame with its GPS time.
+ *
+ * Better than `external_heading_update` where the heading changes quickly; the time must be
+ * accurate.
+ *
+ * Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
+ * and by `aiding_measurement_control` on the 3DM-CV7.
+ *
+ * The 3DM-GX5-15 takes at most 20 updates per second.
+ *
+ * If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
+ * ones.
+ *
+ * - 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
+ * - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
+ */
+struct mip_filter_external_heading_update_with_time {
+    /** GPS time of week of the measurement. Unit: s. */
+    double gps_time;
+    /** GPS week, counted without rollover. Unit: week. */
+    uint16_t gps_week;
+    /**
+     * Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
+     * -3.141592653589793 to 3.141592653589793.
+     */
+    float heading;
+    /** Standard deviation; it must be greater than 0, other values are refused. Unit: rad. */
+    float heading_uncertainty;
+    /** North that the heading refers to. */
+    mip_filter_heading_type type;
+};
+
+#define MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_DESCRIPTOR 0x1F
+#define MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_NAME "filter.external_heading_update_with_time"
+
+extern const struct mip_codec mip_filter_external_heading_update_with_time_codec;
+mip_error mip_filter_external_heading_update_with_time_decode(
+    struct mip_filter_external_heading_update_with_time *value, const struct mip_field *field);
+mip_error mip_filter_external_heading_update_with_time_encode(
+    const struct mip_filter_external_heading_update_with_time *value, struct mip_builder *builder);
+/** External heading update with time. */
+struct mip_filter_external_heading_update_with_time
+mip_filter_external_heading_update_with_time_make(double gps_time, uint16_t gps_week, float heading,
+                                                  float heading_uncertainty,
+                                                  mip_filter_heading_type type);
+
+/**
+ * Zero angular rate update: command (0x0D,0x20).
+ *
+ * Lets the filter take the device as not rotating while its angular rate is small.
+ *
+ * The update applies while the magnitude of the angular rate vector is at or below the threshold.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_zero_angular_rate_update_control_response.
+ *
+ * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
+ * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
+ */
+struct mip_filter_zero_angular_rate_update_control {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    uint8_t enable;
+    /** Largest angular rate that is taken as zero. Unit: rad/s. At least 0. For write. */
+    float threshold;
+};
+
+#define MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_DESCRIPTOR 0x20
+#define MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_NAME "filter.zero_angular_rate_update_control"
+
+extern const struct mip_codec mip_filter_zero_angular_rate_update_control_codec;
+mip_error mip_filter_zero_angular_rate_update_control_decode(
+    struct mip_filter_zero_angular_rate_update_control *value, const struct mip_field *field);
+mip_error mip_filter_zero_angular_rate_update_control_encode(
+    const struct mip_filter_zero_angular_rate_update_control *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_zero_angular_rate_update_control
+mip_filter_zero_angular_rate_update_control_write(uint8_t enable, float threshold);
+/** Send the current setting back in a response. */
+struct mip_filter_zero_angular_rate_update_control
+mip_filter_zero_angular_rate_update_control_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_zero_angular_rate_update_control
+mip_filter_zero_angular_rate_update_control_save(void);
+/** Load the saved setting. */
+struct mip_filter_zero_angular_rate_update_control
+mip_filter_zero_angular_rate_update_control_load(void);
+/** Load the factory default setting. */
+struct mip_filter_zero_angular_rate_update_control
+mip_filter_zero_angular_rate_update_control_default(void);
+
+/**
+ * Zero angular rate update response: response (0x0D,0x8E).
+ *
+ * Answers Zero angular rate update (0x0D,0x20).
+ *
+ * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
+ * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
+ */
+struct mip_filter_zero_angular_rate_update_control_response {
+    /** 0 disables, 1 enables. Range: 0 to 1. */
+    uint8_t enable;
+    /** Largest angular rate that is taken as zero. Unit: rad/s. At least 0. */
+    float threshold;
+};
+
+#define MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_DESCRIPTOR 0x8E
+#define MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_NAME \
+    "filter.zero_angular_rate_update_control_response"
+
+extern const struct mip_codec mip_filter_zero_angular_rate_update_control_response_codec;
+mip_error mip_filter_zero_angular_rate_update_control_response_decode(
+    struct mip_filter_zero_angular_rate_update_control_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_zero_angular_rate_update_control_response_encode(
+    const struct mip_filter_zero_angular_rate_update_control_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Tare orientation: command (0x0D,0x21).
+ *
+ * Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
+ *
+ * Refused while the filter has no valid attitude.
+ *
+ * Functions: write, save, load and default.
+ *
+ * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
+ */
+struct mip_filter_tare_orientation {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Axes to tare; 0 resets all axes. For write. */
+    mip_filter_tare_axes axes;
+};
+
+#define MIP_FILTER_TARE_ORIENTATION_DESCRIPTOR 0x21
+#define MIP_FILTER_TARE_ORIENTATION_NAME "filter.tare_orientation"
+
+extern const struct mip_codec mip_filter_tare_orientation_codec;
+mip_error mip_filter_tare_orientation_decode(struct mip_filter_tare_orientation *value,
+                                             const struct mip_field *field);
+mip_error mip_filter_tare_orientation_encode(const struct mip_filter_tare_orientation *value,
+                                             struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_tare_orientation mip_filter_tare_orientation_write(mip_filter_tare_axes axes);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_tare_orientation mip_filter_tare_orientation_save(void);
+/** Load the saved setting. */
+struct mip_filter_tare_orientation mip_filter_tare_orientation_load(void);
+/** Load the factory default setting. */
+struct mip_filter_tare_orientation mip_filter_tare_orientation_default(void);
+
+/**
+ * Commanded zero angular rate update: command (0x0D,0x23).
+ *
+ * Tells the filter once that the device is not rotating.
+ *
+ * At most 10 per second.
+ *
+ * - 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23)
+ */
+struct mip_filter_commanded_zero_angular_rate_update {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_FILTER_COMMANDED_ZERO_ANGULAR_RATE_UPDATE_DESCRIPTOR 0x23
+#define MIP_FILTER_COMMANDED_ZERO_ANGULAR_RATE_UPDATE_NAME \
+    "filter.commanded_zero_angular_rate_update"
+
+extern const struct mip_codec mip_filter_commanded_zero_angular_rate_update_codec;
+mip_error mip_filter_commanded_zero_angular_rate_update_decode(
+    struct mip_filter_commanded_zero_angular_rate_update *value, const struct mip_field *field);
+mip_error mip_filter_commanded_zero_angular_rate_update_encode(
+    const struct mip_filter_commanded_zero_angular_rate_update *value, struct mip_builder *builder);
+
+/**
+ * Set reference position: command (0x0D,0x26).
+ *
+ * Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_set_reference_position_response.
+ *
+ * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
+ */
+struct mip_filter_set_reference_position {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    uint8_t enable;
+    /** Latitude. Unit: deg. Frame: llh. For write. */
+    double latitude;
+    /** Longitude. Unit: deg. Frame: llh. For write. */
+    double longitude;
+    /** Altitude. Unit: m. Frame: llh. For write. */
+    double altitude;
+};
+
+#define MIP_FILTER_SET_REFERENCE_POSITION_DESCRIPTOR 0x26
+#define MIP_FILTER_SET_REFERENCE_POSITION_NAME "filter.set_reference_position"
+
+extern const struct mip_codec mip_filter_set_reference_position_codec;
+mip_error mip_filter_set_reference_position_decode(struct mip_filter_set_reference_position *value,
+                                                   const struct mip_field *field);
+mip_error mip_filter_set_reference_position_encode(
+    const struct mip_filter_set_reference_position *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_set_reference_position mip_filter_set_reference_position_write(uint8_t enable,
+                                                                                 double latitude,
+                                                                                 double longitude,
+                                                                                 double altitude);
+/** Send the current setting back in a response. */
+struct mip_filter_set_reference_position mip_filter_set_reference_position_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_set_reference_position mip_filter_set_reference_position_save(void);
+/** Load the saved setting. */
+struct mip_filter_set_reference_position mip_filter_set_reference_position_load(void);
+/** Load the factory default setting. */
+struct mip_filter_set_reference_position mip_filter_set_reference_position_default(void);
+
+/**
+ * Set reference position response: response (0x0D,0x90).
+ *
+ * Answers Set reference position (0x0D,0x26).
+ *
+ * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
+ */
+struct mip_filter_set_reference_position_response {
+    /** 0 disables, 1 enables. Range: 0 to 1. */
+    uint8_t enable;
+    /** Latitude. Unit: deg. Frame: llh. */
+    double latitude;
+    /** Longitude. Unit: deg. Frame: llh. */
+    double longitude;
+    /** Altitude. Unit: m. Frame: llh. */
+    double altitude;
+};
+
+#define MIP_FILTER_SET_REFERENCE_POSITION_RESPONSE_DESCRIPTOR 0x90
+#define MIP_FILTER_SET_REFERENCE_POSITION_RESPONSE_NAME "filter.set_reference_position_response"
+
+extern const struct mip_codec mip_filter_set_reference_position_response_codec;
+mip_error mip_filter_set_reference_position_response_decode(
+    struct mip_filter_set_reference_position_response *value, const struct mip_field *field);
+mip_error mip_filter_set_reference_position_response_encode(
+    const struct mip_filter_set_reference_position_response *value, struct mip_builder *builder);
+
+/**
+ * Gravity noise: command (0x0D,0x28).
+ *
+ * Standard deviation of the gravity noise that the filter assumes (process noise).
+ *
+ * Every value must be greater than 0. The factory values suit most laboratory conditions.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_gravity_noise_standard_deviation_response.
+ *
+ * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
+ * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
+ */
+struct mip_filter_gravity_noise_standard_deviation {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Standard deviation per axis. Elements: x, y, z. Unit: g. For write. */
+    float noise[3];
+};
+
+#define MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_DESCRIPTOR 0x28
+#define MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_NAME "filter.gravity_noise_standard_deviation"
+
+extern const struct mip_codec mip_filter_gravity_noise_standard_deviation_codec;
+mip_error mip_filter_gravity_noise_standard_deviation_decode(
+    struct mip_filter_gravity_noise_standard_deviation *value, const struct mip_field *field);
+mip_error mip_filter_gravity_noise_standard_deviation_encode(
+    const struct mip_filter_gravity_noise_standard_deviation *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_gravity_noise_standard_deviation
+mip_filter_gravity_noise_standard_deviation_write(const float noise[3]);
+/** Send the current setting back in a response. */
+struct mip_filter_gravity_noise_standard_deviation
+mip_filter_gravity_noise_standard_deviation_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_gravity_noise_standard_deviation
+mip_filter_gravity_noise_standard_deviation_save(void);
+/** Load the saved setting. */
+struct mip_filter_gravity_noise_standard_deviation
+mip_filter_gravity_noise_standard_deviation_load(void);
+/** Load the factory default setting. */
+struct mip_filter_gravity_noise_standard_deviation
+mip_filter_gravity_noise_standard_deviation_default(void);
+
+/**
+ * Gravity noise response: response (0x0D,0x93).
+ *
+ * Answers Gravity noise (0x0D,0x28).
+ *
+ * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
+ * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
+ */
+struct mip_filter_gravity_noise_standard_deviation_response {
+    /** Standard deviation per axis. Elements: x, y, z. Unit: g. */
+    float noise[3];
+};
+
+#define MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR 0x93
+#define MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_NAME \
+    "filter.gravity_noise_standard_deviation_response"
+
+extern const struct mip_codec mip_filter_gravity_noise_standard_deviation_response_codec;
+mip_error mip_filter_gravity_noise_standard_deviation_response_decode(
+    struct mip_filter_gravity_noise_standard_deviation_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_gravity_noise_standard_deviation_response_encode(
+    const struct mip_filter_gravity_noise_standard_deviation_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Enable or disable measurements: command (0x0D,0x41).
+ *
+ * Which inertial measurements the filter uses.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_enable_disable_measurements_response.
+ *
+ * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
+ */
+struct mip_filter_enable_disable_measurements {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Measurements to use. For write. */
+    mip_filter_measurement_flags control;
+};
+
+#define MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_DESCRIPTOR 0x41
+#define MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_NAME "filter.enable_disable_measurements"
+
+extern const struct mip_codec mip_filter_enable_disable_measurements_codec;
+mip_error mip_filter_enable_disable_measurements_decode(
+    struct mip_filter_enable_disable_measurements *value, const struct mip_field *field);
+mip_error mip_filter_enable_disable_measurements_encode(
+    const struct mip_filter_enable_disable_measurements *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_write(
+    mip_filter_measurement_flags control);
+/** Send the current setting back in a response. */
+struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_save(void);
+/** Load the saved setting. */
+struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_load(void);
+/** Load the factory default setting. */
+struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_default(void);
+
+/**
+ * Enable or disable measurements response: response (0x0D,0xB0).
+ *
+ * Answers Enable or disable measurements (0x0D,0x41).
+ *
+ * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
+ */
+struct mip_filter_enable_disable_measurements_response {
+    /** Measurements to use. */
+    mip_filter_measurement_flags control;
+};
+
+#define MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR 0xB0
+#define MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_RESPONSE_NAME \
+    "filter.enable_disable_measurements_response"
+
+extern const struct mip_codec mip_filter_enable_disable_measurements_response_codec;
+mip_error mip_filter_enable_disable_measurements_response_decode(
+    struct mip_filter_enable_disable_measurements_response *value, const struct mip_field *field);
+mip_error mip_filter_enable_disable_measurements_response_encode(
+    const struct mip_filter_enable_disable_measurements_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Magnetic declination source: command (0x0D,0x43).
+ *
+ * Source of the local declination of the magnetic field.
+ *
+ * Without a good declination source, keep automatic magnetometer calibration off.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_magnetic_field_declination_source_control_response.
+ *
+ * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
+ */
+struct mip_filter_magnetic_field_declination_source_control {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Source of the declination. For write. */
+    mip_filter_declination_source source;
+    /** Declination; used only if `source` is manual. Unit: rad. For write. */
+    float declination;
+};
+
+#define MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_DESCRIPTOR 0x43
+#define MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_NAME \
+    "filter.magnetic_field_declination_source_control"
+
+extern const struct mip_codec mip_filter_magnetic_field_declination_source_control_codec;
+mip_error mip_filter_magnetic_field_declination_source_control_decode(
+    struct mip_filter_magnetic_field_declination_source_control *value,
+    const struct mip_field *field);
+mip_error mip_filter_magnetic_field_declination_source_control_encode(
+    const struct mip_filter_magnetic_field_declination_source_control *value,
+    struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_magnetic_field_declination_source_control
+mip_filter_magnetic_field_declination_source_control_write(mip_filter_declination_source source,
+                                                           float declination);
+/** Send the current setting back in a response. */
+struct mip_filter_magnetic_field_declination_source_control
+mip_filter_magnetic_field_declination_source_control_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_magnetic_field_declination_source_control
+mip_filter_magnetic_field_declination_source_control_save(void);
+/** Load the saved setting. */
+struct mip_filter_magnetic_field_declination_source_control
+mip_filter_magnetic_field_declination_source_control_load(void);
+/** Load the factory default setting. */
+struct mip_filter_magnetic_field_declination_source_control
+mip_filter_magnetic_field_declination_source_control_default(void);
+
+/**
+ * Magnetic declination source response: response (0x0D,0xB2).
+ *
+ * Answers Magnetic declination source (0x0D,0x43).
+ *
+ * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
+ */
+struct mip_filter_magnetic_field_declination_source_control_response {
+    /** Source of the declination. */
+    mip_filter_declination_source source;
+    /** Declination; used only if `source` is manual. Unit: rad. */
+    float declination;
+};
+
+#define MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_DESCRIPTOR 0xB2
+#define MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_NAME \
+    "filter.magnetic_field_declination_source_control_response"
+
+extern const struct mip_codec mip_filter_magnetic_field_declination_source_control_response_codec;
+mip_error mip_filter_magnetic_field_declination_source_control_response_decode(
+    struct mip_filter_magnetic_field_declination_source_control_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_magnetic_field_declination_source_control_response_encode(
+    const struct mip_filter_magnetic_field_declination_source_control_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Gravity magnitude error adaptive measurement: command (0x0D,0x44).
+ *
+ * How far the filter trusts gravity measurements whose magnitude is not that of gravity.
+ *
+ * Also called accelerometer magnitude error adaptive measurement.
+ *
+ * All parameters after the selector keep their values if they are left out.
+ *
+ * Filter and limits take effect only with `fixed`.
+ *
+ * Raise the limits where vibration is strong, lower them where it is weak. High limits cost pitch
+ * and roll accuracy under linear acceleration, low limits cost heading accuracy.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_gravity_magnitude_error_adaptive_measurement_response.
+ *
+ * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
+ */
+struct mip_filter_gravity_magnitude_error_adaptive_measurement {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Kind of adaptation. For write. */
+    mip_filter_adaptive_measurement_selector adaptive_measurement;
+    /** Cut-off frequency of the low-pass filter. Unit: Hz. Optional. */
+    float frequency;
+    /** Lower limit of the error. Unit: m/s^2. Optional. */
+    float low_limit;
+    /** Upper limit of the error. Unit: m/s^2. Optional. */
+    float high_limit;
+    /** Standard deviation at the lower limit. Unit: m/s^2. Optional. */
+    float low_limit_uncertainty;
+    /** Standard deviation at the upper limit. Unit: m/s^2. Optional. */
+    float high_limit_uncertainty;
+    /** Smallest standard deviation. Unit: m/s^2. Optional. */
+    float minimum_uncertainty;
+};
+
+#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR 0x44
+#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_NAME \
+    "filter.gravity_magnitude_error_adaptive_measurement"
+/** The value of `present` if frequency is the last parameter that is there. */
+#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_FREQUENCY 2
+/** The value of `present` if low_limit is the last parameter that is there. */
+#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_LOW_LIMIT 3
+/** The value of `present` if high_limit is the last parameter that is there. */
+#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_HIGH_LIMIT 4
+/** The value of `present` if low_limit_uncertainty is the last parameter that is there. */
+#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_LOW_LIMIT_UNCERTAINTY 5
+/** The value of `present` if high_limit_uncertainty is the last parameter that is there. */
+#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_HIGH_LIMIT_UNCERTAINTY 6
+/** The value of `present` if minimum_uncertainty is the last parameter that is there. */
+#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_WITH_MINIMUM_UNCERTAINTY 7
+
+extern const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_codec;
+mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_decode(
+    struct mip_filter_gravity_magnitude_error_adaptive_measurement *value,
+    const struct mip_field *field);
+mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_encode(
+    const struct mip_filter_gravity_magnitude_error_adaptive_measurement *value,
+    struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_gravity_magnitude_error_adaptive_measurement
+mip_filter_gravity_magnitude_error_adaptive_measurement_write(
+    mip_filter_adaptive_measurement_selector adaptive_measurement);
+/** Send the current setting back in a response. */
+struct mip_filter_gravity_magnitude_error_adaptive_measurement
+mip_filter_gravity_magnitude_error_adaptive_measurement_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_gravity_magnitude_error_adaptive_measurement
+mip_filter_gravity_magnitude_error_adaptive_measurement_save(void);
+/** Load the saved setting. */
+struct mip_filter_gravity_magnitude_error_adaptive_measurement
+mip_filter_gravity_magnitude_error_adaptive_measurement_load(void);
+/** Load the factory default setting. */
+struct mip_filter_gravity_magnitude_error_adaptive_measurement
+mip_filter_gravity_magnitude_error_adaptive_measurement_default(void);
+
+/**
+ * Gravity magnitude error adaptive measurement response: response (0x0D,0xB3).
+ *
+ * Answers Gravity magnitude error adaptive measurement (0x0D,0x44).
+ *
+ * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
+ */
+struct mip_filter_gravity_magnitude_error_adaptive_measurement_response {
+    /** Kind of adaptation. */
+    mip_filter_adaptive_measurement_selector adaptive_measurement;
+    /** Cut-off frequency of the low-pass filter. Unit: Hz. */
+    float frequency;
+    /** Lower limit of the error. Unit: m/s^2. */
+    float low_limit;
+    /** Upper limit of the error. Unit: m/s^2. */
+    float high_limit;
+    /** Standard deviation at the lower limit. Unit: m/s^2. */
+    float low_limit_uncertainty;
+    /** Standard deviation at the upper limit. Unit: m/s^2. */
+    float high_limit_uncertainty;
+    /** Smallest standard deviation. Unit: m/s^2. */
+    float minimum_uncertainty;
+};
+
+#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR 0xB3
+#define MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_NAME \
+    "filter.gravity_magnitude_error_adaptive_measurement_response"
+
+extern const struct mip_codec
+    mip_filter_gravity_magnitude_error_adaptive_measurement_response_codec;
+mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_decode(
+    struct mip_filter_gravity_magnitude_error_adaptive_measurement_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_encode(
+    const struct mip_filter_gravity_magnitude_error_adaptive_measurement_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Pitch and roll aiding: command (0x0D,0x4B).
+ *
+ * What aids pitch and roll while the motion is gentle.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_pitch_roll_aiding_control_response.
+ *
+ * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
+ */
+struct mip_filter_pitch_roll_aiding_control {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Source of the aiding. For write. */
+    mip_filter_pitch_roll_aiding_source aiding;
+};
+
+#define MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_DESCRIPTOR 0x4B
+#define MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_NAME "filter.pitch_roll_aiding_control"
+
+extern const struct mip_codec mip_filter_pitch_roll_aiding_control_codec;
+mip_error mip_filter_pitch_roll_aiding_control_decode(
+    struct mip_filter_pitch_roll_aiding_control *value, const struct mip_field *field);
+mip_error mip_filter_pitch_roll_aiding_control_encode(
+    const struct mip_filter_pitch_roll_aiding_control *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_write(
+    mip_filter_pitch_roll_aiding_source aiding);
+/** Send the current setting back in a response. */
+struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_save(void);
+/** Load the saved setting. */
+struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_load(void);
+/** Load the factory default setting. */
+struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_default(void);
+
+/**
+ * Pitch and roll aiding response: response (0x0D,0xBB).
+ *
+ * Answers Pitch and roll aiding (0x0D,0x4B).
+ *
+ * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
+ */
+struct mip_filter_pitch_roll_aiding_control_response {
+    /** Source of the aiding. */
+    mip_filter_pitch_roll_aiding_source aiding;
+};
+
+#define MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_RESPONSE_DESCRIPTOR 0xBB
+#define MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_RESPONSE_NAME \
+    "filter.pitch_roll_aiding_control_response"
+
+extern const struct mip_codec mip_filter_pitch_roll_aiding_control_response_codec;
+mip_error mip_filter_pitch_roll_aiding_control_response_decode(
+    struct mip_filter_pitch_roll_aiding_control_response *value, const struct mip_field *field);
+mip_error mip_filter_pitch_roll_aiding_control_response_encode(
+    const struct mip_filter_pitch_roll_aiding_control_response *value, struct mip_builder *builder);
+
+/**
+ * Aiding measurement control: command (0x0D,0x50).
+ *
+ * Enables or disables one source of aiding measurements.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_aiding_measurement_control_response.
+ *
+ * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
+ */
+struct mip_filter_aiding_measurement_control {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** The source; `all` is for save, load and default. */
+    mip_filter_aiding_source aiding_source;
+    /** Whether the filter uses the source. For write. */
+    mip_bool enable;
+};
+
+#define MIP_FILTER_AIDING_MEASUREMENT_CONTROL_DESCRIPTOR 0x50
+#define MIP_FILTER_AIDING_MEASUREMENT_CONTROL_NAME "filter.aiding_measurement_control"
+
+extern const struct mip_codec mip_filter_aiding_measurement_control_codec;
+mip_error mip_filter_aiding_measurement_control_decode(
+    struct mip_filter_aiding_measurement_control *value, const struct mip_field *field);
+mip_error mip_filter_aiding_measurement_control_encode(
+    const struct mip_filter_aiding_measurement_control *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_write(
+    mip_filter_aiding_source aiding_source, mip_bool enable);
+/** Send the current setting back in a response. */
+struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_read(
+    mip_filter_aiding_source aiding_source);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_save(
+    mip_filter_aiding_source aiding_source);
+/** Load the saved setting. */
+struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_load(
+    mip_filter_aiding_source aiding_source);
+/** Load the factory default setting. */
+struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_default(
+    mip_filter_aiding_source aiding_source);
+
+/**
+ * Aiding measurement control response: response (0x0D,0xD0).
+ *
+ * Answers Aiding measurement control (0x0D,0x50).
+ *
+ * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
+ */
+struct mip_filter_aiding_measurement_control_response {
+    /** The source; `all` is for save, load and default. */
+    mip_filter_aiding_source aiding_source;
+    /** Whether the filter uses the source. */
+    mip_bool enable;
+};
+
+#define MIP_FILTER_AIDING_MEASUREMENT_CONTROL_RESPONSE_DESCRIPTOR 0xD0
+#define MIP_FILTER_AIDING_MEASUREMENT_CONTROL_RESPONSE_NAME \
+    "filter.aiding_measurement_control_response"
+
+extern const struct mip_codec mip_filter_aiding_measurement_control_response_codec;
+mip_error mip_filter_aiding_measurement_control_response_decode(
+    struct mip_filter_aiding_measurement_control_response *value, const struct mip_field *field);
+mip_error mip_filter_aiding_measurement_control_response_encode(
+    const struct mip_filter_aiding_measurement_control_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Navigation filter initialization: command (0x0D,0x52).
+ *
+ * Sources and values of the initial attitude, position and velocity of the filter.
+ *
+ * With `ecef` the initial position is in m; with `llh` it is latitude (deg), longitude (deg) and
+ * height (m). Single precision resolves latitude and longitude to about a metre only.
+ *
+ * The initial velocity is in frame ECEF with `ecef` and in frame NED with `llh`.
+ *
+ * Kinematic alignment sets the heading once the speed reaches 2 m/s.
+ *
+ * External alignment needs a heading at least every 5 seconds.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_navigation_filter_initialization_response.
+ *
+ * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
+ */
+struct mip_filter_navigation_filter_initialization {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * 1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to 1.
+     * For write.
+     */
+    uint8_t wait_for_run_command;
+    /** Which initial conditions are found and which are given. For write. */
+    mip_filter_initial_condition_source initial_cond_src;
+    /** Ways in which the initial heading may be found. For write. */
+    mip_filter_heading_alignment auto_heading_alignment_selector;
+    /** Given heading. Unit: deg. For write. */
+    float initial_heading;
+    /** Given pitch. Unit: deg. For write. */
+    float initial_pitch;
+    /** Given roll. Unit: deg. For write. */
+    float initial_roll;
+    /**
+     * Given position. Elements: x, y, z. For write. If reference_frame_selector is ecef: unit m,
+     * frame ecef. If reference_frame_selector is llh: unit deg, deg, m, frame llh.
+     */
+    float initial_position[3];
+    /**
+     * Given velocity. Elements: x, y, z. Unit: m/s. For write. If reference_frame_selector is ecef:
+     * frame ecef. If reference_frame_selector is llh: frame ned.
+     */
+    float initial_velocity[3];
+    /** Frame of the given position and velocity. For write. */
+    mip_filter_reference_frame reference_frame_selector;
+};
+
+#define MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_DESCRIPTOR 0x52
+#define MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_NAME "filter.navigation_filter_initialization"
+
+extern const struct mip_codec mip_filter_navigation_filter_initialization_codec;
+mip_error mip_filter_navigation_filter_initialization_decode(
+    struct mip_filter_navigation_filter_initialization *value, const struct mip_field *field);
+mip_error mip_filter_navigation_filter_initialization_encode(
+    const struct mip_filter_navigation_filter_initialization *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_navigation_filter_initialization
+mip_filter_navigation_filter_initialization_write(
+    uint8_t wait_for_run_command, mip_filter_initial_condition_source initial_cond_src,
+    mip_filter_heading_alignment auto_heading_alignment_selector, float initial_heading,
+    float initial_pitch, float initial_roll, const float initial_position[3],
+    const float initial_velocity[3], mip_filter_reference_frame reference_frame_selector);
+/** Send the current setting back in a response. */
+struct mip_filter_navigation_filter_initialization
+mip_filter_navigation_filter_initialization_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_navigation_filter_initialization
+mip_filter_navigation_filter_initialization_save(void);
+/** Load the saved setting. */
+struct mip_filter_navigation_filter_initialization
+mip_filter_navigation_filter_initialization_load(void);
+/** Load the factory default setting. */
+struct mip_filter_navigation_filter_initialization
+mip_filter_navigation_filter_initialization_default(void);
+
+/**
+ * Navigation filter initialization response: response (0x0D,0xD2).
+ *
+ * Answers Navigation filter initialization (0x0D,0x52).
+ *
+ * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
+ */
+struct mip_filter_navigation_filter_initialization_response {
+    /**
+     * 1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to 1.
+     */
+    uint8_t wait_for_run_command;
+    /** Which initial conditions are found and which are given. */
+    mip_filter_initial_condition_source initial_cond_src;
+    /** Ways in which the initial heading may be found. */
+    mip_filter_heading_alignment auto_heading_alignment_selector;
+    /** Given heading. Unit: deg. */
+    float initial_heading;
+    /** Given pitch. Unit: deg. */
+    float initial_pitch;
+    /** Given roll. Unit: deg. */
+    float initial_roll;
+    /**
+     * Given position. Elements: x, y, z. If reference_frame_selector is ecef: unit m, frame ecef.
+     * If reference_frame_selector is llh: unit deg, deg, m, frame llh.
+     */
+    float initial_position[3];
+    /**
+     * Given velocity. Elements: x, y, z. Unit: m/s. If reference_frame_selector is ecef: frame
+     * ecef. If reference_frame_selector is llh: frame ned.
+     */
+    float initial_velocity[3];
+    /** Frame of the given position and velocity. */
+    mip_filter_reference_frame reference_frame_selector;
+};
+
+#define MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_RESPONSE_DESCRIPTOR 0xD2
+#define MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_RESPONSE_NAME \
+    "filter.navigation_filter_initialization_response"
+
+extern const struct mip_codec mip_filter_navigation_filter_initialization_response_codec;
+mip_error mip_filter_navigation_filter_initialization_response_decode(
+    struct mip_filter_navigation_filter_initialization_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_navigation_filter_initialization_response_encode(
+    const struct mip_filter_navigation_filter_initialization_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Adaptive filter control: command (0x0D,0x53).
+ *
+ * How the filter adapts to measurements that do not fit its model.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_adaptive_filter_control_response.
+ *
+ * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
+ */
+struct mip_filter_adaptive_filter_control {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Strength of the adaptation. Default: 2. For write. */
+    mip_filter_adaptive_level level;
+    /**
+     * Longest time for which measurements are rejected before the filter recovers. Unit: ms. For
+     * write.
+     */
+    uint16_t time_limit;
+};
+
+#define MIP_FILTER_ADAPTIVE_FILTER_CONTROL_DESCRIPTOR 0x53
+#define MIP_FILTER_ADAPTIVE_FILTER_CONTROL_NAME "filter.adaptive_filter_control"
+
+extern const struct mip_codec mip_filter_adaptive_filter_control_codec;
+mip_error mip_filter_adaptive_filter_control_decode(
+    struct mip_filter_adaptive_filter_control *value, const struct mip_field *field);
+mip_error mip_filter_adaptive_filter_control_encode(
+    const struct mip_filter_adaptive_filter_control *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_write(
+    mip_filter_adaptive_level level, uint16_t time_limit);
+/** Send the current setting back in a response. */
+struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_save(void);
+/** Load the saved setting. */
+struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_load(void);
+/** Load the factory default setting. */
+struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_default(void);
+
+/**
+ * Adaptive filter control response: response (0x0D,0xD3).
+ *
+ * Answers Adaptive filter control (0x0D,0x53).
+ *
+ * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
+ */
+struct mip_filter_adaptive_filter_control_response {
+    /** Strength of the adaptation. Default: 2. */
+    mip_filter_adaptive_level level;
+    /** Longest time for which measurements are rejected before the filter recovers. Unit: ms. */
+    uint16_t time_limit;
+};
+
+#define MIP_FILTER_ADAPTIVE_FILTER_CONTROL_RESPONSE_DESCRIPTOR 0xD3
+#define MIP_FILTER_ADAPTIVE_FILTER_CONTROL_RESPONSE_NAME "filter.adaptive_filter_control_response"
+
+extern const struct mip_codec mip_filter_adaptive_filter_control_response_codec;
+mip_error mip_filter_adaptive_filter_control_response_decode(
+    struct mip_filter_adaptive_filter_control_response *value, const struct mip_field *field);
+mip_error mip_filter_adaptive_filter_control_response_encode(
+    const struct mip_filter_adaptive_filter_control_response *value, struct mip_builder *builder);
+
+/**
+ * GNSS multi-antenna offset: command (0x0D,0x54).
+ *
+ * Position of the antenna of one receiver on devices with several antennas.
+ *
+ * The magnitude of the vector is limited to 10.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_gnss_multi_antenna_offset_control_response.
+ *
+ * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
+ */
+struct mip_filter_gnss_multi_antenna_offset_control {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Number of the receiver, from 1. At least 1. */
+    uint8_t receiver_id;
+    /**
+     * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+     * For write.
+     */
+    float antenna_offset[3];
+};
+
+#define MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_DESCRIPTOR 0x54
+#define MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_NAME "filter.gnss_multi_antenna_offset_control"
+
+extern const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_codec;
+mip_error mip_filter_gnss_multi_antenna_offset_control_decode(
+    struct mip_filter_gnss_multi_antenna_offset_control *value, const struct mip_field *field);
+mip_error mip_filter_gnss_multi_antenna_offset_control_encode(
+    const struct mip_filter_gnss_multi_antenna_offset_control *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_gnss_multi_antenna_offset_control
+mip_filter_gnss_multi_antenna_offset_control_write(uint8_t receiver_id,
+                                                   const float antenna_offset[3]);
+/** Send the current setting back in a response. */
+struct mip_filter_gnss_multi_antenna_offset_control
+mip_filter_gnss_multi_antenna_offset_control_read(uint8_t receiver_id);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_gnss_multi_antenna_offset_control
+mip_filter_gnss_multi_antenna_offset_control_save(uint8_t receiver_id);
+/** Load the saved setting. */
+struct mip_filter_gnss_multi_antenna_offset_control
+mip_filter_gnss_multi_antenna_offset_control_load(uint8_t receiver_id);
+/** Load the factory default setting. */
+struct mip_filter_gnss_multi_antenna_offset_control
+mip_filter_gnss_multi_antenna_offset_control_default(uint8_t receiver_id);
+
+/**
+ * GNSS multi-antenna offset response: response (0x0D,0xD4).
+ *
+ * Answers GNSS multi-antenna offset (0x0D,0x54).
+ *
+ * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
+ */
+struct mip_filter_gnss_multi_antenna_offset_control_response {
+    /** Number of the receiver, from 1. At least 1. */
+    uint8_t receiver_id;
+    /**
+     * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+     */
+    float antenna_offset[3];
+};
+
+#define MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR 0xD4
+#define MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_NAME \
+    "filter.gnss_multi_antenna_offset_control_response"
+
+extern const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_response_codec;
+mip_error mip_filter_gnss_multi_antenna_offset_control_response_decode(
+    struct mip_filter_gnss_multi_antenna_offset_control_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_gnss_multi_antenna_offset_control_response_encode(
+    const struct mip_filter_gnss_multi_antenna_offset_control_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Relative position configuration: command (0x0D,0x55).
+ *
+ * Reference point of the relative position that the filter reports.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_relative_position_configuration_response.
+ *
+ * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
+ */
+struct mip_filter_relative_position_configuration {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Source of the reference point. For write. */
+    mip_filter_relative_position_source source;
+    /** Frame of the coordinates. For write. */
+    mip_filter_reference_frame reference_frame_selector;
+    /**
+     * Reference point. Elements: x, y, z. For write. If reference_frame_selector is ecef: unit m,
+     * frame ecef. If reference_frame_selector is llh: unit deg, deg, m, frame llh.
+     */
+    double reference_coordinates[3];
+};
+
+#define MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_DESCRIPTOR 0x55
+#define MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_NAME "filter.relative_position_configuration"
+
+extern const struct mip_codec mip_filter_relative_position_configuration_codec;
+mip_error mip_filter_relative_position_configuration_decode(
+    struct mip_filter_relative_position_configuration *value, const struct mip_field *field);
+mip_error mip_filter_relative_position_configuration_encode(
+    const struct mip_filter_relative_position_configuration *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_relative_position_configuration mip_filter_relative_position_configuration_write(
+    mip_filter_relative_position_source source, mip_filter_reference_frame reference_frame_selector,
+    const double reference_coordinates[3]);
+/** Send the current setting back in a response. */
+struct mip_filter_relative_position_configuration
+mip_filter_relative_position_configuration_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_relative_position_configuration
+mip_filter_relative_position_configuration_save(void);
+/** Load the saved setting. */
+struct mip_filter_relative_position_configuration
+mip_filter_relative_position_configuration_load(void);
+/** Load the factory default setting. */
+struct mip_filter_relative_position_configuration
+mip_filter_relative_position_configuration_default(void);
+
+/**
+ * Relative position configuration response: response (0x0D,0xD5).
+ *
+ * Answers Relative position configuration (0x0D,0x55).
+ *
+ * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
+ */
+struct mip_filter_relative_position_configuration_response {
+    /** Source of the reference point. */
+    mip_filter_relative_position_source source;
+    /** Frame of the coordinates. */
+    mip_filter_reference_frame reference_frame_selector;
+    /**
+     * Reference point. Elements: x, y, z. If reference_frame_selector is ecef: unit m, frame ecef.
+     * If reference_frame_selector is llh: unit deg, deg, m, frame llh.
+     */
+    double reference_coordinates[3];
+};
+
+#define MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_RESPONSE_DESCRIPTOR 0xD5
+#define MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_RESPONSE_NAME \
+    "filter.relative_position_configuration_response"
+
+extern const struct mip_codec mip_filter_relative_position_configuration_response_codec;
+mip_error mip_filter_relative_position_configuration_response_decode(
+    struct mip_filter_relative_position_configuration_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_relative_position_configuration_response_encode(
+    const struct mip_filter_relative_position_configuration_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Reference point lever arm: command (0x0D,0x56).
+ *
+ * Moves the point to which the position and the velocity of the filter refer.
+ *
+ * It shifts `llh_position`, `velocity_ned`, `ecef_position`, `ecef_velocity` and
+ * `ned_relative_position` of set `filter_data`, depending on the attitude and, for velocities, on
+ * the angular rate.
+ *
+ * The magnitude of the vector is limited to 10.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_reference_point_lever_arm_response.
+ *
+ * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
+ */
+struct mip_filter_reference_point_lever_arm {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Point to move; it must be 1. For write. */
+    mip_filter_reference_point ref_point_sel;
+    /**
+     * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+     * For write.
+     */
+    float lever_arm_offset[3];
+};
+
+#define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_DESCRIPTOR 0x56
+#define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_NAME "filter.reference_point_lever_arm"
+
+extern const struct mip_codec mip_filter_reference_point_lever_arm_codec;
+mip_error mip_filter_reference_point_lever_arm_decode(
+    struct mip_filter_reference_point_lever_arm *value, const struct mip_field *field);
+mip_error mip_filter_reference_point_lever_arm_encode(
+    const struct mip_filter_reference_point_lever_arm *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm_write(
+    mip_filter_reference_point ref_point_sel, const float lever_arm_offset[3]);
+/** Send the current setting back in a response. */
+struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm_save(void);
+/** Load the saved setting. */
+struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm_load(void);
+/** Load the factory default setting. */
+struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm_default(void);
+
+/**
+ * Reference point lever arm response: response (0x0D,0xD6).
+ *
+ * Answers Reference point lever arm (0x0D,0x56).
+ *
+ * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
+ */
+struct mip_filter_reference_point_lever_arm_response {
+    /** Point to move; it must be 1. */
+    mip_filter_reference_point ref_point_sel;
+    /**
+     * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+     */
+    float lever_arm_offset[3];
+};
+
+#define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_DESCRIPTOR 0xD6
+#define MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_NAME \
+    "filter.reference_point_lever_arm_response"
+
+extern const struct mip_codec mip_filter_reference_point_lever_arm_response_codec;
+mip_error mip_filter_reference_point_lever_arm_response_decode(
+    struct mip_filter_reference_point_lever_arm_response *value, const struct mip_field *field);
+mip_error mip_filter_reference_point_lever_arm_response_encode(
+    const struct mip_filter_reference_point_lever_arm_response *value, struct mip_builder *builder);
+
+/**
+ * Speed measurement lever arm: command (0x0D,0x61).
+ *
+ * Position of the point whose speed is measured, such as the wheel that an odometer is on.
+ *
+ * It corrects for the speed that such a point has only because the vehicle turns.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_measurement_speed_lever_arm_response.
+ *
+ * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
+ */
+struct mip_filter_measurement_speed_lever_arm {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Send 1. Send 1. */
+    uint8_t source;
+    /**
+     * From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle. For
+     * write.
+     */
+    float lever_arm_offset[3];
+};
+
+#define MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_DESCRIPTOR 0x61
+#define MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_NAME "filter.measurement_speed_lever_arm"
+
+extern const struct mip_codec mip_filter_measurement_speed_lever_arm_codec;
+mip_error mip_filter_measurement_speed_lever_arm_decode(
+    struct mip_filter_measurement_speed_lever_arm *value, const struct mip_field *field);
+mip_error mip_filter_measurement_speed_lever_arm_encode(
+    const struct mip_filter_measurement_speed_lever_arm *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_write(
+    const float lever_arm_offset[3]);
+/** Send the current setting back in a response. */
+struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_save(void);
+/** Load the saved setting. */
+struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_load(void);
+/** Load the factory default setting. */
+struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_default(void);
+
+/**
+ * Speed measurement lever arm response: response (0x0D,0xE1).
+ *
+ * Answers Speed measurement lever arm (0x0D,0x61).
+ *
+ * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
+ */
+struct mip_filter_measurement_speed_lever_arm_response {
+    /** Send 1. Send 1. */
+    uint8_t source;
+    /** From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle. */
+    float lever_arm_offset[3];
+};
+
+#define MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR 0xE1
+#define MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_NAME \
+    "filter.measurement_speed_lever_arm_response"
+
+extern const struct mip_codec mip_filter_measurement_speed_lever_arm_response_codec;
+mip_error mip_filter_measurement_speed_lever_arm_response_decode(
+    struct mip_filter_measurement_speed_lever_arm_response *value, const struct mip_field *field);
+mip_error mip_filter_measurement_speed_lever_arm_response_encode(
+    const struct mip_filter_measurement_speed_lever_arm_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Wheeled vehicle constraint: command (0x0D,0x63).
+ *
+ * Lets the filter assume that the vehicle moves only along its x axis.
+ *
+ * It improves the heading of cars and the like, above all when GNSS comes and goes. It is wrong for
+ * vehicles that move sideways, such as aircraft.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_wheeled_vehicle_constraint_control_response.
+ *
+ * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
+ */
+struct mip_filter_wheeled_vehicle_constraint_control {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    uint8_t enable;
+};
+
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR 0x63
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_NAME \
+    "filter.wheeled_vehicle_constraint_control"
+
+extern const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec;
+mip_error mip_filter_wheeled_vehicle_constraint_control_decode(
+    struct mip_filter_wheeled_vehicle_constraint_control *value, const struct mip_field *field);
+mip_error mip_filter_wheeled_vehicle_constraint_control_encode(
+    const struct mip_filter_wheeled_vehicle_constraint_control *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_wheeled_vehicle_constraint_control
+mip_filter_wheeled_vehicle_constraint_control_write(uint8_t enable);
+/** Send the current setting back in a response. */
+struct mip_filter_wheeled_vehicle_constraint_control
+mip_filter_wheeled_vehicle_constraint_control_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_wheeled_vehicle_constraint_control
+mip_filter_wheeled_vehicle_constraint_control_save(void);
+/** Load the saved setting. */
+struct mip_filter_wheeled_vehicle_constraint_control
+mip_filter_wheeled_vehicle_constraint_control_load(void);
+/** Load the factory default setting. */
+struct mip_filter_wheeled_vehicle_constraint_control
+mip_filter_wheeled_vehicle_constraint_control_default(void);
+
+/**
+ * Wheeled vehicle constraint response: response (0x0D,0xE3).
+ *
+ * Answers Wheeled vehicle constraint (0x0D,0x63).
+ *
+ * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
+ */
+struct mip_filter_wheeled_vehicle_constraint_control_response {
+    /** 0 disables, 1 enables. Range: 0 to 1. */
+    uint8_t enable;
+};
+
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR 0xE3
+#define MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_NAME \
+    "filter.wheeled_vehicle_constraint_control_response"
+
+extern const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_codec;
+mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode(
+    struct mip_filter_wheeled_vehicle_constraint_control_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
+    const struct mip_filter_wheeled_vehicle_constraint_control_response *value,
+    struct mip_builder *builder);
+
+/**
+ * GNSS antenna offset calibration: command (0x0D,0x64).
+ *
+ * Lets the filter track the error of the antenna offset.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_gnss_antenna_offset_calibration_control_response.
+ *
+ * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
+ * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
+ */
+struct mip_filter_gnss_antenna_offset_calibration_control {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    uint8_t enable;
+    /**
+     * Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
+     * vehicle. Range: 0 to 0.5. Default: 0.1. For write.
+     */
+    float max_offset;
+};
+
+#define MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_DESCRIPTOR 0x64
+#define MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_NAME \
+    "filter.gnss_antenna_offset_calibration_control"
+
+extern const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_codec;
+mip_error mip_filter_gnss_antenna_offset_calibration_control_decode(
+    struct mip_filter_gnss_antenna_offset_calibration_control *value,
+    const struct mip_field *field);
+mip_error mip_filter_gnss_antenna_offset_calibration_control_encode(
+    const struct mip_filter_gnss_antenna_offset_calibration_control *value,
+    struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_gnss_antenna_offset_calibration_control
+mip_filter_gnss_antenna_offset_calibration_control_write(uint8_t enable, float max_offset);
+/** Send the current setting back in a response. */
+struct mip_filter_gnss_antenna_offset_calibration_control
+mip_filter_gnss_antenna_offset_calibration_control_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_gnss_antenna_offset_calibration_control
+mip_filter_gnss_antenna_offset_calibration_control_save(void);
+/** Load the saved setting. */
+struct mip_filter_gnss_antenna_offset_calibration_control
+mip_filter_gnss_antenna_offset_calibration_control_load(void);
+/** Load the factory default setting. */
+struct mip_filter_gnss_antenna_offset_calibration_control
+mip_filter_gnss_antenna_offset_calibration_control_default(void);
+
+/**
+ * GNSS antenna offset calibration response: response (0x0D,0xE4).
+ *
+ * Answers GNSS antenna offset calibration (0x0D,0x64).
+ *
+ * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
+ * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
+ */
+struct mip_filter_gnss_antenna_offset_calibration_control_response {
+    /** 0 disables, 1 enables. Range: 0 to 1. */
+    uint8_t enable;
+    /**
+     * Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
+     * vehicle. Range: 0 to 0.5. Default: 0.1.
+     */
+    float max_offset;
+};
+
+#define MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR 0xE4
+#define MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_NAME \
+    "filter.gnss_antenna_offset_calibration_control_response"
+
+extern const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_response_codec;
+mip_error mip_filter_gnss_antenna_offset_calibration_control_response_decode(
+    struct mip_filter_gnss_antenna_offset_calibration_control_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_gnss_antenna_offset_calibration_control_response_encode(
+    const struct mip_filter_gnss_antenna_offset_calibration_control_response *value,
+    struct mip_builder *builder);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

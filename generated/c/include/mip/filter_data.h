@@ -1,0 +1,1541 @@
+/**
+ * @file
+ *
+ * Filter data (0x82). Estimates of the navigation filter and its status.
+ */
+#ifndef MIP_FILTER_DATA_H
+#define MIP_FILTER_DATA_H
+
+#include "mip/protocol.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/filter_data.h and mip/core.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define MIP_FILTER_DATA_SET 0x82
+
+/** Whether the values of a field may be used. */
+typedef uint16_t mip_filter_data_valid_flags;
+/** Bit 0: All values of the field are valid. */
+#define MIP_FILTER_DATA_VALID_FLAGS_VALID 0x0001U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_filter_data_valid_flags_set(mip_filter_data_valid_flags *flags,
+                                                   mip_filter_data_valid_flags bits) {
+    *flags = (mip_filter_data_valid_flags)(*flags | bits);
+}
+static inline void mip_filter_data_valid_flags_clear(mip_filter_data_valid_flags *flags,
+                                                     mip_filter_data_valid_flags bits) {
+    *flags = (mip_filter_data_valid_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_filter_data_valid_flags_has(mip_filter_data_valid_flags flags,
+                                                   mip_filter_data_valid_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/**
+ * State of the filter of a 5-series device.
+ *
+ * - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
+ * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
+ */
+typedef uint16_t mip_filter_data_gx5_filter_state;
+/** The device starts. */
+#define MIP_FILTER_DATA_GX5_FILTER_STATE_STARTUP 0
+/** Initialization; the status flags tell what is missing. */
+#define MIP_FILTER_DATA_GX5_FILTER_STATE_INIT 1
+/** Running with a valid solution. */
+#define MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_VALID 2
+/** Running with an error; the status flags tell which. */
+#define MIP_FILTER_DATA_GX5_FILTER_STATE_RUN_SOLUTION_ERROR 3
+
+/**
+ * Mode of the filter of a 3DM-CV7.
+ *
+ * - 3dm-cv7-gnss-ins: Filter States
+ * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
+ */
+typedef uint16_t mip_filter_data_cv7_filter_state;
+/** Initialization; initial conditions are missing or the filter waits for a command. */
+#define MIP_FILTER_DATA_CV7_FILTER_STATE_INIT 1
+/** Vertical gyro: pitch and roll, and heading relative to the initial one. */
+#define MIP_FILTER_DATA_CV7_FILTER_STATE_VERT_GYRO 2
+/** Pitch, roll and absolute heading. */
+#define MIP_FILTER_DATA_CV7_FILTER_STATE_AHRS 3
+/** Full navigation: position, velocity and attitude. */
+#define MIP_FILTER_DATA_CV7_FILTER_STATE_FULL_NAV 4
+
+/** Motion for which the filter of a 5-series device is set up. */
+typedef uint16_t mip_filter_data_gx5_dynamics_mode;
+/** Carried by hand. */
+#define MIP_FILTER_DATA_GX5_DYNAMICS_MODE_PORTABLE 1
+/** Ground vehicle. */
+#define MIP_FILTER_DATA_GX5_DYNAMICS_MODE_AUTOMOTIVE 2
+/** Aircraft. */
+#define MIP_FILTER_DATA_GX5_DYNAMICS_MODE_AIRBORNE 3
+
+/** Dynamics mode of a 7-series device; there is only one. */
+typedef uint16_t mip_filter_data_cv7_dynamics_mode;
+/** The only mode. */
+#define MIP_FILTER_DATA_CV7_DYNAMICS_MODE_DEFAULT 1
+
+/**
+ * Problems of the filter of a 5-series device. The `init` bits count in filter state `init`, the
+ * others while the filter runs.
+ *
+ * - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
+ * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
+ */
+typedef uint16_t mip_filter_data_gx5_status_flags;
+/** Bit 0: No inertial data. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_IMU_UNAVAILABLE 0x0001U
+/** Bit 1: No GNSS data, on models with GNSS. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GPS_UNAVAILABLE 0x0002U
+/** Bit 3: A matrix of the computation is singular. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MATRIX_SINGULARITY 0x0008U
+/** Bit 4: A position covariance is above its normal limit. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_POSITION_COVARIANCE_WARNING 0x0010U
+/** Bit 5: A velocity covariance is above its normal limit. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_VELOCITY_COVARIANCE_WARNING 0x0020U
+/** Bit 6: An attitude covariance is above its normal limit. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ATTITUDE_COVARIANCE_WARNING 0x0040U
+/** Bit 7: The solution holds values that are not numbers. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_NAN_IN_SOLUTION_WARNING 0x0080U
+/** Bit 8: The estimated gyroscope bias is high. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_BIAS_EST_HIGH_WARNING 0x0100U
+/** Bit 9: The estimated accelerometer bias is high. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_BIAS_EST_HIGH_WARNING 0x0200U
+/** Bit 10: The estimated gyroscope scale factor is high. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING 0x0400U
+/** Bit 11: The estimated accelerometer scale factor is high. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING 0x0800U
+/** Bit 12: The estimated magnetometer bias is high. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_BIAS_EST_HIGH_WARNING 0x1000U
+/** Bit 13: The estimated correction of the antenna offset is high; on models with GNSS. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_ANT_OFFSET_CORRECTION_EST_HIGH_WARNING 0x2000U
+/** Bit 14: The estimated hard-iron offset is high. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_HARD_IRON_EST_HIGH_WARNING 0x4000U
+/** Bit 15: The estimated soft-iron correction is high. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_RUN_MAG_SOFT_IRON_EST_HIGH_WARNING 0x8000U
+/** Bit 12: The attitude is not initialized. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_ATTITUDE 0x1000U
+/** Bit 13: Position and velocity are not initialized. */
+#define MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_POSITION_VELOCITY 0x2000U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_filter_data_gx5_status_flags_set(mip_filter_data_gx5_status_flags *flags,
+                                                        mip_filter_data_gx5_status_flags bits) {
+    *flags = (mip_filter_data_gx5_status_flags)(*flags | bits);
+}
+static inline void mip_filter_data_gx5_status_flags_clear(mip_filter_data_gx5_status_flags *flags,
+                                                          mip_filter_data_gx5_status_flags bits) {
+    *flags = (mip_filter_data_gx5_status_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_filter_data_gx5_status_flags_has(mip_filter_data_gx5_status_flags flags,
+                                                        mip_filter_data_gx5_status_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/**
+ * How settled the estimates of the filter are.
+ *
+ * - 3dm-cv7-gnss-ins: Filter condition (bits 0-1)
+ * - 3dm-cv7-gnss-ins: How do I interpret the Status (0x82,0x10) message?
+ */
+typedef uint8_t mip_filter_data_filter_condition;
+/** Estimates have settled and agree with the aiding measurements. */
+#define MIP_FILTER_DATA_FILTER_CONDITION_STABLE 1
+/** Estimates have not settled yet. */
+#define MIP_FILTER_DATA_FILTER_CONDITION_CONVERGING 2
+/** Estimates are unstable or recovering. */
+#define MIP_FILTER_DATA_FILTER_CONDITION_UNSTABLE 3
+
+/**
+ * Condition and warnings of the filter of a 3DM-CV7.
+ *
+ * - 3dm-cv7-gnss-ins: Filter Status Flags
+ * - 3dm-cv7-gnss-ins: How do I interpret the Status (0x82,0x10) message?
+ * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
+ */
+typedef uint16_t mip_filter_data_cv7_status_flags;
+/** Bits 0 to 1: How settled the estimates are. */
+#define MIP_FILTER_DATA_CV7_STATUS_FLAGS_FILTER_CONDITION 0x0003U
+/** Bit 2: Roll and pitch are doubtful; check the mounting transformation. */
+#define MIP_FILTER_DATA_CV7_STATUS_FLAGS_ROLL_PITCH_WARNING 0x0004U
+/** Bit 3: The heading is doubtful; check the heading source. */
+#define MIP_FILTER_DATA_CV7_STATUS_FLAGS_HEADING_WARNING 0x0008U
+/** Bit 4: The position is doubtful; check the GNSS reception and antennas. */
+#define MIP_FILTER_DATA_CV7_STATUS_FLAGS_POSITION_WARNING 0x0010U
+/** Bit 5: The velocity is doubtful; check the GNSS reception and antennas. */
+#define MIP_FILTER_DATA_CV7_STATUS_FLAGS_VELOCITY_WARNING 0x0020U
+/** Bit 6: The sensor biases are doubtful; capture the gyroscope bias. */
+#define MIP_FILTER_DATA_CV7_STATUS_FLAGS_IMU_BIAS_WARNING 0x0040U
+/** Bit 7: The GNSS clock is doubtful; navigation goes on. */
+#define MIP_FILTER_DATA_CV7_STATUS_FLAGS_GNSS_CLK_WARNING 0x0080U
+/** Bit 8: The antenna offsets are probably wrong. */
+#define MIP_FILTER_DATA_CV7_STATUS_FLAGS_ANTENNA_LEVER_ARM_WARNING 0x0100U
+/** Bit 9: The mounting transformation is probably wrong. */
+#define MIP_FILTER_DATA_CV7_STATUS_FLAGS_MOUNTING_TRANSFORM_WARNING 0x0200U
+/** Bit 10: No pulse per second is found, or the time of an external heading is too old. */
+#define MIP_FILTER_DATA_CV7_STATUS_FLAGS_TIME_SYNC_WARNING 0x0400U
+/** Bits 12 to 15: Not 0 if the solution holds values that are not numbers; reset the filter. */
+#define MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR 0xF000U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_filter_data_cv7_status_flags_set(mip_filter_data_cv7_status_flags *flags,
+                                                        mip_filter_data_cv7_status_flags bits) {
+    *flags = (mip_filter_data_cv7_status_flags)(*flags | bits);
+}
+static inline void mip_filter_data_cv7_status_flags_clear(mip_filter_data_cv7_status_flags *flags,
+                                                          mip_filter_data_cv7_status_flags bits) {
+    *flags = (mip_filter_data_cv7_status_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_filter_data_cv7_status_flags_has(mip_filter_data_cv7_status_flags flags,
+                                                        mip_filter_data_cv7_status_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** Bits 0 to 1: How settled the estimates are. */
+static inline mip_filter_data_filter_condition
+mip_filter_data_cv7_status_flags_get_filter_condition(mip_filter_data_cv7_status_flags flags) {
+    const uint32_t bits = flags & MIP_FILTER_DATA_CV7_STATUS_FLAGS_FILTER_CONDITION;
+    return (mip_filter_data_filter_condition)bits;
+}
+static inline void mip_filter_data_cv7_status_flags_set_filter_condition(
+    mip_filter_data_cv7_status_flags *flags, mip_filter_data_filter_condition value) {
+    const uint32_t mask = MIP_FILTER_DATA_CV7_STATUS_FLAGS_FILTER_CONDITION;
+    const uint32_t bits = value;
+    *flags = (mip_filter_data_cv7_status_flags)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 12 to 15: Not 0 if the solution holds values that are not numbers; reset the filter. */
+static inline uint8_t mip_filter_data_cv7_status_flags_get_solution_error(
+    mip_filter_data_cv7_status_flags flags) {
+    const uint32_t bits = flags & MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR;
+    return (uint8_t)(bits >> 12);
+}
+static inline void mip_filter_data_cv7_status_flags_set_solution_error(
+    mip_filter_data_cv7_status_flags *flags, uint8_t value) {
+    const uint32_t mask = MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR;
+    const uint32_t bits = (uint32_t)value << 12;
+    *flags = (mip_filter_data_cv7_status_flags)((*flags & ~mask) | (bits & mask));
+}
+
+/** Sources of heading updates; 0 if heading updates are disabled. */
+typedef uint16_t mip_filter_data_heading_source_flags;
+/** Bit 2: Heading messages that the user sends. */
+#define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_EXTERNAL 0x0004U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_filter_data_heading_source_flags_set(
+    mip_filter_data_heading_source_flags *flags, mip_filter_data_heading_source_flags bits) {
+    *flags = (mip_filter_data_heading_source_flags)(*flags | bits);
+}
+static inline void mip_filter_data_heading_source_flags_clear(
+    mip_filter_data_heading_source_flags *flags, mip_filter_data_heading_source_flags bits) {
+    *flags = (mip_filter_data_heading_source_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_filter_data_heading_source_flags_has(
+    mip_filter_data_heading_source_flags flags, mip_filter_data_heading_source_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** How the filter uses one GNSS receiver. */
+typedef uint16_t mip_filter_data_gnss_aiding_status;
+/** Bit 0: Raw ranges of the receiver are used. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_TIGHT_COUPLING 0x0001U
+/** Bit 1: RTK corrections are used. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_DIFFERENTIAL 0x0002U
+/** Bit 2: There is an RTK integer fix, which gives the best position. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_INTEGER_FIX 0x0004U
+/** Bit 3: GPS L1 is used. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GPS_L1 0x0008U
+/** Bit 4: GPS L2 is used. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GPS_L2 0x0010U
+/** Bit 5: GPS L5 is used; not on every model. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GPS_L5 0x0020U
+/** Bit 6: GLONASS L1 is used. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GLO_L1 0x0040U
+/** Bit 7: GLONASS L2 is used. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GLO_L2 0x0080U
+/** Bit 8: Galileo E1 is used. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GAL_E1 0x0100U
+/** Bit 9: Galileo E5 is used. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GAL_E5 0x0200U
+/** Bit 10: Galileo E6 is used. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_GAL_E6 0x0400U
+/** Bit 11: BeiDou B1 is used; not on every model. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_BEI_B1 0x0800U
+/** Bit 12: BeiDou B2 is used; not on every model. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_BEI_B2 0x1000U
+/** Bit 13: BeiDou B3 is used; not on every model. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_BEI_B3 0x2000U
+/** Bit 14: The receiver has no position fix. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_NO_FIX 0x4000U
+/** Bit 15: The antenna offset of the receiver is probably wrong. */
+#define MIP_FILTER_DATA_GNSS_AIDING_STATUS_CONFIG_ERROR 0x8000U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_filter_data_gnss_aiding_status_set(mip_filter_data_gnss_aiding_status *flags,
+                                                          mip_filter_data_gnss_aiding_status bits) {
+    *flags = (mip_filter_data_gnss_aiding_status)(*flags | bits);
+}
+static inline void mip_filter_data_gnss_aiding_status_clear(
+    mip_filter_data_gnss_aiding_status *flags, mip_filter_data_gnss_aiding_status bits) {
+    *flags = (mip_filter_data_gnss_aiding_status)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_filter_data_gnss_aiding_status_has(mip_filter_data_gnss_aiding_status flags,
+                                                          mip_filter_data_gnss_aiding_status bits) {
+    return (flags & bits) == bits;
+}
+
+/**
+ * Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
+ * `aiding` that give the measurement.
+ */
+typedef uint8_t mip_filter_data_aiding_measurement_type;
+/** GNSS position and velocity. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_GNSS 1
+/** GNSS heading of two antennas. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_DUAL_ANTENNA 2
+/** Heading. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_HEADING 3
+/** Pressure altitude. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_PRESSURE 4
+/** Magnetometer. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_MAGNETOMETER 5
+/** Speed or odometer. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_SPEED 6
+/** ECEF position by command. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_POS_ECEF 33
+/** Latitude, longitude and height by command. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_POS_LLH 34
+/** Height above the ellipsoid by command. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_HEIGHT_ABOVE_ELLIPSOID 35
+/** ECEF velocity by command. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_VEL_ECEF 40
+/** NED velocity by command. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_VEL_NED 41
+/** Body frame velocity by command. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_VEL_BODY_FRAME 42
+/** True heading by command. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_HEADING_TRUE 49
+/** Magnetic field by command. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_MAGNETIC_FIELD 50
+/** Pressure by command. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_TYPE_AIDING_PRESSURE 51
+
+/** What the filter did with an aiding measurement. */
+typedef uint8_t mip_filter_data_aiding_measurement_indicator;
+/** Bit 0: The measurement is enabled. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_ENABLED 0x01U
+/** Bit 1: The filter used it. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_USED 0x02U
+/** Bit 2: It disagrees with the estimate. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_RESIDUAL_HIGH_WARNING 0x04U
+/** Bit 3: Its time is doubtful. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_SAMPLE_TIME_WARNING 0x08U
+/** Bit 4: Its configuration is wrong. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_CONFIGURATION_ERROR 0x10U
+/** Bit 5: There are more measurements than the filter can take. */
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_MAX_NUM_MEAS_EXCEEDED 0x20U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_filter_data_aiding_measurement_indicator_set(
+    mip_filter_data_aiding_measurement_indicator *flags,
+    mip_filter_data_aiding_measurement_indicator bits) {
+    *flags = (mip_filter_data_aiding_measurement_indicator)(*flags | bits);
+}
+static inline void mip_filter_data_aiding_measurement_indicator_clear(
+    mip_filter_data_aiding_measurement_indicator *flags,
+    mip_filter_data_aiding_measurement_indicator bits) {
+    *flags = (mip_filter_data_aiding_measurement_indicator)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_filter_data_aiding_measurement_indicator_has(
+    mip_filter_data_aiding_measurement_indicator flags,
+    mip_filter_data_aiding_measurement_indicator bits) {
+    return (flags & bits) == bits;
+}
+
+/** Kind of the heading solution of two antennas. */
+typedef uint8_t mip_filter_data_dual_antenna_fix_type;
+/** No solution. */
+#define MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_NONE 0
+/** Solution with float ambiguities. */
+#define MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_DA_FLOAT 1
+/** Solution with fixed ambiguities. */
+#define MIP_FILTER_DATA_DUAL_ANTENNA_FIX_TYPE_FIX_DA_FIXED 2
+
+/** What the heading solution of two antennas has to work with. */
+typedef uint16_t mip_filter_data_dual_antenna_status_flags;
+/** Bit 0: Data of receiver 1 are valid. */
+#define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_RCV_1_DATA_VALID 0x0001U
+/** Bit 1: Data of receiver 2 are valid. */
+#define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_RCV_2_DATA_VALID 0x0002U
+/** Bit 2: The antenna offsets are valid. */
+#define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_ANTENNA_OFFSETS_VALID 0x0004U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_filter_data_dual_antenna_status_flags_set(
+    mip_filter_data_dual_antenna_status_flags *flags,
+    mip_filter_data_dual_antenna_status_flags bits) {
+    *flags = (mip_filter_data_dual_antenna_status_flags)(*flags | bits);
+}
+static inline void mip_filter_data_dual_antenna_status_flags_clear(
+    mip_filter_data_dual_antenna_status_flags *flags,
+    mip_filter_data_dual_antenna_status_flags bits) {
+    *flags = (mip_filter_data_dual_antenna_status_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_filter_data_dual_antenna_status_flags_has(
+    mip_filter_data_dual_antenna_status_flags flags,
+    mip_filter_data_dual_antenna_status_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/**
+ * LLH position: data (0x82,0x01).
+ *
+ * Estimated position.
+ *
+ * - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
+ */
+struct mip_filter_data_llh_position {
+    /**
+     * Latitude. Unit: deg. Frame: llh. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is
+     * set.
+     */
+    double latitude;
+    /**
+     * Longitude. Unit: deg. Frame: llh. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags
+     * is set.
+     */
+    double longitude;
+    /**
+     * Height above the ellipsoid. Unit: m. Frame: llh. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID
+     * in valid_flags is set.
+     */
+    double ellipsoid_height;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_LLH_POSITION_DESCRIPTOR 0x01
+#define MIP_FILTER_DATA_LLH_POSITION_NAME "filter_data.llh_position"
+
+extern const struct mip_codec mip_filter_data_llh_position_codec;
+mip_error mip_filter_data_llh_position_decode(struct mip_filter_data_llh_position *value,
+                                              const struct mip_field *field);
+mip_error mip_filter_data_llh_position_encode(const struct mip_filter_data_llh_position *value,
+                                              struct mip_builder *builder);
+
+/**
+ * NED velocity: data (0x82,0x02).
+ *
+ * Estimated velocity.
+ *
+ * - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
+ */
+struct mip_filter_data_velocity_ned {
+    /**
+     * Velocity north. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float north;
+    /**
+     * Velocity east. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float east;
+    /**
+     * Velocity down. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float down;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_VELOCITY_NED_DESCRIPTOR 0x02
+#define MIP_FILTER_DATA_VELOCITY_NED_NAME "filter_data.velocity_ned"
+
+extern const struct mip_codec mip_filter_data_velocity_ned_codec;
+mip_error mip_filter_data_velocity_ned_decode(struct mip_filter_data_velocity_ned *value,
+                                              const struct mip_field *field);
+mip_error mip_filter_data_velocity_ned_encode(const struct mip_filter_data_velocity_ned *value,
+                                              struct mip_builder *builder);
+
+/**
+ * Attitude quaternion: data (0x82,0x03).
+ *
+ * Estimated orientation of the vehicle frame in the NED frame as a quaternion.
+ *
+ * v_vehicle = q^-1 * v_ned * q. The 3DM-GX5-15 manual prints the inverse rotation.
+ *
+ * - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
+ * - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
+ */
+struct mip_filter_data_attitude_quaternion {
+    /**
+     * Quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Frame: ned. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float q[4];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_ATTITUDE_QUATERNION_DESCRIPTOR 0x03
+#define MIP_FILTER_DATA_ATTITUDE_QUATERNION_NAME "filter_data.attitude_quaternion"
+
+extern const struct mip_codec mip_filter_data_attitude_quaternion_codec;
+mip_error mip_filter_data_attitude_quaternion_decode(
+    struct mip_filter_data_attitude_quaternion *value, const struct mip_field *field);
+mip_error mip_filter_data_attitude_quaternion_encode(
+    const struct mip_filter_data_attitude_quaternion *value, struct mip_builder *builder);
+
+/**
+ * Attitude direction cosine matrix: data (0x82,0x04).
+ *
+ * Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
+ *
+ * The matrix turns NED vectors into vehicle vectors: v_vehicle = dcm * v_ned.
+ *
+ * - 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04)
+ * - 3dm-gx5-15: 5.2.7 Orientation, Matrix (0x82, 0x04)
+ */
+struct mip_filter_data_attitude_dcm {
+    /**
+     * Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+     * Unit: 1. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float dcm[9];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_ATTITUDE_DCM_DESCRIPTOR 0x04
+#define MIP_FILTER_DATA_ATTITUDE_DCM_NAME "filter_data.attitude_dcm"
+
+extern const struct mip_codec mip_filter_data_attitude_dcm_codec;
+mip_error mip_filter_data_attitude_dcm_decode(struct mip_filter_data_attitude_dcm *value,
+                                              const struct mip_field *field);
+mip_error mip_filter_data_attitude_dcm_encode(const struct mip_filter_data_attitude_dcm *value,
+                                              struct mip_builder *builder);
+
+/**
+ * Euler angles: data (0x82,0x05).
+ *
+ * Estimated orientation of the vehicle frame in the NED frame as Euler angles.
+ *
+ * The rotations apply in the order yaw, pitch, roll (3-2-1).
+ *
+ * - 3dm-cv7-gnss-ins: Euler Angles (0x82,0x05)
+ * - 3dm-gx5-15: 5.2.5 Orientation, Euler Angles (0x82, 0x05)
+ */
+struct mip_filter_data_euler_angles {
+    /**
+     * Roll. Unit: rad. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is
+     * set.
+     */
+    float roll;
+    /**
+     * Pitch. Unit: rad. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is
+     * set.
+     */
+    float pitch;
+    /**
+     * Yaw. Unit: rad. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float yaw;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_EULER_ANGLES_DESCRIPTOR 0x05
+#define MIP_FILTER_DATA_EULER_ANGLES_NAME "filter_data.euler_angles"
+
+extern const struct mip_codec mip_filter_data_euler_angles_codec;
+mip_error mip_filter_data_euler_angles_decode(struct mip_filter_data_euler_angles *value,
+                                              const struct mip_field *field);
+mip_error mip_filter_data_euler_angles_encode(const struct mip_filter_data_euler_angles *value,
+                                              struct mip_builder *builder);
+
+/**
+ * Gyroscope bias: data (0x82,0x06).
+ *
+ * Estimated bias of the gyroscope.
+ *
+ * - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
+ * - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
+ */
+struct mip_filter_data_gyro_bias {
+    /**
+     * Bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float bias[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_GYRO_BIAS_DESCRIPTOR 0x06
+#define MIP_FILTER_DATA_GYRO_BIAS_NAME "filter_data.gyro_bias"
+
+extern const struct mip_codec mip_filter_data_gyro_bias_codec;
+mip_error mip_filter_data_gyro_bias_decode(struct mip_filter_data_gyro_bias *value,
+                                           const struct mip_field *field);
+mip_error mip_filter_data_gyro_bias_encode(const struct mip_filter_data_gyro_bias *value,
+                                           struct mip_builder *builder);
+
+/**
+ * Accelerometer bias: data (0x82,0x07).
+ *
+ * Estimated bias of the accelerometer.
+ *
+ * - 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
+ */
+struct mip_filter_data_accel_bias {
+    /**
+     * Bias. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float bias[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_ACCEL_BIAS_DESCRIPTOR 0x07
+#define MIP_FILTER_DATA_ACCEL_BIAS_NAME "filter_data.accel_bias"
+
+extern const struct mip_codec mip_filter_data_accel_bias_codec;
+mip_error mip_filter_data_accel_bias_decode(struct mip_filter_data_accel_bias *value,
+                                            const struct mip_field *field);
+mip_error mip_filter_data_accel_bias_encode(const struct mip_filter_data_accel_bias *value,
+                                            struct mip_builder *builder);
+
+/**
+ * Position uncertainty: data (0x82,0x08).
+ *
+ * Standard deviation of the estimated position, in the NED frame.
+ *
+ * - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
+ */
+struct mip_filter_data_llh_position_uncertainty {
+    /**
+     * Standard deviation north. Unit: m. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float north;
+    /**
+     * Standard deviation east. Unit: m. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float east;
+    /**
+     * Standard deviation down. Unit: m. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float down;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY_DESCRIPTOR 0x08
+#define MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY_NAME "filter_data.llh_position_uncertainty"
+
+extern const struct mip_codec mip_filter_data_llh_position_uncertainty_codec;
+mip_error mip_filter_data_llh_position_uncertainty_decode(
+    struct mip_filter_data_llh_position_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_llh_position_uncertainty_encode(
+    const struct mip_filter_data_llh_position_uncertainty *value, struct mip_builder *builder);
+
+/**
+ * NED velocity uncertainty: data (0x82,0x09).
+ *
+ * Standard deviation of the estimated velocity.
+ *
+ * - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
+ */
+struct mip_filter_data_ned_velocity_uncertainty {
+    /**
+     * Standard deviation north. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID
+     * in valid_flags is set.
+     */
+    float north;
+    /**
+     * Standard deviation east. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float east;
+    /**
+     * Standard deviation down. Unit: m/s. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float down;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY_DESCRIPTOR 0x09
+#define MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY_NAME "filter_data.ned_velocity_uncertainty"
+
+extern const struct mip_codec mip_filter_data_ned_velocity_uncertainty_codec;
+mip_error mip_filter_data_ned_velocity_uncertainty_decode(
+    struct mip_filter_data_ned_velocity_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_ned_velocity_uncertainty_encode(
+    const struct mip_filter_data_ned_velocity_uncertainty *value, struct mip_builder *builder);
+
+/**
+ * Euler angles uncertainty: data (0x82,0x0A).
+ *
+ * Standard deviation of the estimated Euler angles.
+ *
+ * 3DM-GX5: derived from the quaternion, worse the steeper the pitch, and not valid beyond 70
+ * degrees of pitch up or down.
+ *
+ * - 3dm-cv7-gnss-ins: Euler Angles Uncertainty (0x82,0x0A)
+ * - 3dm-gx5-15: 5.2.6 Attitude Uncertainty, Euler Angles (0x82, 0x0A)
+ */
+struct mip_filter_data_euler_angles_uncertainty {
+    /**
+     * Standard deviation of roll. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float roll;
+    /**
+     * Standard deviation of pitch. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float pitch;
+    /**
+     * Standard deviation of yaw. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float yaw;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY_DESCRIPTOR 0x0A
+#define MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY_NAME "filter_data.euler_angles_uncertainty"
+
+extern const struct mip_codec mip_filter_data_euler_angles_uncertainty_codec;
+mip_error mip_filter_data_euler_angles_uncertainty_decode(
+    struct mip_filter_data_euler_angles_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_euler_angles_uncertainty_encode(
+    const struct mip_filter_data_euler_angles_uncertainty *value, struct mip_builder *builder);
+
+/**
+ * Gyroscope bias uncertainty: data (0x82,0x0B).
+ *
+ * Standard deviation of the estimated gyroscope bias.
+ *
+ * - 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B)
+ * - 3dm-gx5-15: 5.2.10 Gyro Bias Uncertainty (0x82, 0x0B)
+ */
+struct mip_filter_data_gyro_bias_uncertainty {
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float bias_uncert[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY_DESCRIPTOR 0x0B
+#define MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY_NAME "filter_data.gyro_bias_uncertainty"
+
+extern const struct mip_codec mip_filter_data_gyro_bias_uncertainty_codec;
+mip_error mip_filter_data_gyro_bias_uncertainty_decode(
+    struct mip_filter_data_gyro_bias_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_gyro_bias_uncertainty_encode(
+    const struct mip_filter_data_gyro_bias_uncertainty *value, struct mip_builder *builder);
+
+/**
+ * Accelerometer bias uncertainty: data (0x82,0x0C).
+ *
+ * Standard deviation of the estimated accelerometer bias.
+ *
+ * - 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C)
+ */
+struct mip_filter_data_accel_bias_uncertainty {
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float bias_uncert[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY_DESCRIPTOR 0x0C
+#define MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY_NAME "filter_data.accel_bias_uncertainty"
+
+extern const struct mip_codec mip_filter_data_accel_bias_uncertainty_codec;
+mip_error mip_filter_data_accel_bias_uncertainty_decode(
+    struct mip_filter_data_accel_bias_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_accel_bias_uncertainty_encode(
+    const struct mip_filter_data_accel_bias_uncertainty *value, struct mip_builder *builder);
+
+/**
+ * Linear acceleration: data (0x82,0x0D).
+ *
+ * Compensated acceleration less the estimated gravity.
+ *
+ * - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
+ * - 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
+ */
+struct mip_filter_data_linear_accel {
+    /**
+     * Linear acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float accel[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_LINEAR_ACCEL_DESCRIPTOR 0x0D
+#define MIP_FILTER_DATA_LINEAR_ACCEL_NAME "filter_data.linear_accel"
+
+extern const struct mip_codec mip_filter_data_linear_accel_codec;
+mip_error mip_filter_data_linear_accel_decode(struct mip_filter_data_linear_accel *value,
+                                              const struct mip_field *field);
+mip_error mip_filter_data_linear_accel_encode(const struct mip_filter_data_linear_accel *value,
+                                              struct mip_builder *builder);
+
+/**
+ * Compensated angular rate: data (0x82,0x0E).
+ *
+ * Angular rate without the estimated bias.
+ *
+ * - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
+ * - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
+ */
+struct mip_filter_data_comp_angular_rate {
+    /**
+     * Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float gyro[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_COMP_ANGULAR_RATE_DESCRIPTOR 0x0E
+#define MIP_FILTER_DATA_COMP_ANGULAR_RATE_NAME "filter_data.comp_angular_rate"
+
+extern const struct mip_codec mip_filter_data_comp_angular_rate_codec;
+mip_error mip_filter_data_comp_angular_rate_decode(struct mip_filter_data_comp_angular_rate *value,
+                                                   const struct mip_field *field);
+mip_error mip_filter_data_comp_angular_rate_encode(
+    const struct mip_filter_data_comp_angular_rate *value, struct mip_builder *builder);
+
+/**
+ * WGS84 local gravity magnitude: data (0x82,0x0F).
+ *
+ * Magnitude of gravity at the position of the device by the WGS84 model.
+ *
+ * The model holds up to an altitude of 20 km.
+ *
+ * - 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F)
+ */
+struct mip_filter_data_wgs84_local_gravity_magnitude {
+    /**
+     * Magnitude of gravity. Unit: m/s^2. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags
+     * is set.
+     */
+    float gravity_magnitude;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_WGS84_LOCAL_GRAVITY_MAGNITUDE_DESCRIPTOR 0x0F
+#define MIP_FILTER_DATA_WGS84_LOCAL_GRAVITY_MAGNITUDE_NAME \
+    "filter_data.wgs84_local_gravity_magnitude"
+
+extern const struct mip_codec mip_filter_data_wgs84_local_gravity_magnitude_codec;
+mip_error mip_filter_data_wgs84_local_gravity_magnitude_decode(
+    struct mip_filter_data_wgs84_local_gravity_magnitude *value, const struct mip_field *field);
+mip_error mip_filter_data_wgs84_local_gravity_magnitude_encode(
+    const struct mip_filter_data_wgs84_local_gravity_magnitude *value, struct mip_builder *builder);
+
+/**
+ * Filter status: data (0x82,0x10).
+ *
+ * State, dynamics mode, condition and warnings of the filter.
+ *
+ * The meaning of all three values depends on the device.
+ *
+ * 3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).
+ *
+ * 5-series: bits 12 and 13 of the flags mean other things in state `init` than while the filter
+ * runs.
+ *
+ * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
+ * - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
+ */
+struct mip_filter_data_status {
+    /**
+     * State of the filter. On the 3dm-gx5-15: mip_filter_data_gx5_filter_state. On the
+     * 3dm-cv7-gnss-ins: mip_filter_data_cv7_filter_state.
+     */
+    uint16_t filter_state;
+    /**
+     * Motion for which the filter is set up. On the 3dm-gx5-15: mip_filter_data_gx5_dynamics_mode.
+     * On the 3dm-cv7-gnss-ins: mip_filter_data_cv7_dynamics_mode.
+     */
+    uint16_t dynamics_mode;
+    /**
+     * Condition and warnings. On the 3dm-gx5-15: mip_filter_data_gx5_status_flags. On the
+     * 3dm-cv7-gnss-ins: mip_filter_data_cv7_status_flags.
+     */
+    uint16_t status_flags;
+};
+
+#define MIP_FILTER_DATA_STATUS_DESCRIPTOR 0x10
+#define MIP_FILTER_DATA_STATUS_NAME "filter_data.status"
+
+extern const struct mip_codec mip_filter_data_status_codec;
+mip_error mip_filter_data_status_decode(struct mip_filter_data_status *value,
+                                        const struct mip_field *field);
+mip_error mip_filter_data_status_encode(const struct mip_filter_data_status *value,
+                                        struct mip_builder *builder);
+
+/**
+ * Filter timestamp: data (0x82,0x11).
+ *
+ * GPS time of the filter data.
+ *
+ * Without PPS the internal clock drives the time, and the time jumps when the PPS comes back.
+ *
+ * Without synchronization to a receiver or an external clock it is the internal system time.
+ *
+ * 3DM-CV7: the field may be withdrawn; `shared.gps_timestamp` is better.
+ *
+ * - 3dm-cv7-gnss-ins: Timestamp (0x82,0x11)
+ * - 3dm-gx5-15: 5.2.2 GPS Timestamp (0x82, 0x11)
+ */
+struct mip_filter_data_timestamp {
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    double tow;
+    /**
+     * GPS week, counted from 1980. Unit: week. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_TIMESTAMP_DESCRIPTOR 0x11
+#define MIP_FILTER_DATA_TIMESTAMP_NAME "filter_data.timestamp"
+
+extern const struct mip_codec mip_filter_data_timestamp_codec;
+mip_error mip_filter_data_timestamp_decode(struct mip_filter_data_timestamp *value,
+                                           const struct mip_field *field);
+mip_error mip_filter_data_timestamp_encode(const struct mip_filter_data_timestamp *value,
+                                           struct mip_builder *builder);
+
+/**
+ * Quaternion uncertainty: data (0x82,0x12).
+ *
+ * Standard deviation of the elements of the estimated attitude quaternion.
+ *
+ * - 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12)
+ * - 3dm-gx5-15: 5.2.4 Attitude Uncertainty, Quaternion Elements (0x82, 0x12)
+ */
+struct mip_filter_data_quaternion_attitude_uncertainty {
+    /**
+     * Standard deviation per element. Elements: w, x, y, z. Unit: 1. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float q[4];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY_DESCRIPTOR 0x12
+#define MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY_NAME \
+    "filter_data.quaternion_attitude_uncertainty"
+
+extern const struct mip_codec mip_filter_data_quaternion_attitude_uncertainty_codec;
+mip_error mip_filter_data_quaternion_attitude_uncertainty_decode(
+    struct mip_filter_data_quaternion_attitude_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_quaternion_attitude_uncertainty_encode(
+    const struct mip_filter_data_quaternion_attitude_uncertainty *value,
+    struct mip_builder *builder);
+
+/**
+ * Gravity vector: data (0x82,0x13).
+ *
+ * Estimated gravity.
+ *
+ * - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
+ * - 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
+ */
+struct mip_filter_data_gravity_vector {
+    /**
+     * Gravity. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float gravity[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_GRAVITY_VECTOR_DESCRIPTOR 0x13
+#define MIP_FILTER_DATA_GRAVITY_VECTOR_NAME "filter_data.gravity_vector"
+
+extern const struct mip_codec mip_filter_data_gravity_vector_codec;
+mip_error mip_filter_data_gravity_vector_decode(struct mip_filter_data_gravity_vector *value,
+                                                const struct mip_field *field);
+mip_error mip_filter_data_gravity_vector_encode(const struct mip_filter_data_gravity_vector *value,
+                                                struct mip_builder *builder);
+
+/**
+ * Heading update source state: data (0x82,0x14).
+ *
+ * The last heading that updated the filter and where it came from.
+ *
+ * The valid bit means that the source gave data within the last 2 seconds.
+ *
+ * - 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14)
+ */
+struct mip_filter_data_heading_update_source_state {
+    /**
+     * Heading of the sensor frame relative to true north. Unit: rad. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float heading;
+    /**
+     * Standard deviation of the heading. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float heading_uncertainty;
+    /** Sources of the heading. */
+    mip_filter_data_heading_source_flags source;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_HEADING_UPDATE_SOURCE_STATE_DESCRIPTOR 0x14
+#define MIP_FILTER_DATA_HEADING_UPDATE_SOURCE_STATE_NAME "filter_data.heading_update_source_state"
+
+extern const struct mip_codec mip_filter_data_heading_update_source_state_codec;
+mip_error mip_filter_data_heading_update_source_state_decode(
+    struct mip_filter_data_heading_update_source_state *value, const struct mip_field *field);
+mip_error mip_filter_data_heading_update_source_state_encode(
+    const struct mip_filter_data_heading_update_source_state *value, struct mip_builder *builder);
+
+/**
+ * Magnetic model: data (0x82,0x15).
+ *
+ * Magnetic field at the position of the device by the World Magnetic Model.
+ *
+ * It is valid only with a valid GNSS position.
+ *
+ * - 3dm-cv7-gnss-ins: Magnetic Model (0x82,0x15)
+ */
+struct mip_filter_data_magnetic_model {
+    /**
+     * Intensity north. Unit: gauss. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float intensity_north;
+    /**
+     * Intensity east. Unit: gauss. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float intensity_east;
+    /**
+     * Intensity down. Unit: gauss. Frame: ned. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float intensity_down;
+    /** Inclination. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
+    float inclination;
+    /** Declination. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
+    float declination;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MAGNETIC_MODEL_DESCRIPTOR 0x15
+#define MIP_FILTER_DATA_MAGNETIC_MODEL_NAME "filter_data.magnetic_model"
+
+extern const struct mip_codec mip_filter_data_magnetic_model_codec;
+mip_error mip_filter_data_magnetic_model_decode(struct mip_filter_data_magnetic_model *value,
+                                                const struct mip_field *field);
+mip_error mip_filter_data_magnetic_model_encode(const struct mip_filter_data_magnetic_model *value,
+                                                struct mip_builder *builder);
+
+/**
+ * Compensated acceleration: data (0x82,0x1C).
+ *
+ * Acceleration without the estimated bias; gravity is still in it.
+ *
+ * - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
+ * - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
+ */
+struct mip_filter_data_compensated_acceleration {
+    /**
+     * Acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float accel[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_COMPENSATED_ACCELERATION_DESCRIPTOR 0x1C
+#define MIP_FILTER_DATA_COMPENSATED_ACCELERATION_NAME "filter_data.compensated_acceleration"
+
+extern const struct mip_codec mip_filter_data_compensated_acceleration_codec;
+mip_error mip_filter_data_compensated_acceleration_decode(
+    struct mip_filter_data_compensated_acceleration *value, const struct mip_field *field);
+mip_error mip_filter_data_compensated_acceleration_encode(
+    const struct mip_filter_data_compensated_acceleration *value, struct mip_builder *builder);
+
+/**
+ * Pressure altitude: data (0x82,0x21).
+ *
+ * Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
+ *
+ * It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.
+ *
+ * - 3dm-cv7-gnss-ins: Pressure Altitude (0x82,0x21)
+ * - 3dm-gx5-15: 5.2.13 Pressure Altitude (0x82, 0x21)
+ */
+struct mip_filter_data_pressure_altitude {
+    /**
+     * Altitude. Unit: m. At most 84852. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags
+     * is set.
+     */
+    float pressure_altitude;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_PRESSURE_ALTITUDE_DESCRIPTOR 0x21
+#define MIP_FILTER_DATA_PRESSURE_ALTITUDE_NAME "filter_data.pressure_altitude"
+
+extern const struct mip_codec mip_filter_data_pressure_altitude_codec;
+mip_error mip_filter_data_pressure_altitude_decode(struct mip_filter_data_pressure_altitude *value,
+                                                   const struct mip_field *field);
+mip_error mip_filter_data_pressure_altitude_encode(
+    const struct mip_filter_data_pressure_altitude *value, struct mip_builder *builder);
+
+/**
+ * Multi-antenna offset correction: data (0x82,0x34).
+ *
+ * Estimated error of the offset of one GNSS antenna.
+ *
+ * The filter adds it to the stored offset.
+ *
+ * - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction (0x82,0x34)
+ */
+struct mip_filter_data_multi_antenna_offset_correction {
+    /** Receiver that the antenna belongs to. */
+    uint8_t receiver_id;
+    /**
+     * Correction of the offset. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float offset[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR 0x34
+#define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_NAME \
+    "filter_data.multi_antenna_offset_correction"
+
+extern const struct mip_codec mip_filter_data_multi_antenna_offset_correction_codec;
+mip_error mip_filter_data_multi_antenna_offset_correction_decode(
+    struct mip_filter_data_multi_antenna_offset_correction *value, const struct mip_field *field);
+mip_error mip_filter_data_multi_antenna_offset_correction_encode(
+    const struct mip_filter_data_multi_antenna_offset_correction *value,
+    struct mip_builder *builder);
+
+/**
+ * Multi-antenna offset correction uncertainty: data (0x82,0x35).
+ *
+ * Standard deviation of the estimated error of the offset of one GNSS antenna.
+ *
+ * - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
+ */
+struct mip_filter_data_multi_antenna_offset_correction_uncertainty {
+    /** Receiver that the antenna belongs to. */
+    uint8_t receiver_id;
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float offset_uncert[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR 0x35
+#define MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_NAME \
+    "filter_data.multi_antenna_offset_correction_uncertainty"
+
+extern const struct mip_codec mip_filter_data_multi_antenna_offset_correction_uncertainty_codec;
+mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_decode(
+    struct mip_filter_data_multi_antenna_offset_correction_uncertainty *value,
+    const struct mip_field *field);
+mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_encode(
+    const struct mip_filter_data_multi_antenna_offset_correction_uncertainty *value,
+    struct mip_builder *builder);
+
+/**
+ * ECEF position uncertainty: data (0x82,0x36).
+ *
+ * Standard deviation of the estimated position.
+ *
+ * - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
+ */
+struct mip_filter_data_ecef_position_uncertainty {
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float pos_uncertainty[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY_DESCRIPTOR 0x36
+#define MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY_NAME "filter_data.ecef_position_uncertainty"
+
+extern const struct mip_codec mip_filter_data_ecef_position_uncertainty_codec;
+mip_error mip_filter_data_ecef_position_uncertainty_decode(
+    struct mip_filter_data_ecef_position_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_ecef_position_uncertainty_encode(
+    const struct mip_filter_data_ecef_position_uncertainty *value, struct mip_builder *builder);
+
+/**
+ * ECEF velocity uncertainty: data (0x82,0x37).
+ *
+ * Standard deviation of the estimated velocity.
+ *
+ * - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
+ */
+struct mip_filter_data_ecef_velocity_uncertainty {
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float vel_uncertainty[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY_DESCRIPTOR 0x37
+#define MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY_NAME "filter_data.ecef_velocity_uncertainty"
+
+extern const struct mip_codec mip_filter_data_ecef_velocity_uncertainty_codec;
+mip_error mip_filter_data_ecef_velocity_uncertainty_decode(
+    struct mip_filter_data_ecef_velocity_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_ecef_velocity_uncertainty_encode(
+    const struct mip_filter_data_ecef_velocity_uncertainty *value, struct mip_builder *builder);
+
+/**
+ * ECEF position: data (0x82,0x40).
+ *
+ * Estimated position.
+ *
+ * - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
+ */
+struct mip_filter_data_ecef_position {
+    /**
+     * Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID
+     * in valid_flags is set.
+     */
+    double position_ecef[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_ECEF_POSITION_DESCRIPTOR 0x40
+#define MIP_FILTER_DATA_ECEF_POSITION_NAME "filter_data.ecef_position"
+
+extern const struct mip_codec mip_filter_data_ecef_position_codec;
+mip_error mip_filter_data_ecef_position_decode(struct mip_filter_data_ecef_position *value,
+                                               const struct mip_field *field);
+mip_error mip_filter_data_ecef_position_encode(const struct mip_filter_data_ecef_position *value,
+                                               struct mip_builder *builder);
+
+/**
+ * ECEF velocity: data (0x82,0x41).
+ *
+ * Estimated velocity.
+ *
+ * - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
+ */
+struct mip_filter_data_ecef_velocity {
+    /**
+     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float velocity_ecef[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_ECEF_VELOCITY_DESCRIPTOR 0x41
+#define MIP_FILTER_DATA_ECEF_VELOCITY_NAME "filter_data.ecef_velocity"
+
+extern const struct mip_codec mip_filter_data_ecef_velocity_codec;
+mip_error mip_filter_data_ecef_velocity_decode(struct mip_filter_data_ecef_velocity *value,
+                                               const struct mip_field *field);
+mip_error mip_filter_data_ecef_velocity_encode(const struct mip_filter_data_ecef_velocity *value,
+                                               struct mip_builder *builder);
+
+/**
+ * NED relative position: data (0x82,0x42).
+ *
+ * Estimated position relative to the point that `filter.relative_position_configuration` sets.
+ *
+ * - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
+ */
+struct mip_filter_data_ned_relative_position {
+    /**
+     * Relative position. Elements: x, y, z. Unit: m. Frame: ned. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    double relative_position[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_NED_RELATIVE_POSITION_DESCRIPTOR 0x42
+#define MIP_FILTER_DATA_NED_RELATIVE_POSITION_NAME "filter_data.ned_relative_position"
+
+extern const struct mip_codec mip_filter_data_ned_relative_position_codec;
+mip_error mip_filter_data_ned_relative_position_decode(
+    struct mip_filter_data_ned_relative_position *value, const struct mip_field *field);
+mip_error mip_filter_data_ned_relative_position_encode(
+    const struct mip_filter_data_ned_relative_position *value, struct mip_builder *builder);
+
+/**
+ * GNSS position aiding status: data (0x82,0x43).
+ *
+ * How the filter uses the position measurements of one GNSS receiver.
+ *
+ * Single precision resolves the time of week to 0.0625 s at the end of the week.
+ *
+ * - 3dm-cv7-gnss-ins: GNSS Position Aiding Status (0x82,0x43)
+ */
+struct mip_filter_data_gnss_position_aiding_status {
+    /** Number of the receiver. */
+    uint8_t receiver_id;
+    /** GPS time of week of the last measurement. Unit: s. */
+    float time_of_week;
+    /** How the measurements are used. */
+    mip_filter_data_gnss_aiding_status status;
+    /** Reserved. */
+    uint8_t reserved[8];
+};
+
+#define MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS_DESCRIPTOR 0x43
+#define MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS_NAME "filter_data.gnss_position_aiding_status"
+
+extern const struct mip_codec mip_filter_data_gnss_position_aiding_status_codec;
+mip_error mip_filter_data_gnss_position_aiding_status_decode(
+    struct mip_filter_data_gnss_position_aiding_status *value, const struct mip_field *field);
+mip_error mip_filter_data_gnss_position_aiding_status_encode(
+    const struct mip_filter_data_gnss_position_aiding_status *value, struct mip_builder *builder);
+
+/**
+ * Aiding measurement summary: data (0x82,0x46).
+ *
+ * What the filter did with one kind of aiding measurement in the last measurement interval.
+ *
+ * Single precision resolves the time of week to 0.0625 s at the end of the week.
+ *
+ * - 3dm-cv7-gnss-ins: Aiding Measurement Summary (0x82,0x46)
+ */
+struct mip_filter_data_aiding_measurement_summary {
+    /** GPS time of week at the end of the interval. Unit: s. */
+    float time_of_week;
+    /** Number of the source of the measurement. */
+    uint8_t source;
+    /** Kind of measurement. */
+    mip_filter_data_aiding_measurement_type type;
+    /** What the filter did with it. */
+    mip_filter_data_aiding_measurement_indicator indicator;
+};
+
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY_DESCRIPTOR 0x46
+#define MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY_NAME "filter_data.aiding_measurement_summary"
+
+extern const struct mip_codec mip_filter_data_aiding_measurement_summary_codec;
+mip_error mip_filter_data_aiding_measurement_summary_decode(
+    struct mip_filter_data_aiding_measurement_summary *value, const struct mip_field *field);
+mip_error mip_filter_data_aiding_measurement_summary_encode(
+    const struct mip_filter_data_aiding_measurement_summary *value, struct mip_builder *builder);
+
+/**
+ * Odometer scale factor error: data (0x82,0x47).
+ *
+ * Estimated relative error of the odometer scale factor.
+ *
+ * Estimated scale factor = configured scale factor * (1 + error).
+ *
+ * - 3dm-cv7-gnss-ins: Odometer Scale Factor Error (0x82,0x47)
+ */
+struct mip_filter_data_odometer_scale_factor_error {
+    /**
+     * Relative error. Unit: 1. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float scale_factor_error;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_DESCRIPTOR 0x47
+#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_NAME "filter_data.odometer_scale_factor_error"
+
+extern const struct mip_codec mip_filter_data_odometer_scale_factor_error_codec;
+mip_error mip_filter_data_odometer_scale_factor_error_decode(
+    struct mip_filter_data_odometer_scale_factor_error *value, const struct mip_field *field);
+mip_error mip_filter_data_odometer_scale_factor_error_encode(
+    const struct mip_filter_data_odometer_scale_factor_error *value, struct mip_builder *builder);
+
+/**
+ * Odometer scale factor error uncertainty: data (0x82,0x48).
+ *
+ * Uncertainty of the estimated error of the odometer scale factor.
+ *
+ * - 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48)
+ */
+struct mip_filter_data_odometer_scale_factor_error_uncertainty {
+    /**
+     * Uncertainty of the relative error. Unit: 1. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float scale_factor_error_uncertainty;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_DESCRIPTOR 0x48
+#define MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_NAME \
+    "filter_data.odometer_scale_factor_error_uncertainty"
+
+extern const struct mip_codec mip_filter_data_odometer_scale_factor_error_uncertainty_codec;
+mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_decode(
+    struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
+    const struct mip_field *field);
+mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_encode(
+    const struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
+    struct mip_builder *builder);
+
+/**
+ * GNSS dual antenna status: data (0x82,0x49).
+ *
+ * Heading that two GNSS antennas give.
+ *
+ * Single precision resolves the time of week to 0.0625 s at the end of the week.
+ *
+ * - 3dm-cv7-gnss-ins: GNSS Dual Antenna Status (0x82,0x49)
+ */
+struct mip_filter_data_gnss_dual_antenna_status {
+    /**
+     * GPS time of week of the last measurement. Unit: s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID
+     * in valid_flags is set.
+     */
+    float time_of_week;
+    /** Heading. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
+    float heading;
+    /**
+     * Uncertainty of the heading. Unit: rad. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float heading_unc;
+    /** Kind of solution. */
+    mip_filter_data_dual_antenna_fix_type fix_type;
+    /** What the solution has to work with. */
+    mip_filter_data_dual_antenna_status_flags status_flags;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS_DESCRIPTOR 0x49
+#define MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS_NAME "filter_data.gnss_dual_antenna_status"
+
+extern const struct mip_codec mip_filter_data_gnss_dual_antenna_status_codec;
+mip_error mip_filter_data_gnss_dual_antenna_status_decode(
+    struct mip_filter_data_gnss_dual_antenna_status *value, const struct mip_field *field);
+mip_error mip_filter_data_gnss_dual_antenna_status_encode(
+    const struct mip_filter_data_gnss_dual_antenna_status *value, struct mip_builder *builder);
+
+/**
+ * Aiding frame configuration error: data (0x82,0x50).
+ *
+ * Estimated error of a frame that `aiding.frame_configuration` defines; it is corrected for.
+ *
+ * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
+ */
+struct mip_filter_data_aiding_frame_configuration_error {
+    /** Number of the frame. */
+    uint8_t frame_id;
+    /** Error of the translation. Elements: x, y, z. Unit: m. */
+    float translation[3];
+    /** Error of the rotation. Elements: w, x, y, z. Unit: 1. */
+    float attitude[4];
+};
+
+#define MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_DESCRIPTOR 0x50
+#define MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_NAME \
+    "filter_data.aiding_frame_configuration_error"
+
+extern const struct mip_codec mip_filter_data_aiding_frame_configuration_error_codec;
+mip_error mip_filter_data_aiding_frame_configuration_error_decode(
+    struct mip_filter_data_aiding_frame_configuration_error *value, const struct mip_field *field);
+mip_error mip_filter_data_aiding_frame_configuration_error_encode(
+    const struct mip_filter_data_aiding_frame_configuration_error *value,
+    struct mip_builder *builder);
+
+/**
+ * Aiding frame configuration error uncertainty: data (0x82,0x51).
+ *
+ * Uncertainty of the estimated error of a frame that `aiding.frame_configuration` defines.
+ *
+ * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
+ */
+struct mip_filter_data_aiding_frame_configuration_error_uncertainty {
+    /** Number of the frame. */
+    uint8_t frame_id;
+    /** Uncertainty of the translation. Elements: x, y, z. Unit: m. */
+    float translation_unc[3];
+    /** Uncertainty of the rotation about each axis. Elements: x, y, z. Unit: rad. */
+    float attitude_unc[3];
+};
+
+#define MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_DESCRIPTOR 0x51
+#define MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_NAME \
+    "filter_data.aiding_frame_configuration_error_uncertainty"
+
+extern const struct mip_codec mip_filter_data_aiding_frame_configuration_error_uncertainty_codec;
+mip_error mip_filter_data_aiding_frame_configuration_error_uncertainty_decode(
+    struct mip_filter_data_aiding_frame_configuration_error_uncertainty *value,
+    const struct mip_field *field);
+mip_error mip_filter_data_aiding_frame_configuration_error_uncertainty_encode(
+    const struct mip_filter_data_aiding_frame_configuration_error_uncertainty *value,
+    struct mip_builder *builder);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

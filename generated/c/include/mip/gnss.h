@@ -1,0 +1,373 @@
+/**
+ * @file
+ *
+ * GNSS commands (0x0E). Commands that describe and set up the internal GNSS receivers.
+ */
+#ifndef MIP_GNSS_H
+#define MIP_GNSS_H
+
+#include "mip/protocol.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/gnss.h and mip/core.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define MIP_GNSS_SET 0x0E
+
+/**
+ * One GNSS receiver.
+ *
+ * - 3dm-cv7-gnss-ins: Info
+ */
+struct mip_gnss_receiver_info_entry {
+    /** Receiver, counted from 1. At least 1. */
+    uint8_t receiver_id;
+    /** Descriptor set of the data of this receiver. Range: 128 to 254. */
+    uint8_t mip_data_descriptor_set;
+    /** Module name or model and firmware version, with a comma between. */
+    char description[33];
+};
+
+void mip_gnss_receiver_info_entry_read(struct mip_reader *r,
+                                       struct mip_gnss_receiver_info_entry *v);
+void mip_gnss_receiver_info_entry_write(struct mip_writer *w,
+                                        const struct mip_gnss_receiver_info_entry *v);
+
+/** GPS signals that are enabled. */
+typedef uint8_t mip_gnss_gps_signals;
+/** Bit 0: L1 C/A. */
+#define MIP_GNSS_GPS_SIGNALS_L1CA 0x01U
+/** Bit 1: L2C. */
+#define MIP_GNSS_GPS_SIGNALS_L2C 0x02U
+/** Bit 2: L5. */
+#define MIP_GNSS_GPS_SIGNALS_L5 0x04U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_gps_signals_set(mip_gnss_gps_signals *flags,
+                                            mip_gnss_gps_signals bits) {
+    *flags = (mip_gnss_gps_signals)(*flags | bits);
+}
+static inline void mip_gnss_gps_signals_clear(mip_gnss_gps_signals *flags,
+                                              mip_gnss_gps_signals bits) {
+    *flags = (mip_gnss_gps_signals)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_gps_signals_has(mip_gnss_gps_signals flags, mip_gnss_gps_signals bits) {
+    return (flags & bits) == bits;
+}
+
+/** GLONASS signals that are enabled. */
+typedef uint8_t mip_gnss_glonass_signals;
+/** Bit 0: L1OF. */
+#define MIP_GNSS_GLONASS_SIGNALS_L1OF 0x01U
+/** Bit 1: L2OF. */
+#define MIP_GNSS_GLONASS_SIGNALS_L2OF 0x02U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_glonass_signals_set(mip_gnss_glonass_signals *flags,
+                                                mip_gnss_glonass_signals bits) {
+    *flags = (mip_gnss_glonass_signals)(*flags | bits);
+}
+static inline void mip_gnss_glonass_signals_clear(mip_gnss_glonass_signals *flags,
+                                                  mip_gnss_glonass_signals bits) {
+    *flags = (mip_gnss_glonass_signals)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_glonass_signals_has(mip_gnss_glonass_signals flags,
+                                                mip_gnss_glonass_signals bits) {
+    return (flags & bits) == bits;
+}
+
+/** Galileo signals that are enabled. */
+typedef uint8_t mip_gnss_galileo_signals;
+/** Bit 0: E1. */
+#define MIP_GNSS_GALILEO_SIGNALS_E1 0x01U
+/** Bit 1: E5b. */
+#define MIP_GNSS_GALILEO_SIGNALS_E5B 0x02U
+/** Bit 2: E5a. */
+#define MIP_GNSS_GALILEO_SIGNALS_E5A 0x04U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_galileo_signals_set(mip_gnss_galileo_signals *flags,
+                                                mip_gnss_galileo_signals bits) {
+    *flags = (mip_gnss_galileo_signals)(*flags | bits);
+}
+static inline void mip_gnss_galileo_signals_clear(mip_gnss_galileo_signals *flags,
+                                                  mip_gnss_galileo_signals bits) {
+    *flags = (mip_gnss_galileo_signals)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_galileo_signals_has(mip_gnss_galileo_signals flags,
+                                                mip_gnss_galileo_signals bits) {
+    return (flags & bits) == bits;
+}
+
+/** BeiDou signals that are enabled. */
+typedef uint8_t mip_gnss_beidou_signals;
+/** Bit 0: B1. */
+#define MIP_GNSS_BEIDOU_SIGNALS_B1 0x01U
+/** Bit 1: B2. */
+#define MIP_GNSS_BEIDOU_SIGNALS_B2 0x02U
+/** Bit 2: B2a. */
+#define MIP_GNSS_BEIDOU_SIGNALS_B2A 0x04U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_beidou_signals_set(mip_gnss_beidou_signals *flags,
+                                               mip_gnss_beidou_signals bits) {
+    *flags = (mip_gnss_beidou_signals)(*flags | bits);
+}
+static inline void mip_gnss_beidou_signals_clear(mip_gnss_beidou_signals *flags,
+                                                 mip_gnss_beidou_signals bits) {
+    *flags = (mip_gnss_beidou_signals)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_beidou_signals_has(mip_gnss_beidou_signals flags,
+                                               mip_gnss_beidou_signals bits) {
+    return (flags & bits) == bits;
+}
+
+/** How SPARTN corrections come. */
+typedef uint8_t mip_gnss_spartn_connection;
+/** No connection. */
+#define MIP_GNSS_SPARTN_CONNECTION_NONE 0
+/** By a network. */
+#define MIP_GNSS_SPARTN_CONNECTION_NETWORK 1
+/** By satellite in the L band. */
+#define MIP_GNSS_SPARTN_CONNECTION_L_BAND 2
+
+/**
+ * Receiver info: command (0x0E,0x01).
+ *
+ * Asks which GNSS receivers the device has.
+ *
+ * Answered by mip_gnss_receiver_info_response.
+ *
+ * - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
+ */
+struct mip_gnss_receiver_info {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_GNSS_RECEIVER_INFO_DESCRIPTOR 0x01
+#define MIP_GNSS_RECEIVER_INFO_NAME "gnss.receiver_info"
+
+extern const struct mip_codec mip_gnss_receiver_info_codec;
+mip_error mip_gnss_receiver_info_decode(struct mip_gnss_receiver_info *value,
+                                        const struct mip_field *field);
+mip_error mip_gnss_receiver_info_encode(const struct mip_gnss_receiver_info *value,
+                                        struct mip_builder *builder);
+
+/**
+ * Receiver info response: response (0x0E,0x81).
+ *
+ * Answers Receiver info (0x0E,0x01).
+ *
+ * - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
+ */
+struct mip_gnss_receiver_info_response {
+    /** Number of physical receivers. */
+    uint8_t num_receivers;
+    /** The receivers. */
+    struct mip_gnss_receiver_info_entry receiver_info[7];
+};
+
+#define MIP_GNSS_RECEIVER_INFO_RESPONSE_DESCRIPTOR 0x81
+#define MIP_GNSS_RECEIVER_INFO_RESPONSE_NAME "gnss.receiver_info_response"
+
+extern const struct mip_codec mip_gnss_receiver_info_response_codec;
+mip_error mip_gnss_receiver_info_response_decode(struct mip_gnss_receiver_info_response *value,
+                                                 const struct mip_field *field);
+mip_error mip_gnss_receiver_info_response_encode(
+    const struct mip_gnss_receiver_info_response *value, struct mip_builder *builder);
+
+/**
+ * Signal configuration: command (0x0E,0x02).
+ *
+ * GNSS signals that the device uses.
+ *
+ * A device takes certain combinations only.
+ *
+ * The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou L1 alone. It takes for
+ * GPS and BeiDou none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or L1.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_gnss_signal_configuration_response.
+ *
+ * - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
+ * - 3dm-cv7-gnss-ins: GNSS
+ */
+struct mip_gnss_signal_configuration {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** GPS signals. For write. */
+    mip_gnss_gps_signals gps_enable;
+    /** GLONASS signals. For write. */
+    mip_gnss_glonass_signals glonass_enable;
+    /** Galileo signals. For write. */
+    mip_gnss_galileo_signals galileo_enable;
+    /** BeiDou signals. For write. */
+    mip_gnss_beidou_signals beidou_enable;
+    /** For write. */
+    uint8_t reserved[4];
+};
+
+#define MIP_GNSS_SIGNAL_CONFIGURATION_DESCRIPTOR 0x02
+#define MIP_GNSS_SIGNAL_CONFIGURATION_NAME "gnss.signal_configuration"
+
+extern const struct mip_codec mip_gnss_signal_configuration_codec;
+mip_error mip_gnss_signal_configuration_decode(struct mip_gnss_signal_configuration *value,
+                                               const struct mip_field *field);
+mip_error mip_gnss_signal_configuration_encode(const struct mip_gnss_signal_configuration *value,
+                                               struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_gnss_signal_configuration mip_gnss_signal_configuration_write(
+    mip_gnss_gps_signals gps_enable, mip_gnss_glonass_signals glonass_enable,
+    mip_gnss_galileo_signals galileo_enable, mip_gnss_beidou_signals beidou_enable);
+/** Send the current setting back in a response. */
+struct mip_gnss_signal_configuration mip_gnss_signal_configuration_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_gnss_signal_configuration mip_gnss_signal_configuration_save(void);
+/** Load the saved setting. */
+struct mip_gnss_signal_configuration mip_gnss_signal_configuration_load(void);
+/** Load the factory default setting. */
+struct mip_gnss_signal_configuration mip_gnss_signal_configuration_default(void);
+
+/**
+ * Signal configuration response: response (0x0E,0x82).
+ *
+ * Answers Signal configuration (0x0E,0x02).
+ *
+ * - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
+ * - 3dm-cv7-gnss-ins: GNSS
+ */
+struct mip_gnss_signal_configuration_response {
+    /** GPS signals. */
+    mip_gnss_gps_signals gps_enable;
+    /** GLONASS signals. */
+    mip_gnss_glonass_signals glonass_enable;
+    /** Galileo signals. */
+    mip_gnss_galileo_signals galileo_enable;
+    /** BeiDou signals. */
+    mip_gnss_beidou_signals beidou_enable;
+    /**  */
+    uint8_t reserved[4];
+};
+
+#define MIP_GNSS_SIGNAL_CONFIGURATION_RESPONSE_DESCRIPTOR 0x82
+#define MIP_GNSS_SIGNAL_CONFIGURATION_RESPONSE_NAME "gnss.signal_configuration_response"
+
+extern const struct mip_codec mip_gnss_signal_configuration_response_codec;
+mip_error mip_gnss_signal_configuration_response_decode(
+    struct mip_gnss_signal_configuration_response *value, const struct mip_field *field);
+mip_error mip_gnss_signal_configuration_response_encode(
+    const struct mip_gnss_signal_configuration_response *value, struct mip_builder *builder);
+
+/**
+ * SPARTN configuration: command (0x0E,0x20).
+ *
+ * Source and keys of SPARTN corrections.
+ *
+ * A change of enable or type has an effect after a power cycle only; keys can be changed while
+ * running.
+ *
+ * While SPARTN corrections are enabled, RTCM corrections are blocked.
+ *
+ * A key of 16 bytes, none of them 0, is sent as 32 ASCII digits 0-9 and A-F, two for each byte.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_gnss_spartn_configuration_response.
+ *
+ * - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
+ * - 3dm-cv7-gnss-ins: SPARTN Corrections
+ * - 3dm-cv7-gnss-ins: SPARTN Corrections via UART
+ */
+struct mip_gnss_spartn_configuration {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. For write. */
+    uint8_t enable;
+    /** How the corrections come. For write. */
+    mip_gnss_spartn_connection type;
+    /** GPS time of week until which the current key is valid. Unit: s. For write. */
+    uint32_t current_key_tow;
+    /** GPS week number until which the current key is valid. Unit: week. For write. */
+    uint16_t current_key_week;
+    /** Current key in ASCII digits. For write. */
+    uint8_t current_key[32];
+    /** GPS time of week until which the next key is valid. Unit: s. For write. */
+    uint32_t next_key_tow;
+    /** GPS week number until which the next key is valid. Unit: week. For write. */
+    uint16_t next_key_week;
+    /** Next key in ASCII digits. For write. */
+    uint8_t next_key[32];
+};
+
+#define MIP_GNSS_SPARTN_CONFIGURATION_DESCRIPTOR 0x20
+#define MIP_GNSS_SPARTN_CONFIGURATION_NAME "gnss.spartn_configuration"
+
+extern const struct mip_codec mip_gnss_spartn_configuration_codec;
+mip_error mip_gnss_spartn_configuration_decode(struct mip_gnss_spartn_configuration *value,
+                                               const struct mip_field *field);
+mip_error mip_gnss_spartn_configuration_encode(const struct mip_gnss_spartn_configuration *value,
+                                               struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_write(
+    uint8_t enable, mip_gnss_spartn_connection type, uint32_t current_key_tow,
+    uint16_t current_key_week, const uint8_t current_key[32], uint32_t next_key_tow,
+    uint16_t next_key_week, const uint8_t next_key[32]);
+/** Send the current setting back in a response. */
+struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_save(void);
+/** Load the saved setting. */
+struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_load(void);
+/** Load the factory default setting. */
+struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_default(void);
+
+/**
+ * SPARTN configuration response: response (0x0E,0xA0).
+ *
+ * Answers SPARTN configuration (0x0E,0x20).
+ *
+ * - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
+ * - 3dm-cv7-gnss-ins: SPARTN Corrections
+ * - 3dm-cv7-gnss-ins: SPARTN Corrections via UART
+ */
+struct mip_gnss_spartn_configuration_response {
+    /** 1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. */
+    uint8_t enable;
+    /** How the corrections come. */
+    mip_gnss_spartn_connection type;
+    /** GPS time of week until which the current key is valid. Unit: s. */
+    uint32_t current_key_tow;
+    /** GPS week number until which the current key is valid. Unit: week. */
+    uint16_t current_key_week;
+    /** Current key in ASCII digits. */
+    uint8_t current_key[32];
+    /** GPS time of week until which the next key is valid. Unit: s. */
+    uint32_t next_key_tow;
+    /** GPS week number until which the next key is valid. Unit: week. */
+    uint16_t next_key_week;
+    /** Next key in ASCII digits. */
+    uint8_t next_key[32];
+};
+
+#define MIP_GNSS_SPARTN_CONFIGURATION_RESPONSE_DESCRIPTOR 0xA0
+#define MIP_GNSS_SPARTN_CONFIGURATION_RESPONSE_NAME "gnss.spartn_configuration_response"
+
+extern const struct mip_codec mip_gnss_spartn_configuration_response_codec;
+mip_error mip_gnss_spartn_configuration_response_decode(
+    struct mip_gnss_spartn_configuration_response *value, const struct mip_field *field);
+mip_error mip_gnss_spartn_configuration_response_encode(
+    const struct mip_gnss_spartn_configuration_response *value, struct mip_builder *builder);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

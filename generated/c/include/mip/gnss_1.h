@@ -1,0 +1,1803 @@
+/**
+ * @file
+ *
+ * GNSS receiver 1 data (0x91). Measurements and status of the first internal GNSS receiver.
+ */
+#ifndef MIP_GNSS_1_H
+#define MIP_GNSS_1_H
+
+#include "mip/protocol.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/gnss_1.h and mip/core.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define MIP_GNSS_1_SET 0x91
+
+/** Which parts of the position are valid. */
+typedef uint16_t mip_gnss_1_gnss_llh_position_flags;
+/** Bit 0: Latitude and longitude. */
+#define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_LAT_LON 0x0001U
+/** Bit 1: Height above the ellipsoid. */
+#define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_ELLIPSOID_HEIGHT 0x0002U
+/** Bit 2: Height above mean sea level. */
+#define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_MSL_HEIGHT 0x0004U
+/** Bit 3: Horizontal accuracy. */
+#define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY 0x0008U
+/** Bit 4: Vertical accuracy. */
+#define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_VERTICAL_ACCURACY 0x0010U
+/** Bits 0 to 4: All of them. */
+#define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_FLAGS 0x001FU
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_1_gnss_llh_position_flags_set(mip_gnss_1_gnss_llh_position_flags *flags,
+                                                          mip_gnss_1_gnss_llh_position_flags bits) {
+    *flags = (mip_gnss_1_gnss_llh_position_flags)(*flags | bits);
+}
+static inline void mip_gnss_1_gnss_llh_position_flags_clear(
+    mip_gnss_1_gnss_llh_position_flags *flags, mip_gnss_1_gnss_llh_position_flags bits) {
+    *flags = (mip_gnss_1_gnss_llh_position_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_1_gnss_llh_position_flags_has(mip_gnss_1_gnss_llh_position_flags flags,
+                                                          mip_gnss_1_gnss_llh_position_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** Which parts of the position are valid. */
+typedef uint16_t mip_gnss_1_gnss_ecef_position_flags;
+/** Bit 0: Position. */
+#define MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_POSITION 0x0001U
+/** Bit 1: Accuracy of the position. */
+#define MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_POSITION_ACCURACY 0x0002U
+/** Bits 0 to 1: All of them. */
+#define MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_FLAGS 0x0003U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_1_gnss_ecef_position_flags_set(
+    mip_gnss_1_gnss_ecef_position_flags *flags, mip_gnss_1_gnss_ecef_position_flags bits) {
+    *flags = (mip_gnss_1_gnss_ecef_position_flags)(*flags | bits);
+}
+static inline void mip_gnss_1_gnss_ecef_position_flags_clear(
+    mip_gnss_1_gnss_ecef_position_flags *flags, mip_gnss_1_gnss_ecef_position_flags bits) {
+    *flags = (mip_gnss_1_gnss_ecef_position_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_1_gnss_ecef_position_flags_has(
+    mip_gnss_1_gnss_ecef_position_flags flags, mip_gnss_1_gnss_ecef_position_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** Which parts of the velocity are valid. */
+typedef uint16_t mip_gnss_1_ned_velocity_flags;
+/** Bit 0: Velocity vector. */
+#define MIP_GNSS_1_NED_VELOCITY_FLAGS_VELOCITY 0x0001U
+/** Bit 1: Speed in space. */
+#define MIP_GNSS_1_NED_VELOCITY_FLAGS_SPEED_3D 0x0002U
+/** Bit 2: Speed over ground. */
+#define MIP_GNSS_1_NED_VELOCITY_FLAGS_GROUND_SPEED 0x0004U
+/** Bit 3: Heading. */
+#define MIP_GNSS_1_NED_VELOCITY_FLAGS_HEADING 0x0008U
+/** Bit 4: Accuracy of the speed. */
+#define MIP_GNSS_1_NED_VELOCITY_FLAGS_SPEED_ACCURACY 0x0010U
+/** Bit 5: Accuracy of the heading. */
+#define MIP_GNSS_1_NED_VELOCITY_FLAGS_HEADING_ACCURACY 0x0020U
+/** Bits 0 to 5: All of them. */
+#define MIP_GNSS_1_NED_VELOCITY_FLAGS_FLAGS 0x003FU
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_1_ned_velocity_flags_set(mip_gnss_1_ned_velocity_flags *flags,
+                                                     mip_gnss_1_ned_velocity_flags bits) {
+    *flags = (mip_gnss_1_ned_velocity_flags)(*flags | bits);
+}
+static inline void mip_gnss_1_ned_velocity_flags_clear(mip_gnss_1_ned_velocity_flags *flags,
+                                                       mip_gnss_1_ned_velocity_flags bits) {
+    *flags = (mip_gnss_1_ned_velocity_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_1_ned_velocity_flags_has(mip_gnss_1_ned_velocity_flags flags,
+                                                     mip_gnss_1_ned_velocity_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** Which parts of the velocity are valid. */
+typedef uint16_t mip_gnss_1_gnss_ecef_velocity_flags;
+/** Bit 0: Velocity. */
+#define MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_VELOCITY 0x0001U
+/** Bit 1: Accuracy of the velocity. */
+#define MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY 0x0002U
+/** Bits 0 to 1: All of them. */
+#define MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_FLAGS 0x0003U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_1_gnss_ecef_velocity_flags_set(
+    mip_gnss_1_gnss_ecef_velocity_flags *flags, mip_gnss_1_gnss_ecef_velocity_flags bits) {
+    *flags = (mip_gnss_1_gnss_ecef_velocity_flags)(*flags | bits);
+}
+static inline void mip_gnss_1_gnss_ecef_velocity_flags_clear(
+    mip_gnss_1_gnss_ecef_velocity_flags *flags, mip_gnss_1_gnss_ecef_velocity_flags bits) {
+    *flags = (mip_gnss_1_gnss_ecef_velocity_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_1_gnss_ecef_velocity_flags_has(
+    mip_gnss_1_gnss_ecef_velocity_flags flags, mip_gnss_1_gnss_ecef_velocity_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** Which dilutions of precision are valid. */
+typedef uint16_t mip_gnss_1_dop_flags;
+/** Bit 0: Geometric. */
+#define MIP_GNSS_1_DOP_FLAGS_GDOP 0x0001U
+/** Bit 1: Position. */
+#define MIP_GNSS_1_DOP_FLAGS_PDOP 0x0002U
+/** Bit 2: Horizontal. */
+#define MIP_GNSS_1_DOP_FLAGS_HDOP 0x0004U
+/** Bit 3: Vertical. */
+#define MIP_GNSS_1_DOP_FLAGS_VDOP 0x0008U
+/** Bit 4: Time. */
+#define MIP_GNSS_1_DOP_FLAGS_TDOP 0x0010U
+/** Bit 5: Northing. */
+#define MIP_GNSS_1_DOP_FLAGS_NDOP 0x0020U
+/** Bit 6: Easting. */
+#define MIP_GNSS_1_DOP_FLAGS_EDOP 0x0040U
+/** Bits 0 to 6: All of them. */
+#define MIP_GNSS_1_DOP_FLAGS_FLAGS 0x007FU
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_1_dop_flags_set(mip_gnss_1_dop_flags *flags,
+                                            mip_gnss_1_dop_flags bits) {
+    *flags = (mip_gnss_1_dop_flags)(*flags | bits);
+}
+static inline void mip_gnss_1_dop_flags_clear(mip_gnss_1_dop_flags *flags,
+                                              mip_gnss_1_dop_flags bits) {
+    *flags = (mip_gnss_1_dop_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_1_dop_flags_has(mip_gnss_1_dop_flags flags, mip_gnss_1_dop_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** How far the UTC time is valid. */
+typedef uint16_t mip_gnss_1_utc_time_flags;
+/** Bit 0: Date and time come from GNSS. */
+#define MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME 0x0001U
+/** Bit 1: The leap seconds between GPS time and UTC are known. */
+#define MIP_GNSS_1_UTC_TIME_FLAGS_LEAP_SECONDS_KNOWN 0x0002U
+/** Bits 0 to 1: All of them. */
+#define MIP_GNSS_1_UTC_TIME_FLAGS_FLAGS 0x0003U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_1_utc_time_flags_set(mip_gnss_1_utc_time_flags *flags,
+                                                 mip_gnss_1_utc_time_flags bits) {
+    *flags = (mip_gnss_1_utc_time_flags)(*flags | bits);
+}
+static inline void mip_gnss_1_utc_time_flags_clear(mip_gnss_1_utc_time_flags *flags,
+                                                   mip_gnss_1_utc_time_flags bits) {
+    *flags = (mip_gnss_1_utc_time_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_1_utc_time_flags_has(mip_gnss_1_utc_time_flags flags,
+                                                 mip_gnss_1_utc_time_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** Which parts of the time are valid. */
+typedef uint16_t mip_gnss_1_gps_time_flags;
+/** Bit 0: Time of week. */
+#define MIP_GNSS_1_GPS_TIME_FLAGS_TOW 0x0001U
+/** Bit 1: Week number. */
+#define MIP_GNSS_1_GPS_TIME_FLAGS_WEEK_NUMBER 0x0002U
+/** Bits 0 to 1: All of them. */
+#define MIP_GNSS_1_GPS_TIME_FLAGS_FLAGS 0x0003U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_1_gps_time_flags_set(mip_gnss_1_gps_time_flags *flags,
+                                                 mip_gnss_1_gps_time_flags bits) {
+    *flags = (mip_gnss_1_gps_time_flags)(*flags | bits);
+}
+static inline void mip_gnss_1_gps_time_flags_clear(mip_gnss_1_gps_time_flags *flags,
+                                                   mip_gnss_1_gps_time_flags bits) {
+    *flags = (mip_gnss_1_gps_time_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_1_gps_time_flags_has(mip_gnss_1_gps_time_flags flags,
+                                                 mip_gnss_1_gps_time_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** What the fix makes use of. */
+typedef uint16_t mip_gnss_1_fix_flags;
+/** Bit 0: Satellite based augmentation. */
+#define MIP_GNSS_1_FIX_FLAGS_SBAS_USED 0x0001U
+/** Bit 1: Differential corrections. */
+#define MIP_GNSS_1_FIX_FLAGS_DGNSS_USED 0x0002U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_1_fix_flags_set(mip_gnss_1_fix_flags *flags,
+                                            mip_gnss_1_fix_flags bits) {
+    *flags = (mip_gnss_1_fix_flags)(*flags | bits);
+}
+static inline void mip_gnss_1_fix_flags_clear(mip_gnss_1_fix_flags *flags,
+                                              mip_gnss_1_fix_flags bits) {
+    *flags = (mip_gnss_1_fix_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_1_fix_flags_has(mip_gnss_1_fix_flags flags, mip_gnss_1_fix_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** Which parts of the fix information are valid. */
+typedef uint16_t mip_gnss_1_fix_info_flags;
+/** Bit 0: Type of the fix. */
+#define MIP_GNSS_1_FIX_INFO_FLAGS_FIX_TYPE 0x0001U
+/** Bit 1: Number of satellites. */
+#define MIP_GNSS_1_FIX_INFO_FLAGS_NUM_SV 0x0002U
+/** Bit 2: Fix flags. */
+#define MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS 0x0004U
+/** Bits 0 to 2: All of them. */
+#define MIP_GNSS_1_FIX_INFO_FLAGS_FLAGS 0x0007U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_1_fix_info_flags_set(mip_gnss_1_fix_info_flags *flags,
+                                                 mip_gnss_1_fix_info_flags bits) {
+    *flags = (mip_gnss_1_fix_info_flags)(*flags | bits);
+}
+static inline void mip_gnss_1_fix_info_flags_clear(mip_gnss_1_fix_info_flags *flags,
+                                                   mip_gnss_1_fix_info_flags bits) {
+    *flags = (mip_gnss_1_fix_info_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_1_fix_info_flags_has(mip_gnss_1_fix_info_flags flags,
+                                                 mip_gnss_1_fix_info_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** Whether the receiver works. */
+typedef uint8_t mip_gnss_1_receiver_state;
+/** Off. */
+#define MIP_GNSS_1_RECEIVER_STATE_OFF 0
+/** On. */
+#define MIP_GNSS_1_RECEIVER_STATE_ON 1
+/** Not known. */
+#define MIP_GNSS_1_RECEIVER_STATE_UNKNOWN 2
+
+/** State of the antenna. */
+typedef uint8_t mip_gnss_1_antenna_state;
+/** Being initialized. */
+#define MIP_GNSS_1_ANTENNA_STATE_INIT 1
+/** Short circuit. */
+#define MIP_GNSS_1_ANTENNA_STATE_SHORT 2
+/** Open circuit, no antenna. */
+#define MIP_GNSS_1_ANTENNA_STATE_OPEN 3
+/** Good. */
+#define MIP_GNSS_1_ANTENNA_STATE_GOOD 4
+/** Not known. */
+#define MIP_GNSS_1_ANTENNA_STATE_UNKNOWN 5
+
+/** Supply of the antenna. */
+typedef uint8_t mip_gnss_1_antenna_power;
+/** Off. */
+#define MIP_GNSS_1_ANTENNA_POWER_OFF 0
+/** On. */
+#define MIP_GNSS_1_ANTENNA_POWER_ON 1
+/** Not known. */
+#define MIP_GNSS_1_ANTENNA_POWER_UNKNOWN 2
+
+/** Which parts of the hardware status are valid. */
+typedef uint16_t mip_gnss_1_gnss_hardware_status_flags;
+/** Bit 0: State of the receiver. */
+#define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_SENSOR_STATE 0x0001U
+/** Bit 1: State of the antenna. */
+#define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_ANTENNA_STATE 0x0002U
+/** Bit 2: Supply of the antenna. */
+#define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_ANTENNA_POWER 0x0004U
+/** Bits 0 to 2: All of them. */
+#define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_FLAGS 0x0007U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_1_gnss_hardware_status_flags_set(
+    mip_gnss_1_gnss_hardware_status_flags *flags, mip_gnss_1_gnss_hardware_status_flags bits) {
+    *flags = (mip_gnss_1_gnss_hardware_status_flags)(*flags | bits);
+}
+static inline void mip_gnss_1_gnss_hardware_status_flags_clear(
+    mip_gnss_1_gnss_hardware_status_flags *flags, mip_gnss_1_gnss_hardware_status_flags bits) {
+    *flags = (mip_gnss_1_gnss_hardware_status_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_1_gnss_hardware_status_flags_has(
+    mip_gnss_1_gnss_hardware_status_flags flags, mip_gnss_1_gnss_hardware_status_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** Which clock parameters are valid. */
+typedef uint16_t mip_gnss_1_clock_info_2_flags;
+/** Bit 0: Bias. */
+#define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_BIAS 0x0001U
+/** Bit 1: Drift. */
+#define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT 0x0002U
+/** Bit 2: Accuracy of the bias. */
+#define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_BIAS_ACCURACY 0x0004U
+/** Bit 3: Accuracy of the drift. */
+#define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY 0x0008U
+/** Bits 0 to 3: All of them. */
+#define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_FLAGS 0x000FU
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_1_clock_info_2_flags_set(mip_gnss_1_clock_info_2_flags *flags,
+                                                     mip_gnss_1_clock_info_2_flags bits) {
+    *flags = (mip_gnss_1_clock_info_2_flags)(*flags | bits);
+}
+static inline void mip_gnss_1_clock_info_2_flags_clear(mip_gnss_1_clock_info_2_flags *flags,
+                                                       mip_gnss_1_clock_info_2_flags bits) {
+    *flags = (mip_gnss_1_clock_info_2_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_1_clock_info_2_flags_has(mip_gnss_1_clock_info_2_flags flags,
+                                                     mip_gnss_1_clock_info_2_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** Whether the leap seconds are valid. Bit 0 is not used. */
+typedef uint16_t mip_gnss_1_gps_leap_seconds_flags;
+/** Bit 1: Leap seconds. */
+#define MIP_GNSS_1_GPS_LEAP_SECONDS_FLAGS_LEAP_SECONDS 0x0002U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_1_gps_leap_seconds_flags_set(mip_gnss_1_gps_leap_seconds_flags *flags,
+                                                         mip_gnss_1_gps_leap_seconds_flags bits) {
+    *flags = (mip_gnss_1_gps_leap_seconds_flags)(*flags | bits);
+}
+static inline void mip_gnss_1_gps_leap_seconds_flags_clear(mip_gnss_1_gps_leap_seconds_flags *flags,
+                                                           mip_gnss_1_gps_leap_seconds_flags bits) {
+    *flags = (mip_gnss_1_gps_leap_seconds_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_1_gps_leap_seconds_flags_has(mip_gnss_1_gps_leap_seconds_flags flags,
+                                                         mip_gnss_1_gps_leap_seconds_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** Satellite based augmentation system. */
+typedef uint8_t mip_gnss_1_sbas_system;
+/** Not known. */
+#define MIP_GNSS_1_SBAS_SYSTEM_UNKNOWN 0
+/** North America. */
+#define MIP_GNSS_1_SBAS_SYSTEM_WAAS 1
+/** Europe. */
+#define MIP_GNSS_1_SBAS_SYSTEM_EGNOS 2
+/** Japan. */
+#define MIP_GNSS_1_SBAS_SYSTEM_MSAS 3
+/** India. */
+#define MIP_GNSS_1_SBAS_SYSTEM_GAGAN 4
+
+/** What the SBAS service offers. */
+typedef uint8_t mip_gnss_1_sbas_status;
+/** Bit 0: Ranging is available. */
+#define MIP_GNSS_1_SBAS_STATUS_RANGE_AVAILABLE 0x01U
+/** Bit 1: Corrections are available. */
+#define MIP_GNSS_1_SBAS_STATUS_CORRECTIONS_AVAILABLE 0x02U
+/** Bit 2: Integrity information is available. */
+#define MIP_GNSS_1_SBAS_STATUS_INTEGRITY_AVAILABLE 0x04U
+/** Bit 3: The service is in test mode. */
+#define MIP_GNSS_1_SBAS_STATUS_TEST_MODE 0x08U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_1_sbas_status_set(mip_gnss_1_sbas_status *flags,
+                                              mip_gnss_1_sbas_status bits) {
+    *flags = (mip_gnss_1_sbas_status)(*flags | bits);
+}
+static inline void mip_gnss_1_sbas_status_clear(mip_gnss_1_sbas_status *flags,
+                                                mip_gnss_1_sbas_status bits) {
+    *flags = (mip_gnss_1_sbas_status)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_1_sbas_status_has(mip_gnss_1_sbas_status flags,
+                                              mip_gnss_1_sbas_status bits) {
+    return (flags & bits) == bits;
+}
+
+/** Which parts of the SBAS status are valid. */
+typedef uint16_t mip_gnss_1_sbas_info_flags;
+/** Bit 0: Time of week. */
+#define MIP_GNSS_1_SBAS_INFO_FLAGS_TOW 0x0001U
+/** Bit 1: Week number. */
+#define MIP_GNSS_1_SBAS_INFO_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2: System. */
+#define MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_SYSTEM 0x0004U
+/** Bit 3: Satellite. */
+#define MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_ID 0x0008U
+/** Bit 4: Number of corrections. */
+#define MIP_GNSS_1_SBAS_INFO_FLAGS_COUNT 0x0010U
+/** Bit 5: Status of the service. */
+#define MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_STATUS 0x0020U
+/** Bits 0 to 5: All of them. */
+#define MIP_GNSS_1_SBAS_INFO_FLAGS_FLAGS 0x003FU
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_1_sbas_info_flags_set(mip_gnss_1_sbas_info_flags *flags,
+                                                  mip_gnss_1_sbas_info_flags bits) {
+    *flags = (mip_gnss_1_sbas_info_flags)(*flags | bits);
+}
+static inline void mip_gnss_1_sbas_info_flags_clear(mip_gnss_1_sbas_info_flags *flags,
+                                                    mip_gnss_1_sbas_info_flags bits) {
+    *flags = (mip_gnss_1_sbas_info_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_1_sbas_info_flags_has(mip_gnss_1_sbas_info_flags flags,
+                                                  mip_gnss_1_sbas_info_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** Which parts of the satellite status are valid. */
+typedef uint16_t mip_gnss_1_satellite_status_flags;
+/** Bit 0: Time of week. */
+#define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_TOW 0x0001U
+/** Bit 1: Week number. */
+#define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2: Constellation. */
+#define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_GNSS_ID 0x0004U
+/** Bit 3: Satellite. */
+#define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_SATELLITE_ID 0x0008U
+/** Bit 4: Elevation. */
+#define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_ELEVATION 0x0010U
+/** Bit 5: Azimuth. */
+#define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_AZIMUTH 0x0020U
+/** Bit 6: Health. */
+#define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_HEALTH 0x0040U
+/** Bits 0 to 6: All of them. */
+#define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_FLAGS 0x007FU
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_1_satellite_status_flags_set(mip_gnss_1_satellite_status_flags *flags,
+                                                         mip_gnss_1_satellite_status_flags bits) {
+    *flags = (mip_gnss_1_satellite_status_flags)(*flags | bits);
+}
+static inline void mip_gnss_1_satellite_status_flags_clear(mip_gnss_1_satellite_status_flags *flags,
+                                                           mip_gnss_1_satellite_status_flags bits) {
+    *flags = (mip_gnss_1_satellite_status_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_1_satellite_status_flags_has(mip_gnss_1_satellite_status_flags flags,
+                                                         mip_gnss_1_satellite_status_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** How well a signal is tracked. */
+typedef uint8_t mip_gnss_1_signal_quality;
+/** No signal. */
+#define MIP_GNSS_1_SIGNAL_QUALITY_NONE 0
+/** The signal is searched. */
+#define MIP_GNSS_1_SIGNAL_QUALITY_SEARCHING 1
+/** The signal is acquired. */
+#define MIP_GNSS_1_SIGNAL_QUALITY_ACQUIRED 2
+/** The signal is found but cannot be used. */
+#define MIP_GNSS_1_SIGNAL_QUALITY_UNUSABLE 3
+/** Locked in time. */
+#define MIP_GNSS_1_SIGNAL_QUALITY_TIME_LOCKED 4
+/** Fully locked. */
+#define MIP_GNSS_1_SIGNAL_QUALITY_FULLY_LOCKED 5
+
+/** Which parts of the observation are valid. */
+typedef uint16_t mip_gnss_1_raw_flags;
+/** Bit 0: Time of week. */
+#define MIP_GNSS_1_RAW_FLAGS_TOW 0x0001U
+/** Bit 1: Week number. */
+#define MIP_GNSS_1_RAW_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2: Receiver or reference station. */
+#define MIP_GNSS_1_RAW_FLAGS_RECEIVER_ID 0x0004U
+/** Bit 3: Tracking channel. */
+#define MIP_GNSS_1_RAW_FLAGS_TRACKING_CHANNEL 0x0008U
+/** Bit 4: Constellation. */
+#define MIP_GNSS_1_RAW_FLAGS_GNSS_ID 0x0010U
+/** Bit 5: Satellite. */
+#define MIP_GNSS_1_RAW_FLAGS_SATELLITE_ID 0x0020U
+/** Bit 6: Signal. */
+#define MIP_GNSS_1_RAW_FLAGS_SIGNAL_ID 0x0040U
+/** Bit 7: Signal strength. */
+#define MIP_GNSS_1_RAW_FLAGS_SIGNAL_STRENGTH 0x0080U
+/** Bit 8: Signal quality. */
+#define MIP_GNSS_1_RAW_FLAGS_QUALITY 0x0100U
+/** Bit 9: Pseudorange. */
+#define MIP_GNSS_1_RAW_FLAGS_PSEUDORANGE 0x0200U
+/** Bit 10: Carrier phase. */
+#define MIP_GNSS_1_RAW_FLAGS_CARRIER_PHASE 0x0400U
+/** Bit 11: Doppler shift. */
+#define MIP_GNSS_1_RAW_FLAGS_DOPPLER 0x0800U
+/** Bit 12: Uncertainty of the pseudorange. */
+#define MIP_GNSS_1_RAW_FLAGS_RANGE_UNCERTAINTY 0x1000U
+/** Bit 13: Uncertainty of the carrier phase. */
+#define MIP_GNSS_1_RAW_FLAGS_CARRIER_PHASE_UNCERTAINTY 0x2000U
+/** Bit 14: Uncertainty of the Doppler shift. */
+#define MIP_GNSS_1_RAW_FLAGS_DOPPLER_UNCERTAINTY 0x4000U
+/** Bit 15: Lock time. */
+#define MIP_GNSS_1_RAW_FLAGS_LOCK_TIME 0x8000U
+/** Bits 0 to 15: All of them. */
+#define MIP_GNSS_1_RAW_FLAGS_FLAGS 0xFFFFU
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_1_raw_flags_set(mip_gnss_1_raw_flags *flags,
+                                            mip_gnss_1_raw_flags bits) {
+    *flags = (mip_gnss_1_raw_flags)(*flags | bits);
+}
+static inline void mip_gnss_1_raw_flags_clear(mip_gnss_1_raw_flags *flags,
+                                              mip_gnss_1_raw_flags bits) {
+    *flags = (mip_gnss_1_raw_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_1_raw_flags_has(mip_gnss_1_raw_flags flags, mip_gnss_1_raw_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** What an ephemeris of GPS, Galileo or BeiDou holds. */
+typedef uint16_t mip_gnss_1_ephemeris_flags;
+/** Bit 0: The ephemeris is valid. */
+#define MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
+/** Bit 1: The data of the modernized navigation message are included. */
+#define MIP_GNSS_1_EPHEMERIS_FLAGS_MODERN_DATA 0x0002U
+/** Bit 2: isc_l2c is the correction for L5, not for L2. */
+#define MIP_GNSS_1_EPHEMERIS_FLAGS_ISC_L5 0x0004U
+/** Bits 0 to 2: All of them. */
+#define MIP_GNSS_1_EPHEMERIS_FLAGS_FLAGS 0x0007U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_1_ephemeris_flags_set(mip_gnss_1_ephemeris_flags *flags,
+                                                  mip_gnss_1_ephemeris_flags bits) {
+    *flags = (mip_gnss_1_ephemeris_flags)(*flags | bits);
+}
+static inline void mip_gnss_1_ephemeris_flags_clear(mip_gnss_1_ephemeris_flags *flags,
+                                                    mip_gnss_1_ephemeris_flags bits) {
+    *flags = (mip_gnss_1_ephemeris_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_1_ephemeris_flags_has(mip_gnss_1_ephemeris_flags flags,
+                                                  mip_gnss_1_ephemeris_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** Generation of a GLONASS satellite. */
+typedef uint8_t mip_gnss_1_glonass_satellite_type;
+/** GLONASS. */
+#define MIP_GNSS_1_GLONASS_SATELLITE_TYPE_GLONASS 0
+/** GLONASS-M. */
+#define MIP_GNSS_1_GLONASS_SATELLITE_TYPE_GLONASS_M 1
+
+/** Whether the ephemeris is valid. */
+typedef uint16_t mip_gnss_1_glonass_ephemeris_flags;
+/** Bit 0: The ephemeris is valid. */
+#define MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
+/** Bit 0: All of them. */
+#define MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_FLAGS 0x0001U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gnss_1_glonass_ephemeris_flags_set(mip_gnss_1_glonass_ephemeris_flags *flags,
+                                                          mip_gnss_1_glonass_ephemeris_flags bits) {
+    *flags = (mip_gnss_1_glonass_ephemeris_flags)(*flags | bits);
+}
+static inline void mip_gnss_1_glonass_ephemeris_flags_clear(
+    mip_gnss_1_glonass_ephemeris_flags *flags, mip_gnss_1_glonass_ephemeris_flags bits) {
+    *flags = (mip_gnss_1_glonass_ephemeris_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gnss_1_glonass_ephemeris_flags_has(mip_gnss_1_glonass_ephemeris_flags flags,
+                                                          mip_gnss_1_glonass_ephemeris_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/**
+ * GNSS LLH position: data (0x91,0x03).
+ *
+ * GNSS position as latitude, longitude and height.
+ *
+ * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
+ */
+struct mip_gnss_1_gnss_llh_position {
+    /**
+     * Latitude. Unit: deg. Frame: llh. Valid if MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_LAT_LON in
+     * valid_flags is set.
+     */
+    double latitude;
+    /**
+     * Longitude. Unit: deg. Frame: llh. Valid if MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_LAT_LON in
+     * valid_flags is set.
+     */
+    double longitude;
+    /**
+     * Height above the ellipsoid. Unit: m. Frame: llh. Valid if
+     * MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_ELLIPSOID_HEIGHT in valid_flags is set.
+     */
+    double ellipsoid_height;
+    /**
+     * Height above mean sea level. Unit: m. Valid if MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_MSL_HEIGHT
+     * in valid_flags is set.
+     */
+    double msl_height;
+    /**
+     * Horizontal accuracy. Unit: m. Valid if MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY
+     * in valid_flags is set.
+     */
+    float horizontal_accuracy;
+    /**
+     * Vertical accuracy. Unit: m. Valid if MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_VERTICAL_ACCURACY in
+     * valid_flags is set.
+     */
+    float vertical_accuracy;
+    /** Which values are valid. */
+    mip_gnss_1_gnss_llh_position_flags valid_flags;
+};
+
+#define MIP_GNSS_1_GNSS_LLH_POSITION_DESCRIPTOR 0x03
+#define MIP_GNSS_1_GNSS_LLH_POSITION_NAME "gnss_1.gnss_llh_position"
+
+extern const struct mip_codec mip_gnss_1_gnss_llh_position_codec;
+mip_error mip_gnss_1_gnss_llh_position_decode(struct mip_gnss_1_gnss_llh_position *value,
+                                              const struct mip_field *field);
+mip_error mip_gnss_1_gnss_llh_position_encode(const struct mip_gnss_1_gnss_llh_position *value,
+                                              struct mip_builder *builder);
+
+/**
+ * GNSS ECEF position: data (0x91,0x04).
+ *
+ * GNSS position in Earth-fixed coordinates.
+ *
+ * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
+ */
+struct mip_gnss_1_gnss_ecef_position {
+    /**
+     * Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+     * MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_POSITION in valid_flags is set.
+     */
+    double x[3];
+    /**
+     * Accuracy of the position. Unit: m. Valid if
+     * MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_POSITION_ACCURACY in valid_flags is set.
+     */
+    float x_accuracy;
+    /** Which values are valid. */
+    mip_gnss_1_gnss_ecef_position_flags valid_flags;
+};
+
+#define MIP_GNSS_1_GNSS_ECEF_POSITION_DESCRIPTOR 0x04
+#define MIP_GNSS_1_GNSS_ECEF_POSITION_NAME "gnss_1.gnss_ecef_position"
+
+extern const struct mip_codec mip_gnss_1_gnss_ecef_position_codec;
+mip_error mip_gnss_1_gnss_ecef_position_decode(struct mip_gnss_1_gnss_ecef_position *value,
+                                               const struct mip_field *field);
+mip_error mip_gnss_1_gnss_ecef_position_encode(const struct mip_gnss_1_gnss_ecef_position *value,
+                                               struct mip_builder *builder);
+
+/**
+ * NED velocity: data (0x91,0x05).
+ *
+ * GNSS velocity in the local level frame.
+ *
+ * - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
+ */
+struct mip_gnss_1_ned_velocity {
+    /**
+     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Valid if
+     * MIP_GNSS_1_NED_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
+     */
+    float v_[3];
+    /**
+     * Speed in space. Unit: m/s. Valid if MIP_GNSS_1_NED_VELOCITY_FLAGS_SPEED_3D in valid_flags is
+     * set.
+     */
+    float speed;
+    /**
+     * Speed over ground. Unit: m/s. Valid if MIP_GNSS_1_NED_VELOCITY_FLAGS_GROUND_SPEED in
+     * valid_flags is set.
+     */
+    float ground_speed;
+    /**
+     * Direction of the motion over ground. Unit: deg. Frame: ned. Valid if
+     * MIP_GNSS_1_NED_VELOCITY_FLAGS_HEADING in valid_flags is set.
+     */
+    float heading;
+    /**
+     * Accuracy of the speed. Unit: m/s. Valid if MIP_GNSS_1_NED_VELOCITY_FLAGS_SPEED_ACCURACY in
+     * valid_flags is set.
+     */
+    float speed_accuracy;
+    /**
+     * Accuracy of the heading. Unit: deg. Valid if MIP_GNSS_1_NED_VELOCITY_FLAGS_HEADING_ACCURACY
+     * in valid_flags is set.
+     */
+    float heading_accuracy;
+    /** Which values are valid. */
+    mip_gnss_1_ned_velocity_flags valid_flags;
+};
+
+#define MIP_GNSS_1_NED_VELOCITY_DESCRIPTOR 0x05
+#define MIP_GNSS_1_NED_VELOCITY_NAME "gnss_1.ned_velocity"
+
+extern const struct mip_codec mip_gnss_1_ned_velocity_codec;
+mip_error mip_gnss_1_ned_velocity_decode(struct mip_gnss_1_ned_velocity *value,
+                                         const struct mip_field *field);
+mip_error mip_gnss_1_ned_velocity_encode(const struct mip_gnss_1_ned_velocity *value,
+                                         struct mip_builder *builder);
+
+/**
+ * GNSS ECEF velocity: data (0x91,0x06).
+ *
+ * GNSS velocity in Earth-fixed coordinates.
+ *
+ * - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
+ */
+struct mip_gnss_1_gnss_ecef_velocity {
+    /**
+     * Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
+     * MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_VELOCITY in valid_flags is set.
+     */
+    float v_[3];
+    /**
+     * Accuracy of the velocity. Unit: m/s. Valid if
+     * MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY in valid_flags is set.
+     */
+    float v_accuracy;
+    /** Which values are valid. */
+    mip_gnss_1_gnss_ecef_velocity_flags valid_flags;
+};
+
+#define MIP_GNSS_1_GNSS_ECEF_VELOCITY_DESCRIPTOR 0x06
+#define MIP_GNSS_1_GNSS_ECEF_VELOCITY_NAME "gnss_1.gnss_ecef_velocity"
+
+extern const struct mip_codec mip_gnss_1_gnss_ecef_velocity_codec;
+mip_error mip_gnss_1_gnss_ecef_velocity_decode(struct mip_gnss_1_gnss_ecef_velocity *value,
+                                               const struct mip_field *field);
+mip_error mip_gnss_1_gnss_ecef_velocity_encode(const struct mip_gnss_1_gnss_ecef_velocity *value,
+                                               struct mip_builder *builder);
+
+/**
+ * DOP: data (0x91,0x07).
+ *
+ * Dilution of precision of the satellite geometry.
+ *
+ * - 3dm-cv7-gnss-ins: DOP (0x91,0x07)
+ */
+struct mip_gnss_1_dop {
+    /** Geometric dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_GDOP in valid_flags is set. */
+    float gdop;
+    /** Position dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_PDOP in valid_flags is set. */
+    float pdop;
+    /** Horizontal dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_HDOP in valid_flags is set. */
+    float hdop;
+    /** Vertical dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_VDOP in valid_flags is set. */
+    float vdop;
+    /** Time dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_TDOP in valid_flags is set. */
+    float tdop;
+    /** Northing dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_NDOP in valid_flags is set. */
+    float ndop;
+    /** Easting dilution. Unit: 1. Valid if MIP_GNSS_1_DOP_FLAGS_EDOP in valid_flags is set. */
+    float edop;
+    /** Which values are valid. */
+    mip_gnss_1_dop_flags valid_flags;
+};
+
+#define MIP_GNSS_1_DOP_DESCRIPTOR 0x07
+#define MIP_GNSS_1_DOP_NAME "gnss_1.dop"
+
+extern const struct mip_codec mip_gnss_1_dop_codec;
+mip_error mip_gnss_1_dop_decode(struct mip_gnss_1_dop *value, const struct mip_field *field);
+mip_error mip_gnss_1_dop_encode(const struct mip_gnss_1_dop *value, struct mip_builder *builder);
+
+/**
+ * UTC time: data (0x91,0x08).
+ *
+ * Coordinated universal time as the receiver knows it.
+ *
+ * - 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
+ */
+struct mip_gnss_1_utc_time {
+    /** Year. Valid if MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is set. */
+    uint16_t year;
+    /**
+     * Month. Range: 1 to 12. Valid if MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is
+     * set.
+     */
+    uint8_t month;
+    /**
+     * Day of the month. Range: 1 to 31. Valid if MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in
+     * valid_flags is set.
+     */
+    uint8_t day;
+    /**
+     * Hour. Range: 0 to 23. Valid if MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is
+     * set.
+     */
+    uint8_t hour;
+    /**
+     * Minute. Range: 0 to 59. Valid if MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is
+     * set.
+     */
+    uint8_t min;
+    /**
+     * Second. Unit: s. Range: 0 to 59. Valid if MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in
+     * valid_flags is set.
+     */
+    uint8_t sec;
+    /**
+     * Fraction of the second. Unit: ms. Range: 0 to 999. Valid if
+     * MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME in valid_flags is set.
+     */
+    uint32_t msec;
+    /** How far the time is valid. */
+    mip_gnss_1_utc_time_flags valid_flags;
+};
+
+#define MIP_GNSS_1_UTC_TIME_DESCRIPTOR 0x08
+#define MIP_GNSS_1_UTC_TIME_NAME "gnss_1.utc_time"
+
+extern const struct mip_codec mip_gnss_1_utc_time_codec;
+mip_error mip_gnss_1_utc_time_decode(struct mip_gnss_1_utc_time *value,
+                                     const struct mip_field *field);
+mip_error mip_gnss_1_utc_time_encode(const struct mip_gnss_1_utc_time *value,
+                                     struct mip_builder *builder);
+
+/**
+ * GPS time: data (0x91,0x09).
+ *
+ * GPS time as the receiver knows it.
+ *
+ * - 3dm-cv7-gnss-ins: GPS Time (0x91,0x09)
+ */
+struct mip_gnss_1_gps_time {
+    /** GPS time of week. Unit: s. Valid if MIP_GNSS_1_GPS_TIME_FLAGS_TOW in valid_flags is set. */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_GPS_TIME_FLAGS_WEEK_NUMBER in valid_flags is
+     * set.
+     */
+    uint16_t week_number;
+    /** Which values are valid. */
+    mip_gnss_1_gps_time_flags valid_flags;
+};
+
+#define MIP_GNSS_1_GPS_TIME_DESCRIPTOR 0x09
+#define MIP_GNSS_1_GPS_TIME_NAME "gnss_1.gps_time"
+
+extern const struct mip_codec mip_gnss_1_gps_time_codec;
+mip_error mip_gnss_1_gps_time_decode(struct mip_gnss_1_gps_time *value,
+                                     const struct mip_field *field);
+mip_error mip_gnss_1_gps_time_encode(const struct mip_gnss_1_gps_time *value,
+                                     struct mip_builder *builder);
+
+/**
+ * Fix info: data (0x91,0x0B).
+ *
+ * Type of the position fix and what it is made of.
+ *
+ * - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
+ */
+struct mip_gnss_1_fix_info {
+    /** Type of the fix. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_FIX_TYPE in valid_flags is set. */
+    mip_gnss_fix_type fix_type;
+    /**
+     * Number of satellites of the fix. Unit: 1. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_NUM_SV in
+     * valid_flags is set.
+     */
+    uint8_t num_sv;
+    /** Aids of the fix. Valid if MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS in valid_flags is set. */
+    mip_gnss_1_fix_flags fix_flags;
+    /** Which values are valid. */
+    mip_gnss_1_fix_info_flags valid_flags;
+};
+
+#define MIP_GNSS_1_FIX_INFO_DESCRIPTOR 0x0B
+#define MIP_GNSS_1_FIX_INFO_NAME "gnss_1.fix_info"
+
+extern const struct mip_codec mip_gnss_1_fix_info_codec;
+mip_error mip_gnss_1_fix_info_decode(struct mip_gnss_1_fix_info *value,
+                                     const struct mip_field *field);
+mip_error mip_gnss_1_fix_info_encode(const struct mip_gnss_1_fix_info *value,
+                                     struct mip_builder *builder);
+
+/**
+ * GNSS hardware status: data (0x91,0x0D).
+ *
+ * State of the receiver and of its antenna.
+ *
+ * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
+ */
+struct mip_gnss_1_gnss_hardware_status {
+    /**
+     * State of the receiver. Valid if MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_SENSOR_STATE in
+     * valid_flags is set.
+     */
+    mip_gnss_1_receiver_state receiver_state;
+    /**
+     * State of the antenna. Valid if MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_ANTENNA_STATE in
+     * valid_flags is set.
+     */
+    mip_gnss_1_antenna_state antenna_state;
+    /**
+     * Supply of the antenna. Valid if MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_ANTENNA_POWER in
+     * valid_flags is set.
+     */
+    mip_gnss_1_antenna_power antenna_power;
+    /** Which values are valid. */
+    mip_gnss_1_gnss_hardware_status_flags valid_flags;
+};
+
+#define MIP_GNSS_1_GNSS_HARDWARE_STATUS_DESCRIPTOR 0x0D
+#define MIP_GNSS_1_GNSS_HARDWARE_STATUS_NAME "gnss_1.gnss_hardware_status"
+
+extern const struct mip_codec mip_gnss_1_gnss_hardware_status_codec;
+mip_error mip_gnss_1_gnss_hardware_status_decode(struct mip_gnss_1_gnss_hardware_status *value,
+                                                 const struct mip_field *field);
+mip_error mip_gnss_1_gnss_hardware_status_encode(
+    const struct mip_gnss_1_gnss_hardware_status *value, struct mip_builder *builder);
+
+/**
+ * Clock info 2: data (0x91,0x10).
+ *
+ * Bias and drift of the receiver clock.
+ *
+ * It supersedes an older field, which the manual does not define.
+ *
+ * The manual gives no units.
+ *
+ * - 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10)
+ */
+struct mip_gnss_1_clock_info_2 {
+    /** Bias of the clock. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_BIAS in valid_flags is set. */
+    double bias;
+    /** Drift of the clock. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT in valid_flags is set. */
+    double drift;
+    /**
+     * Accuracy of the bias. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_BIAS_ACCURACY in valid_flags is
+     * set.
+     */
+    double bias_accuracy_estimate;
+    /**
+     * Accuracy of the drift. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY in valid_flags
+     * is set.
+     */
+    double drift_accuracy_estimate;
+    /** Which values are valid. */
+    mip_gnss_1_clock_info_2_flags valid_flags;
+};
+
+#define MIP_GNSS_1_CLOCK_INFO_2_DESCRIPTOR 0x10
+#define MIP_GNSS_1_CLOCK_INFO_2_NAME "gnss_1.clock_info_2"
+
+extern const struct mip_codec mip_gnss_1_clock_info_2_codec;
+mip_error mip_gnss_1_clock_info_2_decode(struct mip_gnss_1_clock_info_2 *value,
+                                         const struct mip_field *field);
+mip_error mip_gnss_1_clock_info_2_encode(const struct mip_gnss_1_clock_info_2 *value,
+                                         struct mip_builder *builder);
+
+/**
+ * GPS leap seconds: data (0x91,0x11).
+ *
+ * Difference between GPS time and UTC.
+ *
+ * - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
+ */
+struct mip_gnss_1_gps_leap_seconds {
+    /**
+     * GPS time minus UTC. Unit: s. Valid if MIP_GNSS_1_GPS_LEAP_SECONDS_FLAGS_LEAP_SECONDS in
+     * valid_flags is set.
+     */
+    uint8_t leap_seconds;
+    /** Whether the value is valid. */
+    mip_gnss_1_gps_leap_seconds_flags valid_flags;
+};
+
+#define MIP_GNSS_1_GPS_LEAP_SECONDS_DESCRIPTOR 0x11
+#define MIP_GNSS_1_GPS_LEAP_SECONDS_NAME "gnss_1.gps_leap_seconds"
+
+extern const struct mip_codec mip_gnss_1_gps_leap_seconds_codec;
+mip_error mip_gnss_1_gps_leap_seconds_decode(struct mip_gnss_1_gps_leap_seconds *value,
+                                             const struct mip_field *field);
+mip_error mip_gnss_1_gps_leap_seconds_encode(const struct mip_gnss_1_gps_leap_seconds *value,
+                                             struct mip_builder *builder);
+
+/**
+ * SBAS info: data (0x91,0x12).
+ *
+ * Status of the satellite based augmentation.
+ *
+ * - 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
+ */
+struct mip_gnss_1_sbas_info {
+    /** GPS time of week. Unit: s. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_TOW in valid_flags is set. */
+    double time_of_week;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_WEEK_NUMBER in valid_flags
+     * is set.
+     */
+    uint16_t week_number;
+    /** System in use. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_SYSTEM in valid_flags is set. */
+    mip_gnss_1_sbas_system sbas_system;
+    /** SBAS satellite. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_ID in valid_flags is set. */
+    uint8_t sbas_id;
+    /**
+     * Number of SBAS corrections. Unit: 1. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_COUNT in valid_flags
+     * is set.
+     */
+    uint8_t count;
+    /**
+     * Status of the service. Valid if MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_STATUS in valid_flags is set.
+     */
+    mip_gnss_1_sbas_status sbas_status;
+    /** Which values are valid. */
+    mip_gnss_1_sbas_info_flags valid_flags;
+};
+
+#define MIP_GNSS_1_SBAS_INFO_DESCRIPTOR 0x12
+#define MIP_GNSS_1_SBAS_INFO_NAME "gnss_1.sbas_info"
+
+extern const struct mip_codec mip_gnss_1_sbas_info_codec;
+mip_error mip_gnss_1_sbas_info_decode(struct mip_gnss_1_sbas_info *value,
+                                      const struct mip_field *field);
+mip_error mip_gnss_1_sbas_info_encode(const struct mip_gnss_1_sbas_info *value,
+                                      struct mip_builder *builder);
+
+/**
+ * Satellite status: data (0x91,0x20).
+ *
+ * Where one satellite stands, and its health.
+ *
+ * An epoch is sent as one field for each satellite; index and count number the fields.
+ *
+ * - 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
+ */
+struct mip_gnss_1_satellite_status {
+    /** Number of this field within the epoch. */
+    uint8_t index;
+    /** How many of these fields the epoch has. */
+    uint8_t count;
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_TOW in valid_flags is
+     * set.
+     */
+    double time_of_week;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /** Constellation. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_GNSS_ID in valid_flags is set. */
+    mip_gnss_constellation gnss_id;
+    /**
+     * Satellite within the constellation. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_SATELLITE_ID
+     * in valid_flags is set.
+     */
+    uint8_t satellite_id;
+    /**
+     * Elevation, as seen from the rover. Unit: deg. Valid if
+     * MIP_GNSS_1_SATELLITE_STATUS_FLAGS_ELEVATION in valid_flags is set.
+     */
+    float elevation;
+    /**
+     * Azimuth, as seen from the rover. Unit: deg. Valid if
+     * MIP_GNSS_1_SATELLITE_STATUS_FLAGS_AZIMUTH in valid_flags is set.
+     */
+    float azimuth;
+    /**
+     * Whether the satellite is healthy. Valid if MIP_GNSS_1_SATELLITE_STATUS_FLAGS_HEALTH in
+     * valid_flags is set.
+     */
+    mip_bool health;
+    /** Which values are valid. */
+    mip_gnss_1_satellite_status_flags valid_flags;
+};
+
+#define MIP_GNSS_1_SATELLITE_STATUS_DESCRIPTOR 0x20
+#define MIP_GNSS_1_SATELLITE_STATUS_NAME "gnss_1.satellite_status"
+
+extern const struct mip_codec mip_gnss_1_satellite_status_codec;
+mip_error mip_gnss_1_satellite_status_decode(struct mip_gnss_1_satellite_status *value,
+                                             const struct mip_field *field);
+mip_error mip_gnss_1_satellite_status_encode(const struct mip_gnss_1_satellite_status *value,
+                                             struct mip_builder *builder);
+
+/**
+ * Raw: data (0x91,0x22).
+ *
+ * Raw observation of one signal of one satellite.
+ *
+ * An epoch is sent as one field for each signal; index and count number the fields.
+ *
+ * The greatest lock time depends on the receiver.
+ *
+ * - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
+ */
+struct mip_gnss_1_raw {
+    /** Number of this field within the epoch. */
+    uint8_t index;
+    /** How many of these fields the epoch has. */
+    uint8_t count;
+    /** GPS time of week. Unit: s. Valid if MIP_GNSS_1_RAW_FLAGS_TOW in valid_flags is set. */
+    double time_of_week;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_RAW_FLAGS_WEEK_NUMBER in valid_flags is set.
+     */
+    uint16_t week_number;
+    /**
+     * Receiver, counted from 1; for a measurement from RTCM, the reference station. Valid if
+     * MIP_GNSS_1_RAW_FLAGS_RECEIVER_ID in valid_flags is set.
+     */
+    uint16_t receiver_id;
+    /**
+     * Channel that tracks the satellite. Valid if MIP_GNSS_1_RAW_FLAGS_TRACKING_CHANNEL in
+     * valid_flags is set.
+     */
+    uint8_t tracking_channel;
+    /** Constellation. Valid if MIP_GNSS_1_RAW_FLAGS_GNSS_ID in valid_flags is set. */
+    mip_gnss_constellation gnss_id;
+    /**
+     * Satellite within the constellation. Valid if MIP_GNSS_1_RAW_FLAGS_SATELLITE_ID in valid_flags
+     * is set.
+     */
+    uint8_t satellite_id;
+    /** Signal. Valid if MIP_GNSS_1_RAW_FLAGS_SIGNAL_ID in valid_flags is set. */
+    mip_gnss_signal signal_id;
+    /**
+     * Carrier to noise density ratio. Unit: dB-Hz. Valid if MIP_GNSS_1_RAW_FLAGS_SIGNAL_STRENGTH in
+     * valid_flags is set.
+     */
+    float signal_strength;
+    /**
+     * How well the signal is tracked. Valid if MIP_GNSS_1_RAW_FLAGS_QUALITY in valid_flags is set.
+     */
+    mip_gnss_1_signal_quality quality;
+    /** Pseudorange. Unit: m. Valid if MIP_GNSS_1_RAW_FLAGS_PSEUDORANGE in valid_flags is set. */
+    double pseudorange;
+    /**
+     * Carrier phase. Unit: cycle. Valid if MIP_GNSS_1_RAW_FLAGS_CARRIER_PHASE in valid_flags is
+     * set.
+     */
+    double carrier_phase;
+    /** Doppler shift. Unit: Hz. Valid if MIP_GNSS_1_RAW_FLAGS_DOPPLER in valid_flags is set. */
+    float doppler;
+    /**
+     * Uncertainty of the pseudorange. Unit: m. Valid if MIP_GNSS_1_RAW_FLAGS_RANGE_UNCERTAINTY in
+     * valid_flags is set.
+     */
+    float range_uncert;
+    /**
+     * Uncertainty of the carrier phase. Unit: cycle. Valid if
+     * MIP_GNSS_1_RAW_FLAGS_CARRIER_PHASE_UNCERTAINTY in valid_flags is set.
+     */
+    float phase_uncert;
+    /**
+     * Uncertainty of the Doppler shift. Unit: Hz. Valid if MIP_GNSS_1_RAW_FLAGS_DOPPLER_UNCERTAINTY
+     * in valid_flags is set.
+     */
+    float doppler_uncert;
+    /**
+     * Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if
+     * MIP_GNSS_1_RAW_FLAGS_LOCK_TIME in valid_flags is set.
+     */
+    float lock_time;
+    /** Which values are valid. */
+    mip_gnss_1_raw_flags valid_flags;
+};
+
+#define MIP_GNSS_1_RAW_DESCRIPTOR 0x22
+#define MIP_GNSS_1_RAW_NAME "gnss_1.raw"
+
+extern const struct mip_codec mip_gnss_1_raw_codec;
+mip_error mip_gnss_1_raw_decode(struct mip_gnss_1_raw *value, const struct mip_field *field);
+mip_error mip_gnss_1_raw_encode(const struct mip_gnss_1_raw *value, struct mip_builder *builder);
+
+/**
+ * GPS ephemeris: data (0x91,0x61).
+ *
+ * Broadcast orbit and clock of one GPS satellite.
+ *
+ * iodec changes with the clock data; the manual has it roll over at 4.
+ *
+ * - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
+ */
+struct mip_gnss_1_gps_ephemeris {
+    /** Number of this field within the epoch. */
+    uint8_t index;
+    /** How many of these fields the epoch has. */
+    uint8_t count;
+    /** GPS time of week. Unit: s. */
+    double time_of_week;
+    /** GPS week number. Unit: week. */
+    uint16_t week_number;
+    /** Satellite within the constellation. */
+    uint8_t satellite_id;
+    /**
+     * Health of satellite and signals. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
+     * is set.
+     */
+    uint8_t health;
+    /**
+     * Issue of data, clock. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t iodec;
+    /**
+     * Issue of data, ephemeris. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
+     */
+    uint8_t iode;
+    /**
+     * Reference time of the clock data. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double t_oc;
+    /** Clock bias. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set. */
+    double af0;
+    /**
+     * Clock drift. Unit: s/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double af1;
+    /**
+     * Clock drift rate. Unit: s/s^2. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
+     * is set.
+     */
+    double af2;
+    /**
+     * Group delay. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double t_gd;
+    /**
+     * Inter-signal correction for L1. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double isc_l1ca;
+    /**
+     * Inter-signal correction for L2, or for L5 if isc_l5 is set. Unit: s. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double isc_l2c;
+    /**
+     * Reference time of the ephemeris. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double t_oe;
+    /**
+     * Semi-major axis. Unit: m. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
+     */
+    double a;
+    /**
+     * Rate of the semi-major axis. Unit: m/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double a_dot;
+    /**
+     * Mean anomaly. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double mean_anomaly;
+    /**
+     * Correction of the mean motion. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double delta_mean_motion;
+    /**
+     * Rate of the correction of the mean motion. Unit: rad/s^2. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double delta_mean_motion_dot;
+    /**
+     * Eccentricity. Unit: 1. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double eccentricity;
+    /**
+     * Argument of perigee. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
+     * is set.
+     */
+    double argument_of_perigee;
+    /**
+     * Longitude of the ascending node. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double omega;
+    /**
+     * Rate of the right ascension. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double omega_dot;
+    /**
+     * Inclination. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double inclination;
+    /**
+     * Rate of the inclination. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double inclination_dot;
+    /**
+     * Cosine harmonic correction of the inclination. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_ic;
+    /**
+     * Sine harmonic correction of the inclination. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_is;
+    /**
+     * Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_uc;
+    /**
+     * Sine harmonic correction of the argument of latitude. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_us;
+    /**
+     * Cosine harmonic correction of the orbit radius. Unit: m. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_rc;
+    /**
+     * Sine harmonic correction of the orbit radius. Unit: m. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_rs;
+    /** What the ephemeris holds. */
+    mip_gnss_1_ephemeris_flags valid_flags;
+};
+
+#define MIP_GNSS_1_GPS_EPHEMERIS_DESCRIPTOR 0x61
+#define MIP_GNSS_1_GPS_EPHEMERIS_NAME "gnss_1.gps_ephemeris"
+
+extern const struct mip_codec mip_gnss_1_gps_ephemeris_codec;
+mip_error mip_gnss_1_gps_ephemeris_decode(struct mip_gnss_1_gps_ephemeris *value,
+                                          const struct mip_field *field);
+mip_error mip_gnss_1_gps_ephemeris_encode(const struct mip_gnss_1_gps_ephemeris *value,
+                                          struct mip_builder *builder);
+
+/**
+ * GLONASS ephemeris: data (0x91,0x62).
+ *
+ * Broadcast orbit and clock of one GLONASS satellite.
+ *
+ * The interface control document of GLONASS explains p and ft.
+ *
+ * A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
+ *
+ * - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
+ */
+struct mip_gnss_1_glonass_ephemeris {
+    /** Number of this field within the epoch. */
+    uint8_t index;
+    /** How many of these fields the epoch has. */
+    uint8_t count;
+    /** GPS time of week. Unit: s. */
+    double time_of_week;
+    /** GPS week number. Unit: week. */
+    uint16_t week_number;
+    /** Satellite within the constellation. */
+    uint8_t satellite_id;
+    /**
+     * GLONASS frequency number. Range: -7 to 24. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    int8_t freq_number;
+    /**
+     * Start of the frame within the day. Unit: s. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint32_t tk;
+    /**
+     * Reference time of the ephemeris. Unit: s. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint32_t tb;
+    /**
+     * Generation of the satellite (M). Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    mip_gnss_1_glonass_satellite_type sat_type;
+    /**
+     * Relative deviation of the carrier frequency from its nominal value. Unit: 1. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double gamma;
+    /**
+     * Correction of the satellite time relative to GLONASS time. Unit: s. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double tau_n;
+    /**
+     * Position of the satellite in PZ-90. Elements: x, y, z. Unit: m. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double x[3];
+    /**
+     * Velocity of the satellite in PZ-90. Elements: x, y, z. Unit: m/s. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    float v_[3];
+    /**
+     * Acceleration of the satellite by perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
+     * Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    float a[3];
+    /**
+     * Health (Bn); not 0 if the satellite fails. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t health;
+    /**
+     * Mode of operation of the satellite. Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    uint8_t p;
+    /**
+     * Day within a period of four years. Unit: day. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t nt;
+    /**
+     * Time difference between L1 and L2. Unit: s. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    float delta_tau_n;
+    /**
+     * Code of the user range accuracy. Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    uint8_t ft;
+    /**
+     * Age of the information. Unit: day. Valid if MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    uint8_t en;
+    /**
+     * Time between adjacent values of tb. Unit: min. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t p1;
+    /**
+     * 1 if tb is odd, 0 if it is even. Range: 0 to 1. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t p2;
+    /**
+     * Number of satellites in the almanac of the frame. Unit: 1. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t p3;
+    /**
+     * Whether ephemeris parameters are present. Valid if
+     * MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t p4;
+    /** Whether the ephemeris is valid. */
+    mip_gnss_1_glonass_ephemeris_flags valid_flags;
+};
+
+#define MIP_GNSS_1_GLONASS_EPHEMERIS_DESCRIPTOR 0x62
+#define MIP_GNSS_1_GLONASS_EPHEMERIS_NAME "gnss_1.glonass_ephemeris"
+
+extern const struct mip_codec mip_gnss_1_glonass_ephemeris_codec;
+mip_error mip_gnss_1_glonass_ephemeris_decode(struct mip_gnss_1_glonass_ephemeris *value,
+                                              const struct mip_field *field);
+mip_error mip_gnss_1_glonass_ephemeris_encode(const struct mip_gnss_1_glonass_ephemeris *value,
+                                              struct mip_builder *builder);
+
+/**
+ * Galileo ephemeris: data (0x91,0x63).
+ *
+ * Broadcast orbit and clock of one Galileo satellite.
+ *
+ * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+ * corrections hold here.
+ *
+ * iodec changes with the clock data; the manual has it roll over at 4.
+ *
+ * - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
+ */
+struct mip_gnss_1_galileo_ephemeris {
+    /** Number of this field within the epoch. */
+    uint8_t index;
+    /** How many of these fields the epoch has. */
+    uint8_t count;
+    /** GPS time of week. Unit: s. */
+    double time_of_week;
+    /** GPS week number. Unit: week. */
+    uint16_t week_number;
+    /** Satellite within the constellation. */
+    uint8_t satellite_id;
+    /**
+     * Health of satellite and signals. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
+     * is set.
+     */
+    uint8_t health;
+    /**
+     * Issue of data, clock. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t iodec;
+    /**
+     * Issue of data, ephemeris. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
+     */
+    uint8_t iode;
+    /**
+     * Reference time of the clock data. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double t_oc;
+    /** Clock bias. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set. */
+    double af0;
+    /**
+     * Clock drift. Unit: s/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double af1;
+    /**
+     * Clock drift rate. Unit: s/s^2. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
+     * is set.
+     */
+    double af2;
+    /**
+     * Group delay. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double t_gd;
+    /**
+     * Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double isc_l1ca;
+    /**
+     * Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double isc_l2c;
+    /**
+     * Reference time of the ephemeris. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double t_oe;
+    /**
+     * Semi-major axis. Unit: m. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
+     */
+    double a;
+    /**
+     * Rate of the semi-major axis. Unit: m/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double a_dot;
+    /**
+     * Mean anomaly. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double mean_anomaly;
+    /**
+     * Correction of the mean motion. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double delta_mean_motion;
+    /**
+     * Rate of the correction of the mean motion. Unit: rad/s^2. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double delta_mean_motion_dot;
+    /**
+     * Eccentricity. Unit: 1. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double eccentricity;
+    /**
+     * Argument of perigee. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
+     * is set.
+     */
+    double argument_of_perigee;
+    /**
+     * Longitude of the ascending node. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double omega;
+    /**
+     * Rate of the right ascension. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double omega_dot;
+    /**
+     * Inclination. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double inclination;
+    /**
+     * Rate of the inclination. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double inclination_dot;
+    /**
+     * Cosine harmonic correction of the inclination. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_ic;
+    /**
+     * Sine harmonic correction of the inclination. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_is;
+    /**
+     * Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_uc;
+    /**
+     * Sine harmonic correction of the argument of latitude. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_us;
+    /**
+     * Cosine harmonic correction of the orbit radius. Unit: m. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_rc;
+    /**
+     * Sine harmonic correction of the orbit radius. Unit: m. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_rs;
+    /** What the ephemeris holds. */
+    mip_gnss_1_ephemeris_flags valid_flags;
+};
+
+#define MIP_GNSS_1_GALILEO_EPHEMERIS_DESCRIPTOR 0x63
+#define MIP_GNSS_1_GALILEO_EPHEMERIS_NAME "gnss_1.galileo_ephemeris"
+
+extern const struct mip_codec mip_gnss_1_galileo_ephemeris_codec;
+mip_error mip_gnss_1_galileo_ephemeris_decode(struct mip_gnss_1_galileo_ephemeris *value,
+                                              const struct mip_field *field);
+mip_error mip_gnss_1_galileo_ephemeris_encode(const struct mip_gnss_1_galileo_ephemeris *value,
+                                              struct mip_builder *builder);
+
+/**
+ * BeiDou ephemeris: data (0x91,0x64).
+ *
+ * Broadcast orbit and clock of one BeiDou satellite.
+ *
+ * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+ * corrections hold here.
+ *
+ * iodec changes with the clock data; the manual has it roll over at 4.
+ *
+ * - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
+ */
+struct mip_gnss_1_beidou_ephemeris {
+    /** Number of this field within the epoch. */
+    uint8_t index;
+    /** How many of these fields the epoch has. */
+    uint8_t count;
+    /** GPS time of week. Unit: s. */
+    double time_of_week;
+    /** GPS week number. Unit: week. */
+    uint16_t week_number;
+    /** Satellite within the constellation. */
+    uint8_t satellite_id;
+    /**
+     * Health of satellite and signals. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
+     * is set.
+     */
+    uint8_t health;
+    /**
+     * Issue of data, clock. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    uint8_t iodec;
+    /**
+     * Issue of data, ephemeris. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
+     */
+    uint8_t iode;
+    /**
+     * Reference time of the clock data. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double t_oc;
+    /** Clock bias. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set. */
+    double af0;
+    /**
+     * Clock drift. Unit: s/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double af1;
+    /**
+     * Clock drift rate. Unit: s/s^2. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
+     * is set.
+     */
+    double af2;
+    /**
+     * Group delay. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double t_gd;
+    /**
+     * Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double isc_l1ca;
+    /**
+     * Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double isc_l2c;
+    /**
+     * Reference time of the ephemeris. Unit: s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double t_oe;
+    /**
+     * Semi-major axis. Unit: m. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is
+     * set.
+     */
+    double a;
+    /**
+     * Rate of the semi-major axis. Unit: m/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double a_dot;
+    /**
+     * Mean anomaly. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double mean_anomaly;
+    /**
+     * Correction of the mean motion. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double delta_mean_motion;
+    /**
+     * Rate of the correction of the mean motion. Unit: rad/s^2. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double delta_mean_motion_dot;
+    /**
+     * Eccentricity. Unit: 1. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double eccentricity;
+    /**
+     * Argument of perigee. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags
+     * is set.
+     */
+    double argument_of_perigee;
+    /**
+     * Longitude of the ascending node. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double omega;
+    /**
+     * Rate of the right ascension. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double omega_dot;
+    /**
+     * Inclination. Unit: rad. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double inclination;
+    /**
+     * Rate of the inclination. Unit: rad/s. Valid if MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in
+     * valid_flags is set.
+     */
+    double inclination_dot;
+    /**
+     * Cosine harmonic correction of the inclination. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_ic;
+    /**
+     * Sine harmonic correction of the inclination. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_is;
+    /**
+     * Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_uc;
+    /**
+     * Sine harmonic correction of the argument of latitude. Unit: rad. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_us;
+    /**
+     * Cosine harmonic correction of the orbit radius. Unit: m. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_rc;
+    /**
+     * Sine harmonic correction of the orbit radius. Unit: m. Valid if
+     * MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS in valid_flags is set.
+     */
+    double c_rs;
+    /** What the ephemeris holds. */
+    mip_gnss_1_ephemeris_flags valid_flags;
+};
+
+#define MIP_GNSS_1_BEIDOU_EPHEMERIS_DESCRIPTOR 0x64
+#define MIP_GNSS_1_BEIDOU_EPHEMERIS_NAME "gnss_1.beidou_ephemeris"
+
+extern const struct mip_codec mip_gnss_1_beidou_ephemeris_codec;
+mip_error mip_gnss_1_beidou_ephemeris_decode(struct mip_gnss_1_beidou_ephemeris *value,
+                                             const struct mip_field *field);
+mip_error mip_gnss_1_beidou_ephemeris_encode(const struct mip_gnss_1_beidou_ephemeris *value,
+                                             struct mip_builder *builder);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

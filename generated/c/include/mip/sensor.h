@@ -1,0 +1,477 @@
+/**
+ * @file
+ *
+ * Sensor data (0x80). Inertial, magnetic and pressure measurements, and the attitude of the
+ * complementary filter.
+ */
+#ifndef MIP_SENSOR_H
+#define MIP_SENSOR_H
+
+#include "mip/protocol.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/sensor.h and mip/core.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define MIP_SENSOR_SET 0x80
+
+/** Sensor axes that were near or outside their range. */
+typedef uint16_t mip_sensor_overrange_flags;
+/** Bit 0: Accelerometer X axis. */
+#define MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_X 0x0001U
+/** Bit 1: Accelerometer Y axis. */
+#define MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_Y 0x0002U
+/** Bit 2: Accelerometer Z axis. */
+#define MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_Z 0x0004U
+/** Bit 4: Gyroscope X axis. */
+#define MIP_SENSOR_OVERRANGE_FLAGS_GYRO_X 0x0010U
+/** Bit 5: Gyroscope Y axis. */
+#define MIP_SENSOR_OVERRANGE_FLAGS_GYRO_Y 0x0020U
+/** Bit 6: Gyroscope Z axis. */
+#define MIP_SENSOR_OVERRANGE_FLAGS_GYRO_Z 0x0040U
+/** Bit 8: Magnetometer X axis. */
+#define MIP_SENSOR_OVERRANGE_FLAGS_MAG_X 0x0100U
+/** Bit 9: Magnetometer Y axis. */
+#define MIP_SENSOR_OVERRANGE_FLAGS_MAG_Y 0x0200U
+/** Bit 10: Magnetometer Z axis. */
+#define MIP_SENSOR_OVERRANGE_FLAGS_MAG_Z 0x0400U
+/** Bit 12: Pressure sensor. */
+#define MIP_SENSOR_OVERRANGE_FLAGS_PRESS 0x1000U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_sensor_overrange_flags_set(mip_sensor_overrange_flags *flags,
+                                                  mip_sensor_overrange_flags bits) {
+    *flags = (mip_sensor_overrange_flags)(*flags | bits);
+}
+static inline void mip_sensor_overrange_flags_clear(mip_sensor_overrange_flags *flags,
+                                                    mip_sensor_overrange_flags bits) {
+    *flags = (mip_sensor_overrange_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_sensor_overrange_flags_has(mip_sensor_overrange_flags flags,
+                                                  mip_sensor_overrange_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** Whether the odometer values are valid. */
+typedef uint16_t mip_sensor_odometer_flags;
+/** Bit 0: The odometer is configured. */
+#define MIP_SENSOR_ODOMETER_FLAGS_ODOMETER 0x0001U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_sensor_odometer_flags_set(mip_sensor_odometer_flags *flags,
+                                                 mip_sensor_odometer_flags bits) {
+    *flags = (mip_sensor_odometer_flags)(*flags | bits);
+}
+static inline void mip_sensor_odometer_flags_clear(mip_sensor_odometer_flags *flags,
+                                                   mip_sensor_odometer_flags bits) {
+    *flags = (mip_sensor_odometer_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_sensor_odometer_flags_has(mip_sensor_odometer_flags flags,
+                                                 mip_sensor_odometer_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/**
+ * Scaled accel: data (0x80,0x04).
+ *
+ * Measured acceleration, temperature compensated.
+ *
+ * - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
+ * - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)
+ */
+struct mip_sensor_scaled_accel {
+    /** Acceleration. Elements: x, y, z. Unit: g. Frame: vehicle. */
+    float scaled_accel[3];
+};
+
+#define MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR 0x04
+#define MIP_SENSOR_SCALED_ACCEL_NAME "sensor.scaled_accel"
+
+extern const struct mip_codec mip_sensor_scaled_accel_codec;
+mip_error mip_sensor_scaled_accel_decode(struct mip_sensor_scaled_accel *value,
+                                         const struct mip_field *field);
+mip_error mip_sensor_scaled_accel_encode(const struct mip_sensor_scaled_accel *value,
+                                         struct mip_builder *builder);
+
+/**
+ * Scaled gyro: data (0x80,0x05).
+ *
+ * Measured angular rate, temperature compensated.
+ *
+ * - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
+ * - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
+ */
+struct mip_sensor_scaled_gyro {
+    /** Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. */
+    float scaled_gyro[3];
+};
+
+#define MIP_SENSOR_SCALED_GYRO_DESCRIPTOR 0x05
+#define MIP_SENSOR_SCALED_GYRO_NAME "sensor.scaled_gyro"
+
+extern const struct mip_codec mip_sensor_scaled_gyro_codec;
+mip_error mip_sensor_scaled_gyro_decode(struct mip_sensor_scaled_gyro *value,
+                                        const struct mip_field *field);
+mip_error mip_sensor_scaled_gyro_encode(const struct mip_sensor_scaled_gyro *value,
+                                        struct mip_builder *builder);
+
+/**
+ * Scaled mag: data (0x80,0x06).
+ *
+ * Measured magnetic field, temperature compensated.
+ *
+ * - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
+ */
+struct mip_sensor_scaled_mag {
+    /** Magnetic field. Elements: x, y, z. Unit: gauss. Frame: vehicle. */
+    float scaled_mag[3];
+};
+
+#define MIP_SENSOR_SCALED_MAG_DESCRIPTOR 0x06
+#define MIP_SENSOR_SCALED_MAG_NAME "sensor.scaled_mag"
+
+extern const struct mip_codec mip_sensor_scaled_mag_codec;
+mip_error mip_sensor_scaled_mag_decode(struct mip_sensor_scaled_mag *value,
+                                       const struct mip_field *field);
+mip_error mip_sensor_scaled_mag_encode(const struct mip_sensor_scaled_mag *value,
+                                       struct mip_builder *builder);
+
+/**
+ * Delta theta: data (0x80,0x07).
+ *
+ * Time integral of the angular rate over the period that the message format sets.
+ *
+ * - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
+ * - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
+ */
+struct mip_sensor_delta_theta {
+    /** Integral of the angular rate. Elements: x, y, z. Unit: rad. Frame: vehicle. */
+    float delta_theta[3];
+};
+
+#define MIP_SENSOR_DELTA_THETA_DESCRIPTOR 0x07
+#define MIP_SENSOR_DELTA_THETA_NAME "sensor.delta_theta"
+
+extern const struct mip_codec mip_sensor_delta_theta_codec;
+mip_error mip_sensor_delta_theta_decode(struct mip_sensor_delta_theta *value,
+                                        const struct mip_field *field);
+mip_error mip_sensor_delta_theta_encode(const struct mip_sensor_delta_theta *value,
+                                        struct mip_builder *builder);
+
+/**
+ * Delta velocity: data (0x80,0x08).
+ *
+ * Time integral of the acceleration over the period that the message format sets.
+ *
+ * Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
+ *
+ * - 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08)
+ * - 3dm-cv7-gnss-ins: Delta Velocity (0x80,0x08)
+ */
+struct mip_sensor_delta_velocity {
+    /** Integral of the acceleration. Elements: x, y, z. Unit: g*s. Frame: vehicle. */
+    float delta_velocity[3];
+};
+
+#define MIP_SENSOR_DELTA_VELOCITY_DESCRIPTOR 0x08
+#define MIP_SENSOR_DELTA_VELOCITY_NAME "sensor.delta_velocity"
+
+extern const struct mip_codec mip_sensor_delta_velocity_codec;
+mip_error mip_sensor_delta_velocity_decode(struct mip_sensor_delta_velocity *value,
+                                           const struct mip_field *field);
+mip_error mip_sensor_delta_velocity_encode(const struct mip_sensor_delta_velocity *value,
+                                           struct mip_builder *builder);
+
+/**
+ * Complementary filter orientation matrix: data (0x80,0x09).
+ *
+ * Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
+ *
+ * v_vehicle = M * v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+ *
+ * - 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09)
+ * - 3dm-cv7-gnss-ins: Complementary Filter Orientation Matrix (0x80,0x09)
+ */
+struct mip_sensor_complementary_filter_orientation_matrix {
+    /**
+     * Rotation from the NED frame to the vehicle frame. Elements: m11, m12, m13, m21, m22, m23,
+     * m31, m32, m33. Unit: 1. On 3dm-gx5-15: From the NED frame to the sensor frame.
+     */
+    float m[9];
+};
+
+#define MIP_SENSOR_COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_DESCRIPTOR 0x09
+#define MIP_SENSOR_COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_NAME \
+    "sensor.complementary_filter_orientation_matrix"
+
+extern const struct mip_codec mip_sensor_complementary_filter_orientation_matrix_codec;
+mip_error mip_sensor_complementary_filter_orientation_matrix_decode(
+    struct mip_sensor_complementary_filter_orientation_matrix *value,
+    const struct mip_field *field);
+mip_error mip_sensor_complementary_filter_orientation_matrix_encode(
+    const struct mip_sensor_complementary_filter_orientation_matrix *value,
+    struct mip_builder *builder);
+
+/**
+ * Complementary filter quaternion: data (0x80,0x0A).
+ *
+ * Attitude by the complementary filter as a quaternion, relative to the NED frame.
+ *
+ * v_vehicle = q^-1 * v_ned * q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+ *
+ * - 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A)
+ * - 3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)
+ */
+struct mip_sensor_complementary_filter_quaternion {
+    /**
+     * Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1. On
+     * 3dm-gx5-15: Between the NED frame and the sensor frame.
+     */
+    float q[4];
+};
+
+#define MIP_SENSOR_COMPLEMENTARY_FILTER_QUATERNION_DESCRIPTOR 0x0A
+#define MIP_SENSOR_COMPLEMENTARY_FILTER_QUATERNION_NAME "sensor.complementary_filter_quaternion"
+
+extern const struct mip_codec mip_sensor_complementary_filter_quaternion_codec;
+mip_error mip_sensor_complementary_filter_quaternion_decode(
+    struct mip_sensor_complementary_filter_quaternion *value, const struct mip_field *field);
+mip_error mip_sensor_complementary_filter_quaternion_encode(
+    const struct mip_sensor_complementary_filter_quaternion *value, struct mip_builder *builder);
+
+/**
+ * Complementary filter Euler angles: data (0x80,0x0C).
+ *
+ * Attitude by the complementary filter as Euler angles, relative to the NED frame.
+ *
+ * The rotations are in the order yaw, pitch, roll (3-2-1).
+ *
+ * - 3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C)
+ * - 3dm-cv7-gnss-ins: Complementary Filter Euler Angles (0x80,0x0C)
+ */
+struct mip_sensor_complementary_filter_euler_angles {
+    /** Roll angle. Unit: rad. */
+    float roll;
+    /** Pitch angle. Unit: rad. */
+    float pitch;
+    /** Yaw angle. Unit: rad. */
+    float yaw;
+};
+
+#define MIP_SENSOR_COMPLEMENTARY_FILTER_EULER_ANGLES_DESCRIPTOR 0x0C
+#define MIP_SENSOR_COMPLEMENTARY_FILTER_EULER_ANGLES_NAME "sensor.complementary_filter_euler_angles"
+
+extern const struct mip_codec mip_sensor_complementary_filter_euler_angles_codec;
+mip_error mip_sensor_complementary_filter_euler_angles_decode(
+    struct mip_sensor_complementary_filter_euler_angles *value, const struct mip_field *field);
+mip_error mip_sensor_complementary_filter_euler_angles_encode(
+    const struct mip_sensor_complementary_filter_euler_angles *value, struct mip_builder *builder);
+
+/**
+ * Complementary filter stabilized north vector: data (0x80,0x10).
+ *
+ * Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
+ *
+ * Without magnetic disturbance it equals the measured magnetic field.
+ *
+ * A lasting disturbance is not compensated.
+ *
+ * - 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10)
+ */
+struct mip_sensor_complementary_filter_stabilized_north_vector {
+    /** Geomagnetic field. Elements: x, y, z. Unit: gauss. Frame: sensor. */
+    float stabilized_mag[3];
+};
+
+#define MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_DESCRIPTOR 0x10
+#define MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_NAME \
+    "sensor.complementary_filter_stabilized_north_vector"
+
+extern const struct mip_codec mip_sensor_complementary_filter_stabilized_north_vector_codec;
+mip_error mip_sensor_complementary_filter_stabilized_north_vector_decode(
+    struct mip_sensor_complementary_filter_stabilized_north_vector *value,
+    const struct mip_field *field);
+mip_error mip_sensor_complementary_filter_stabilized_north_vector_encode(
+    const struct mip_sensor_complementary_filter_stabilized_north_vector *value,
+    struct mip_builder *builder);
+
+/**
+ * Complementary filter stabilized up vector: data (0x80,0x11).
+ *
+ * Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
+ *
+ * At rest it equals the measured acceleration.
+ *
+ * - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
+ */
+struct mip_sensor_complementary_filter_stabilized_up_vector {
+    /**
+     * The part of the measured acceleration that gravity causes. Elements: x, y, z. Unit: g. Frame:
+     * sensor.
+     */
+    float stabilized_accel[3];
+};
+
+#define MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_DESCRIPTOR 0x11
+#define MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_NAME \
+    "sensor.complementary_filter_stabilized_up_vector"
+
+extern const struct mip_codec mip_sensor_complementary_filter_stabilized_up_vector_codec;
+mip_error mip_sensor_complementary_filter_stabilized_up_vector_decode(
+    struct mip_sensor_complementary_filter_stabilized_up_vector *value,
+    const struct mip_field *field);
+mip_error mip_sensor_complementary_filter_stabilized_up_vector_encode(
+    const struct mip_sensor_complementary_filter_stabilized_up_vector *value,
+    struct mip_builder *builder);
+
+/**
+ * GPS timestamp: data (0x80,0x12).
+ *
+ * GPS time of the sensor data.
+ *
+ * Without a PPS the time runs on the internal clock and jumps when the PPS comes back.
+ *
+ * The fraction of the time of week is the time since the last pulse.
+ *
+ * Without external synchronization it is the internal system time.
+ *
+ * Where the device has it, use the shared GPS timestamp (0xFF,0xD3) instead; this field may be
+ * deprecated.
+ *
+ * - 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
+ * - 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)
+ */
+struct mip_sensor_gps_timestamp {
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TOW_VALID in valid_flags
+     * is set.
+     */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_SENSOR_GPS_TIMESTAMP_FLAGS_WEEK_NUMBER_VALID in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /** State of the time. */
+    mip_sensor_gps_timestamp_flags valid_flags;
+};
+
+#define MIP_SENSOR_GPS_TIMESTAMP_DESCRIPTOR 0x12
+#define MIP_SENSOR_GPS_TIMESTAMP_NAME "sensor.gps_timestamp"
+
+extern const struct mip_codec mip_sensor_gps_timestamp_codec;
+mip_error mip_sensor_gps_timestamp_decode(struct mip_sensor_gps_timestamp *value,
+                                          const struct mip_field *field);
+mip_error mip_sensor_gps_timestamp_encode(const struct mip_sensor_gps_timestamp *value,
+                                          struct mip_builder *builder);
+
+/**
+ * Temperature statistics: data (0x80,0x14).
+ *
+ * Temperatures since the last power-on or reset.
+ *
+ * The values come from the inertial sensors, alone or together with sensors on the board.
+ *
+ * - 3dm-cv7-gnss-ins: Temperature Statistics (0x80,0x14)
+ */
+struct mip_sensor_temperature_statistics {
+    /** Lowest temperature. Unit: degC. */
+    float min_temp;
+    /** Highest temperature. Unit: degC. */
+    float max_temp;
+    /** Mean temperature. Unit: degC. */
+    float mean_temp;
+};
+
+#define MIP_SENSOR_TEMPERATURE_STATISTICS_DESCRIPTOR 0x14
+#define MIP_SENSOR_TEMPERATURE_STATISTICS_NAME "sensor.temperature_statistics"
+
+extern const struct mip_codec mip_sensor_temperature_statistics_codec;
+mip_error mip_sensor_temperature_statistics_decode(struct mip_sensor_temperature_statistics *value,
+                                                   const struct mip_field *field);
+mip_error mip_sensor_temperature_statistics_encode(
+    const struct mip_sensor_temperature_statistics *value, struct mip_builder *builder);
+
+/**
+ * Scaled pressure: data (0x80,0x17).
+ *
+ * Measured ambient pressure, temperature compensated.
+ *
+ * - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
+ * - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)
+ */
+struct mip_sensor_scaled_pressure {
+    /** Ambient pressure. Unit: mbar. */
+    float scaled_pressure;
+};
+
+#define MIP_SENSOR_SCALED_PRESSURE_DESCRIPTOR 0x17
+#define MIP_SENSOR_SCALED_PRESSURE_NAME "sensor.scaled_pressure"
+
+extern const struct mip_codec mip_sensor_scaled_pressure_codec;
+mip_error mip_sensor_scaled_pressure_decode(struct mip_sensor_scaled_pressure *value,
+                                            const struct mip_field *field);
+mip_error mip_sensor_scaled_pressure_encode(const struct mip_sensor_scaled_pressure *value,
+                                            struct mip_builder *builder);
+
+/**
+ * Overrange status: data (0x80,0x18).
+ *
+ * Which sensor axes are near or outside their range.
+ *
+ * - 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18)
+ */
+struct mip_sensor_overrange_status {
+    /** One bit for each axis. */
+    mip_sensor_overrange_flags status;
+};
+
+#define MIP_SENSOR_OVERRANGE_STATUS_DESCRIPTOR 0x18
+#define MIP_SENSOR_OVERRANGE_STATUS_NAME "sensor.overrange_status"
+
+extern const struct mip_codec mip_sensor_overrange_status_codec;
+mip_error mip_sensor_overrange_status_decode(struct mip_sensor_overrange_status *value,
+                                             const struct mip_field *field);
+mip_error mip_sensor_overrange_status_encode(const struct mip_sensor_overrange_status *value,
+                                             struct mip_builder *builder);
+
+/**
+ * Odometer data: data (0x80,0x40).
+ *
+ * Speed by the wheel encoder.
+ *
+ * - 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
+ */
+struct mip_sensor_odometer {
+    /**
+     * Average speed over the interval; negative values come from quadrature encoders only. Unit:
+     * m/s. Valid if MIP_SENSOR_ODOMETER_FLAGS_ODOMETER in valid_flags is set.
+     */
+    float speed;
+    /**
+     * Uncertainty of the speed. Unit: m/s. Valid if MIP_SENSOR_ODOMETER_FLAGS_ODOMETER in
+     * valid_flags is set.
+     */
+    float uncertainty;
+    /** Whether the values are valid. */
+    mip_sensor_odometer_flags valid_flags;
+};
+
+#define MIP_SENSOR_ODOMETER_DESCRIPTOR 0x40
+#define MIP_SENSOR_ODOMETER_NAME "sensor.odometer"
+
+extern const struct mip_codec mip_sensor_odometer_codec;
+mip_error mip_sensor_odometer_decode(struct mip_sensor_odometer *value,
+                                     const struct mip_field *field);
+mip_error mip_sensor_odometer_encode(const struct mip_sensor_odometer *value,
+                                     struct mip_builder *builder);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,284 @@
+/**
+ * @file
+ *
+ * Shared data (0xFF). Fields that every data set can hold. No packet has this set: they come in
+ * packets of the other data sets.
+ */
+#ifndef MIP_SHARED_H
+#define MIP_SHARED_H
+
+#include "mip/protocol.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/shared.h and mip/core.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define MIP_SHARED_SET 0xFF
+
+/** Which parts of the GPS time are valid. */
+typedef uint16_t mip_shared_gps_timestamp_flags;
+/** Bit 0: The whole seconds of the time of week have been set. */
+#define MIP_SHARED_GPS_TIMESTAMP_FLAGS_TOW 0x0001U
+/** Bit 1: The week number has been set. */
+#define MIP_SHARED_GPS_TIMESTAMP_FLAGS_WEEK_NUMBER 0x0002U
+/** Bits 0 to 1: Both are set. */
+#define MIP_SHARED_GPS_TIMESTAMP_FLAGS_TIME_VALID 0x0003U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_shared_gps_timestamp_flags_set(mip_shared_gps_timestamp_flags *flags,
+                                                      mip_shared_gps_timestamp_flags bits) {
+    *flags = (mip_shared_gps_timestamp_flags)(*flags | bits);
+}
+static inline void mip_shared_gps_timestamp_flags_clear(mip_shared_gps_timestamp_flags *flags,
+                                                        mip_shared_gps_timestamp_flags bits) {
+    *flags = (mip_shared_gps_timestamp_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_shared_gps_timestamp_flags_has(mip_shared_gps_timestamp_flags flags,
+                                                      mip_shared_gps_timestamp_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** Whether the external time is valid. */
+typedef uint16_t mip_shared_external_timestamp_flags;
+/** Bit 0: The time is valid. */
+#define MIP_SHARED_EXTERNAL_TIMESTAMP_FLAGS_NANOSECONDS 0x0001U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_shared_external_timestamp_flags_set(
+    mip_shared_external_timestamp_flags *flags, mip_shared_external_timestamp_flags bits) {
+    *flags = (mip_shared_external_timestamp_flags)(*flags | bits);
+}
+static inline void mip_shared_external_timestamp_flags_clear(
+    mip_shared_external_timestamp_flags *flags, mip_shared_external_timestamp_flags bits) {
+    *flags = (mip_shared_external_timestamp_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_shared_external_timestamp_flags_has(
+    mip_shared_external_timestamp_flags flags, mip_shared_external_timestamp_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** Whether the difference of external time is valid. */
+typedef uint16_t mip_shared_external_time_delta_flags;
+/** Bit 0: The difference is valid. */
+#define MIP_SHARED_EXTERNAL_TIME_DELTA_FLAGS_DT_NANOS 0x0001U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_shared_external_time_delta_flags_set(
+    mip_shared_external_time_delta_flags *flags, mip_shared_external_time_delta_flags bits) {
+    *flags = (mip_shared_external_time_delta_flags)(*flags | bits);
+}
+static inline void mip_shared_external_time_delta_flags_clear(
+    mip_shared_external_time_delta_flags *flags, mip_shared_external_time_delta_flags bits) {
+    *flags = (mip_shared_external_time_delta_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_shared_external_time_delta_flags_has(
+    mip_shared_external_time_delta_flags flags, mip_shared_external_time_delta_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/**
+ * Event source: data (0xFF,0xD0).
+ *
+ * The event trigger that caused the packet.
+ *
+ * Put it first in the format of event messages, to tell their packets from scheduled ones.
+ *
+ * - 3dm-cv7-gnss-ins: Event Source (0xFF,0xD0)
+ */
+struct mip_shared_event_source {
+    /**
+     * Id of the trigger; 0 means that the packet was scheduled by the message format (0x0C,0x0F).
+     */
+    uint8_t trigger_id;
+};
+
+#define MIP_SHARED_EVENT_SOURCE_DESCRIPTOR 0xD0
+#define MIP_SHARED_EVENT_SOURCE_NAME "shared.event_source"
+
+extern const struct mip_codec mip_shared_event_source_codec;
+mip_error mip_shared_event_source_decode(struct mip_shared_event_source *value,
+                                         const struct mip_field *field);
+mip_error mip_shared_event_source_encode(const struct mip_shared_event_source *value,
+                                         struct mip_builder *builder);
+
+/**
+ * GPS timestamp: data (0xFF,0xD3).
+ *
+ * External time of the data as GPS time of week and week number.
+ *
+ * In event messages it is the time of the trigger.
+ *
+ * It becomes valid after the PPS is locked and (0x01,0x72) has set the time of week and the week
+ * number.
+ *
+ * An internal GNSS receiver as PPS source sets the time by itself.
+ *
+ * - 3dm-cv7-gnss-ins: GPS Timestamp (0xFF,0xD3)
+ */
+struct mip_shared_gps_timestamp {
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_SHARED_GPS_TIMESTAMP_FLAGS_TOW in valid_flags is set.
+     */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_SHARED_GPS_TIMESTAMP_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /** Which parts are valid. */
+    mip_shared_gps_timestamp_flags valid_flags;
+};
+
+#define MIP_SHARED_GPS_TIMESTAMP_DESCRIPTOR 0xD3
+#define MIP_SHARED_GPS_TIMESTAMP_NAME "shared.gps_timestamp"
+
+extern const struct mip_codec mip_shared_gps_timestamp_codec;
+mip_error mip_shared_gps_timestamp_decode(struct mip_shared_gps_timestamp *value,
+                                          const struct mip_field *field);
+mip_error mip_shared_gps_timestamp_encode(const struct mip_shared_gps_timestamp *value,
+                                          struct mip_builder *builder);
+
+/**
+ * Delta time: data (0xFF,0xD4).
+ *
+ * External time since this field was last sent in the same set and event instance.
+ *
+ * It is the same as external time delta (0xFF,0xD8), in other units.
+ *
+ * Sending either restarts the counter that both share, so use only one of them.
+ *
+ * - 3dm-cv7-gnss-ins: Delta Time (0xFF,0xD4)
+ */
+struct mip_shared_delta_time {
+    /** Time since the last output. Unit: s. */
+    double seconds;
+};
+
+#define MIP_SHARED_DELTA_TIME_DESCRIPTOR 0xD4
+#define MIP_SHARED_DELTA_TIME_NAME "shared.delta_time"
+
+extern const struct mip_codec mip_shared_delta_time_codec;
+mip_error mip_shared_delta_time_decode(struct mip_shared_delta_time *value,
+                                       const struct mip_field *field);
+mip_error mip_shared_delta_time_encode(const struct mip_shared_delta_time *value,
+                                       struct mip_builder *builder);
+
+/**
+ * Reference timestamp: data (0xFF,0xD5).
+ *
+ * Time of the data by the internal reference clock.
+ *
+ * The clock starts at power-on, only moves forward and never jumps; the value is always valid.
+ *
+ * In event messages it is the time of the trigger.
+ *
+ * - 3dm-cv7-gnss-ins: Reference Timestamp (0xFF,0xD5)
+ */
+struct mip_shared_reference_timestamp {
+    /** Time since initialization. Unit: ns. */
+    uint64_t nanoseconds;
+};
+
+#define MIP_SHARED_REFERENCE_TIMESTAMP_DESCRIPTOR 0xD5
+#define MIP_SHARED_REFERENCE_TIMESTAMP_NAME "shared.reference_timestamp"
+
+extern const struct mip_codec mip_shared_reference_timestamp_codec;
+mip_error mip_shared_reference_timestamp_decode(struct mip_shared_reference_timestamp *value,
+                                                const struct mip_field *field);
+mip_error mip_shared_reference_timestamp_encode(const struct mip_shared_reference_timestamp *value,
+                                                struct mip_builder *builder);
+
+/**
+ * Reference time delta: data (0xFF,0xD6).
+ *
+ * Reference time since this field was last sent in the same set and event instance.
+ *
+ * The value is always valid.
+ *
+ * - 3dm-cv7-gnss-ins: Reference Time Delta (0xFF,0xD6)
+ */
+struct mip_shared_reference_time_delta {
+    /** Time since the last output. Unit: ns. */
+    uint64_t dt_nanos;
+};
+
+#define MIP_SHARED_REFERENCE_TIME_DELTA_DESCRIPTOR 0xD6
+#define MIP_SHARED_REFERENCE_TIME_DELTA_NAME "shared.reference_time_delta"
+
+extern const struct mip_codec mip_shared_reference_time_delta_codec;
+mip_error mip_shared_reference_time_delta_decode(struct mip_shared_reference_time_delta *value,
+                                                 const struct mip_field *field);
+mip_error mip_shared_reference_time_delta_encode(
+    const struct mip_shared_reference_time_delta *value, struct mip_builder *builder);
+
+/**
+ * External timestamp: data (0xFF,0xD7).
+ *
+ * Time of the data in the external clock domain.
+ *
+ * It is the GPS timestamp (0xFF,0xD3) in nanoseconds.
+ *
+ * In event messages it is the time of the trigger.
+ *
+ * It becomes valid when the external clock is synchronized through the PPS.
+ *
+ * - 3dm-cv7-gnss-ins: External Timestamp (0xFF,0xD7)
+ */
+struct mip_shared_external_timestamp {
+    /**
+     * External time. Unit: ns. Valid if MIP_SHARED_EXTERNAL_TIMESTAMP_FLAGS_NANOSECONDS in
+     * valid_flags is set.
+     */
+    uint64_t nanoseconds;
+    /** Whether the time is valid. */
+    mip_shared_external_timestamp_flags valid_flags;
+};
+
+#define MIP_SHARED_EXTERNAL_TIMESTAMP_DESCRIPTOR 0xD7
+#define MIP_SHARED_EXTERNAL_TIMESTAMP_NAME "shared.external_timestamp"
+
+extern const struct mip_codec mip_shared_external_timestamp_codec;
+mip_error mip_shared_external_timestamp_decode(struct mip_shared_external_timestamp *value,
+                                               const struct mip_field *field);
+mip_error mip_shared_external_timestamp_encode(const struct mip_shared_external_timestamp *value,
+                                               struct mip_builder *builder);
+
+/**
+ * External time delta: data (0xFF,0xD8).
+ *
+ * External time since this field was last sent in the same set and event instance.
+ *
+ * It is the same as delta time (0xFF,0xD4), in other units.
+ *
+ * Sending either restarts the counter that both share, so use only one of them.
+ *
+ * - 3dm-cv7-gnss-ins: External Time Delta (0xFF,0xD8)
+ */
+struct mip_shared_external_time_delta {
+    /**
+     * Time since the last output. Unit: ns. Valid if MIP_SHARED_EXTERNAL_TIME_DELTA_FLAGS_DT_NANOS
+     * in valid_flags is set.
+     */
+    uint64_t dt_nanos;
+    /** Whether the difference is valid. */
+    mip_shared_external_time_delta_flags valid_flags;
+};
+
+#define MIP_SHARED_EXTERNAL_TIME_DELTA_DESCRIPTOR 0xD8
+#define MIP_SHARED_EXTERNAL_TIME_DELTA_NAME "shared.external_time_delta"
+
+extern const struct mip_codec mip_shared_external_time_delta_codec;
+mip_error mip_shared_external_time_delta_decode(struct mip_shared_external_time_delta *value,
+                                                const struct mip_field *field);
+mip_error mip_shared_external_time_delta_encode(const struct mip_shared_external_time_delta *value,
+                                                struct mip_builder *builder);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,135 @@
+/**
+ * @file
+ *
+ * System data (0xA0). State of the device as a whole.
+ */
+#ifndef MIP_SYSTEM_DATA_H
+#define MIP_SYSTEM_DATA_H
+
+#include "mip/protocol.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/system_data.h and mip/core.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define MIP_SYSTEM_DATA_SET 0xA0
+
+/** Level of each GPIO pin, set for high. Bits of pins that do not exist read 0. */
+typedef uint8_t mip_system_data_gpio_pin_states;
+/** Bit 0: GPIO pin 1. */
+#define MIP_SYSTEM_DATA_GPIO_PIN_STATES_PIN_1 0x01U
+/** Bit 1: GPIO pin 2. */
+#define MIP_SYSTEM_DATA_GPIO_PIN_STATES_PIN_2 0x02U
+/** Bit 2: GPIO pin 3. */
+#define MIP_SYSTEM_DATA_GPIO_PIN_STATES_PIN_3 0x04U
+/** Bit 3: GPIO pin 4. */
+#define MIP_SYSTEM_DATA_GPIO_PIN_STATES_PIN_4 0x08U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_system_data_gpio_pin_states_set(mip_system_data_gpio_pin_states *flags,
+                                                       mip_system_data_gpio_pin_states bits) {
+    *flags = (mip_system_data_gpio_pin_states)(*flags | bits);
+}
+static inline void mip_system_data_gpio_pin_states_clear(mip_system_data_gpio_pin_states *flags,
+                                                         mip_system_data_gpio_pin_states bits) {
+    *flags = (mip_system_data_gpio_pin_states)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_system_data_gpio_pin_states_has(mip_system_data_gpio_pin_states flags,
+                                                       mip_system_data_gpio_pin_states bits) {
+    return (flags & bits) == bits;
+}
+
+/**
+ * Built-in test: data (0xA0,0x01).
+ *
+ * Flags of the tests that run all the time.
+ *
+ * The field is long; stream it at a low rate or poll it.
+ *
+ * A flag stays set until it is sent, so a short fault between two messages or during idle is not
+ * lost.
+ *
+ * Each stream and each event action keeps its own copy of the flags.
+ *
+ * Some flags may be set without a fault, for instance a receiver without a position fix.
+ *
+ * Unnamed bits are reserved and must be ignored.
+ *
+ * - 3dm-cv7-gnss-ins: Built In Test (0xA0,0x01)
+ */
+struct mip_system_data_built_in_test {
+    /**
+     * Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
+     * byte. On the 3dm-cv7-gnss-ins: mip_cv7_continuous_built_in_test.
+     */
+    uint8_t result[16];
+};
+
+#define MIP_SYSTEM_DATA_BUILT_IN_TEST_DESCRIPTOR 0x01
+#define MIP_SYSTEM_DATA_BUILT_IN_TEST_NAME "system_data.built_in_test"
+
+extern const struct mip_codec mip_system_data_built_in_test_codec;
+mip_error mip_system_data_built_in_test_decode(struct mip_system_data_built_in_test *value,
+                                               const struct mip_field *field);
+mip_error mip_system_data_built_in_test_encode(const struct mip_system_data_built_in_test *value,
+                                               struct mip_builder *builder);
+
+/**
+ * Time sync status: data (0xA0,0x02).
+ *
+ * Whether the device time is locked to the pulse per second.
+ *
+ * - 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02)
+ */
+struct mip_system_data_time_sync_status {
+    /** True while the lock is valid; false if the PPS is disabled or no pulse is found. */
+    mip_bool time_sync;
+    /** Time since the last pulse, at most 255. Unit: s. */
+    uint8_t last_pps_rcvd;
+};
+
+#define MIP_SYSTEM_DATA_TIME_SYNC_STATUS_DESCRIPTOR 0x02
+#define MIP_SYSTEM_DATA_TIME_SYNC_STATUS_NAME "system_data.time_sync_status"
+
+extern const struct mip_codec mip_system_data_time_sync_status_codec;
+mip_error mip_system_data_time_sync_status_decode(struct mip_system_data_time_sync_status *value,
+                                                  const struct mip_field *field);
+mip_error mip_system_data_time_sync_status_encode(
+    const struct mip_system_data_time_sync_status *value, struct mip_builder *builder);
+
+/**
+ * GPIO state: data (0xA0,0x03).
+ *
+ * Levels of all user GPIO pins.
+ *
+ * The pins are sampled within one base period of this set; shorter pulses can be missed.
+ *
+ * Only pins that are configured to the GPIO feature by (0x0C,0x41) are sure to give valid levels.
+ *
+ * For fast signals and exact times use the timestamp feature and the event system.
+ *
+ * - 3dm-cv7-gnss-ins: GPIO State (0xA0,0x03)
+ */
+struct mip_system_data_gpio_state {
+    /** One bit for each pin. */
+    mip_system_data_gpio_pin_states states;
+};
+
+#define MIP_SYSTEM_DATA_GPIO_STATE_DESCRIPTOR 0x03
+#define MIP_SYSTEM_DATA_GPIO_STATE_NAME "system_data.gpio_state"
+
+extern const struct mip_codec mip_system_data_gpio_state_codec;
+mip_error mip_system_data_gpio_state_decode(struct mip_system_data_gpio_state *value,
+                                            const struct mip_field *field);
+mip_error mip_system_data_gpio_state_encode(const struct mip_system_data_gpio_state *value,
+                                            struct mip_builder *builder);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

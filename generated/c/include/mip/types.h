@@ -1,0 +1,1227 @@
+/**
+ * @file
+ * Types that more than one descriptor set uses.
+ */
+#ifndef MIP_TYPES_H
+#define MIP_TYPES_H
+
+#include "mip/core.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/types.h and mip/core.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * Result of the built-in test of the 3DM-GX5-15: processor board, sensor board, filter.
+ *
+ * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
+ */
+typedef uint32_t mip_gx5_built_in_test;
+/** Bit 0: The watchdog has reset the processor; cleared by the first commanded test. */
+#define MIP_GX5_BUILT_IN_TEST_WATCHDOG_RESET UINT32_C(0x00000001)
+/** Bit 8: No communication with the inertial sensor. */
+#define MIP_GX5_BUILT_IN_TEST_IMU_COMMUNICATION_FAULT UINT32_C(0x00000100)
+/** Bit 9: Magnetometer fault, on devices that have one. */
+#define MIP_GX5_BUILT_IN_TEST_MAGNETOMETER_FAULT UINT32_C(0x00000200)
+/** Bit 10: Pressure sensor fault, on devices that have one. */
+#define MIP_GX5_BUILT_IN_TEST_PRESSURE_SENSOR_FAULT UINT32_C(0x00000400)
+/** Bit 24: Fault of the estimation filter solution. */
+#define MIP_GX5_BUILT_IN_TEST_SOLUTION_FAULT UINT32_C(0x01000000)
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gx5_built_in_test_set(mip_gx5_built_in_test *flags,
+                                             mip_gx5_built_in_test bits) {
+    *flags = (mip_gx5_built_in_test)(*flags | bits);
+}
+static inline void mip_gx5_built_in_test_clear(mip_gx5_built_in_test *flags,
+                                               mip_gx5_built_in_test bits) {
+    *flags = (mip_gx5_built_in_test)(*flags & ~bits);
+}
+static inline bool mip_gx5_built_in_test_has(mip_gx5_built_in_test flags,
+                                             mip_gx5_built_in_test bits) {
+    return (flags & bits) == bits;
+}
+
+/**
+ * Result of the commanded built-in test of the 3DM-CV7-GNSS/INS.
+ *
+ * - 3dm-cv7-gnss-ins: Commanded Built-in Test
+ */
+typedef uint32_t mip_cv7_built_in_test;
+/** Bit 0: A vital part, such as the oscillator, has failed. */
+#define MIP_CV7_BUILT_IN_TEST_GENERAL_HARDWARE_FAULT UINT32_C(0x00000001)
+/** Bit 1: The firmware met a serious or unexpected condition. */
+#define MIP_CV7_BUILT_IN_TEST_GENERAL_FIRMWARE_FAULT UINT32_C(0x00000002)
+/** Bit 2: The processor cannot keep up; cleared by reading the result. */
+#define MIP_CV7_BUILT_IN_TEST_TIMING_OVERLOAD UINT32_C(0x00000004)
+/** Bit 3: A data buffer was full, mostly because too much is streamed. */
+#define MIP_CV7_BUILT_IN_TEST_BUFFER_OVERRUN UINT32_C(0x00000008)
+/** Bit 12: The accelerometer is damaged or does not work. */
+#define MIP_CV7_BUILT_IN_TEST_ACCELEROMETER_FAULT UINT32_C(0x00001000)
+/** Bit 13: The gyroscope is damaged or does not work. */
+#define MIP_CV7_BUILT_IN_TEST_GYROSCOPE_FAULT UINT32_C(0x00002000)
+/** Bit 14: The magnetometer is damaged or does not work. */
+#define MIP_CV7_BUILT_IN_TEST_MAGNETOMETER_FAULT UINT32_C(0x00004000)
+/** Bit 15: The pressure sensor is damaged or does not work. */
+#define MIP_CV7_BUILT_IN_TEST_PRESSURE_SENSOR_FAULT UINT32_C(0x00008000)
+/** Bit 18: At least one calibration table of the sensors is invalid. */
+#define MIP_CV7_BUILT_IN_TEST_CALIBRATION_ERROR UINT32_C(0x00040000)
+/** Bit 19: A fault of the inertial sensor subsystem that no other bit names. */
+#define MIP_CV7_BUILT_IN_TEST_GENERAL_IMU_FAULT UINT32_C(0x00080000)
+/** Bit 22: The filter output is invalid (not a number); reset the filter. */
+#define MIP_CV7_BUILT_IN_TEST_FILTER_SOLUTION_FAULT UINT32_C(0x00400000)
+/** Bit 23: A fault of the filter subsystem that no other bit names. */
+#define MIP_CV7_BUILT_IN_TEST_GENERAL_FILTER_FAULT UINT32_C(0x00800000)
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_cv7_built_in_test_set(mip_cv7_built_in_test *flags,
+                                             mip_cv7_built_in_test bits) {
+    *flags = (mip_cv7_built_in_test)(*flags | bits);
+}
+static inline void mip_cv7_built_in_test_clear(mip_cv7_built_in_test *flags,
+                                               mip_cv7_built_in_test bits) {
+    *flags = (mip_cv7_built_in_test)(*flags & ~bits);
+}
+static inline bool mip_cv7_built_in_test_has(mip_cv7_built_in_test flags,
+                                             mip_cv7_built_in_test bits) {
+    return (flags & bits) == bits;
+}
+
+/**
+ * Flags of the continuous built-in test of the 3DM-CV7-GNSS/INS: bits 0-31 system, 32-63 inertial
+ * sensors, 64-95 navigation, 96-127 GNSS.
+ *
+ * - 3dm-cv7-gnss-ins: Continuous Built-in Test
+ */
+struct mip_cv7_continuous_built_in_test {
+    /** Least significant byte first. */
+    uint8_t bytes[16];
+};
+
+/** Bit 0: The system clock does not work properly. */
+static inline bool mip_cv7_continuous_built_in_test_get_system_clock_failure(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 0, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_system_clock_failure(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 0, 1, value);
+}
+
+/** Bit 1: The supply voltage is out of range, or an internal supply has failed. */
+static inline bool mip_cv7_continuous_built_in_test_get_power_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 1, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_power_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 1, 1, value);
+}
+
+/** Bit 4: The firmware met an unexpected condition. */
+static inline bool mip_cv7_continuous_built_in_test_get_firmware_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 4, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_firmware_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 4, 1, value);
+}
+
+/** Bit 5: The processor cannot keep up. */
+static inline bool mip_cv7_continuous_built_in_test_get_timing_overload(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 5, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_timing_overload(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 5, 1, value);
+}
+
+/** Bit 6: A data buffer was full and data may be lost. */
+static inline bool mip_cv7_continuous_built_in_test_get_buffer_overrun(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 6, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_buffer_overrun(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 6, 1, value);
+}
+
+/** Bit 16: The inertial sensor subsystem does not run or did not start. */
+static inline bool mip_cv7_continuous_built_in_test_get_imu_process_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 16, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_imu_process_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 16, 1, value);
+}
+
+/** Bit 17: The processing of sensor data took too long. */
+static inline bool mip_cv7_continuous_built_in_test_get_imu_data_process_time_exceeded(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 17, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_imu_data_process_time_exceeded(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 17, 1, value);
+}
+
+/** Bit 18: Sensor data does not come at its base rate. */
+static inline bool mip_cv7_continuous_built_in_test_get_imu_data_rate_error(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 18, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_imu_data_rate_error(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 18, 1, value);
+}
+
+/** Bit 19: The inertial sensor subsystem produces no data. */
+static inline bool mip_cv7_continuous_built_in_test_get_imu_stall(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 19, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_imu_stall(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 19, 1, value);
+}
+
+/** Bits 20 to 23: Any of these: the filter does not work normally. */
+static inline uint8_t mip_cv7_continuous_built_in_test_get_filter_process_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (uint8_t)mip_get_bits(flags->bytes, 20, 4);
+}
+static inline void mip_cv7_continuous_built_in_test_set_filter_process_fault(
+    struct mip_cv7_continuous_built_in_test *flags, uint8_t value) {
+    mip_set_bits(flags->bytes, 20, 4, value);
+}
+
+/** Bit 20: Major cycle of the filter; bits 22 and 23 say what. */
+static inline bool mip_cv7_continuous_built_in_test_get_filter_major_cycle_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 20, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_filter_major_cycle_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 20, 1, value);
+}
+
+/** Bit 21: Minor cycle of the filter; bits 22 and 23 say what. */
+static inline bool mip_cv7_continuous_built_in_test_get_filter_minor_cycle_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 21, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_filter_minor_cycle_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 21, 1, value);
+}
+
+/** Bit 22: A filter process misses its base rate; bits 20 and 21 say which. */
+static inline bool mip_cv7_continuous_built_in_test_get_filter_data_rate_error(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 22, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_filter_data_rate_error(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 22, 1, value);
+}
+
+/** Bit 23: A filter process produces no data; bits 20 and 21 say which. */
+static inline bool mip_cv7_continuous_built_in_test_get_filter_process_stall(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 23, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_filter_process_stall(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 23, 1, value);
+}
+
+/** Bits 24 to 27: Any of these: GNSS does not work normally. */
+static inline uint8_t mip_cv7_continuous_built_in_test_get_gnss_subsystem_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (uint8_t)mip_get_bits(flags->bytes, 24, 4);
+}
+static inline void mip_cv7_continuous_built_in_test_set_gnss_subsystem_fault(
+    struct mip_cv7_continuous_built_in_test *flags, uint8_t value) {
+    mip_set_bits(flags->bytes, 24, 4, value);
+}
+
+/** Bit 24: The main GNSS process did not run in time. */
+static inline bool mip_cv7_continuous_built_in_test_get_gnss_main_process_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 24, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_gnss_main_process_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 24, 1, value);
+}
+
+/** Bit 25: No data from internal receiver 1 in time. */
+static inline bool mip_cv7_continuous_built_in_test_get_gnss_receiver_1_stall(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 25, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_gnss_receiver_1_stall(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 25, 1, value);
+}
+
+/** Bit 26: No data from internal receiver 2 in time. */
+static inline bool mip_cv7_continuous_built_in_test_get_gnss_receiver_2_stall(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 26, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_gnss_receiver_2_stall(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 26, 1, value);
+}
+
+/** Bit 33: No communication with the inertial sensors. */
+static inline bool mip_cv7_continuous_built_in_test_get_imu_communication_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 33, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_imu_communication_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 33, 1, value);
+}
+
+/** Bit 34: Inertial sensor processes take longer than their time. */
+static inline bool mip_cv7_continuous_built_in_test_get_imu_timing_overrun(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 34, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_imu_timing_overrun(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 34, 1, value);
+}
+
+/** Bit 36: Fault of the accelerometer calibration. */
+static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_accelerometer(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 36, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_accelerometer(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 36, 1, value);
+}
+
+/** Bit 37: Fault of the gyroscope calibration. */
+static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_gyroscope(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 37, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_gyroscope(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 37, 1, value);
+}
+
+/** Bit 38: Fault of the magnetometer calibration. */
+static inline bool mip_cv7_continuous_built_in_test_get_imu_calibration_error_magnetometer(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 38, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_imu_calibration_error_magnetometer(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 38, 1, value);
+}
+
+/** Bit 40: The accelerometer does not initialize. */
+static inline bool mip_cv7_continuous_built_in_test_get_accelerometer_general_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 40, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_accelerometer_general_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 40, 1, value);
+}
+
+/** Bit 41: An axis is near or outside the selected range. */
+static inline bool mip_cv7_continuous_built_in_test_get_accelerometer_over_range(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 41, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_accelerometer_over_range(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 41, 1, value);
+}
+
+/** Bit 42: The self test failed; updated by the commanded test. */
+static inline bool mip_cv7_continuous_built_in_test_get_accelerometer_self_test_fail(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 42, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_accelerometer_self_test_fail(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 42, 1, value);
+}
+
+/** Bit 44: The gyroscope does not initialize. */
+static inline bool mip_cv7_continuous_built_in_test_get_gyroscope_general_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 44, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_gyroscope_general_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 44, 1, value);
+}
+
+/** Bit 45: An axis is near or outside the selected range. */
+static inline bool mip_cv7_continuous_built_in_test_get_gyroscope_over_range(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 45, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_gyroscope_over_range(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 45, 1, value);
+}
+
+/** Bit 46: The self test failed; updated by the commanded test. */
+static inline bool mip_cv7_continuous_built_in_test_get_gyroscope_self_test_fail(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 46, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_gyroscope_self_test_fail(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 46, 1, value);
+}
+
+/** Bit 48: The magnetometer does not initialize. */
+static inline bool mip_cv7_continuous_built_in_test_get_magnetometer_general_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 48, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_magnetometer_general_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 48, 1, value);
+}
+
+/** Bit 49: An axis is near or outside the supported range. */
+static inline bool mip_cv7_continuous_built_in_test_get_magnetometer_over_range(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 49, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_magnetometer_over_range(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 49, 1, value);
+}
+
+/** Bit 50: The self test failed; updated by the commanded test. */
+static inline bool mip_cv7_continuous_built_in_test_get_magnetometer_self_test_fail(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 50, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_magnetometer_self_test_fail(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 50, 1, value);
+}
+
+/** Bit 52: The pressure sensor does not initialize. */
+static inline bool mip_cv7_continuous_built_in_test_get_pressure_sensor_general_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 52, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_pressure_sensor_general_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 52, 1, value);
+}
+
+/** Bit 53: The pressure is outside the supported range. */
+static inline bool mip_cv7_continuous_built_in_test_get_pressure_sensor_over_range(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 53, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_pressure_sensor_over_range(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 53, 1, value);
+}
+
+/** Bit 54: The self test failed; updated by the commanded test. */
+static inline bool mip_cv7_continuous_built_in_test_get_pressure_sensor_self_test_fail(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 54, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_pressure_sensor_self_test_fail(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 54, 1, value);
+}
+
+/** Bit 56: The device has lost its factory configuration. */
+static inline bool mip_cv7_continuous_built_in_test_get_factory_bits_invalid(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 56, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_factory_bits_invalid(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 56, 1, value);
+}
+
+/** Bit 66: Filter processes take longer than their time. */
+static inline bool mip_cv7_continuous_built_in_test_get_filter_timing_overrun(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 66, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_filter_timing_overrun(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 66, 1, value);
+}
+
+/** Bit 67: Filter processes are skipped. */
+static inline bool mip_cv7_continuous_built_in_test_get_filter_timing_underrun(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 67, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_filter_timing_underrun(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 67, 1, value);
+}
+
+/** Bit 105: No communication with internal receiver 1. */
+static inline bool mip_cv7_continuous_built_in_test_get_receiver_1_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 105, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_receiver_1_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 105, 1, value);
+}
+
+/** Bit 108: Internal receiver 1 has no valid solution; mostly no sky view. */
+static inline bool mip_cv7_continuous_built_in_test_get_receiver_1_no_solution(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 108, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_receiver_1_no_solution(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 108, 1, value);
+}
+
+/** Bit 110: No communication with internal receiver 2. */
+static inline bool mip_cv7_continuous_built_in_test_get_receiver_2_fault(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 110, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_receiver_2_fault(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 110, 1, value);
+}
+
+/** Bit 113: Internal receiver 2 has no valid solution; mostly no sky view. */
+static inline bool mip_cv7_continuous_built_in_test_get_receiver_2_no_solution(
+    const struct mip_cv7_continuous_built_in_test *flags) {
+    return (bool)mip_get_bits(flags->bytes, 113, 1);
+}
+static inline void mip_cv7_continuous_built_in_test_set_receiver_2_no_solution(
+    struct mip_cv7_continuous_built_in_test *flags, bool value) {
+    mip_set_bits(flags->bytes, 113, 1, value);
+}
+
+/**
+ * Kind of an event trigger.
+ *
+ * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
+ * - 3dm-cv7-gnss-ins: Types of triggers
+ */
+typedef uint8_t mip_event_trigger_type;
+/** The slot is free. It is never active and cannot be enabled. */
+#define MIP_EVENT_TRIGGER_TYPE_NONE 0
+/** Watches a GPIO pin. */
+#define MIP_EVENT_TRIGGER_TYPE_GPIO 1
+/** Compares one value of a data field with thresholds. */
+#define MIP_EVENT_TRIGGER_TYPE_THRESHOLD 2
+/** Combines up to four other triggers by a truth table. */
+#define MIP_EVENT_TRIGGER_TYPE_COMBINATION 3
+
+/**
+ * Kind of an event action.
+ *
+ * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
+ * - 3dm-cv7-gnss-ins: Types of actions
+ */
+typedef uint8_t mip_event_action_type;
+/** The slot is free. */
+#define MIP_EVENT_ACTION_TYPE_NONE 0
+/** Controls a GPIO pin. */
+#define MIP_EVENT_ACTION_TYPE_GPIO 1
+/** Sends a data packet. */
+#define MIP_EVENT_ACTION_TYPE_MESSAGE 2
+
+/**
+ * Whether an event trigger works.
+ *
+ * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
+ * - 3dm-cv7-gnss-ins: Enabling & Disabling Triggers
+ */
+typedef uint8_t mip_event_trigger_mode;
+/** The trigger is never active; so it is after configuration. */
+#define MIP_EVENT_TRIGGER_MODE_DISABLED 0
+/** The trigger does what it is configured for. */
+#define MIP_EVENT_TRIGGER_MODE_ENABLED 1
+/** The trigger is active all the time. */
+#define MIP_EVENT_TRIGGER_MODE_TEST 2
+/** The trigger is active for one event cycle and then goes back to its earlier mode. */
+#define MIP_EVENT_TRIGGER_MODE_TEST_PULSE 3
+
+/**
+ * State of an event trigger.
+ *
+ * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
+ */
+typedef uint8_t mip_event_trigger_status;
+/** Bit 0: Active now, by its condition or by a test mode. */
+#define MIP_EVENT_TRIGGER_STATUS_ACTIVE 0x01U
+/** Bit 1: Enabled. */
+#define MIP_EVENT_TRIGGER_STATUS_ENABLED 0x02U
+/** Bit 2: In a test mode. */
+#define MIP_EVENT_TRIGGER_STATUS_TEST 0x04U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_event_trigger_status_set(mip_event_trigger_status *flags,
+                                                mip_event_trigger_status bits) {
+    *flags = (mip_event_trigger_status)(*flags | bits);
+}
+static inline void mip_event_trigger_status_clear(mip_event_trigger_status *flags,
+                                                  mip_event_trigger_status bits) {
+    *flags = (mip_event_trigger_status)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_event_trigger_status_has(mip_event_trigger_status flags,
+                                                mip_event_trigger_status bits) {
+    return (flags & bits) == bits;
+}
+
+/**
+ * How a GPIO pin activates a trigger.
+ *
+ * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
+ * - 3dm-cv7-gnss-ins: Trigger: GPIO
+ */
+typedef uint8_t mip_event_trigger_gpio_mode;
+/** The trigger is never active. */
+#define MIP_EVENT_TRIGGER_GPIO_MODE_DISABLED 0
+/** Active while the pin is high. The pin needs the gpio feature. */
+#define MIP_EVENT_TRIGGER_GPIO_MODE_WHILE_HIGH 1
+/** Active while the pin is low. The pin needs the gpio feature. */
+#define MIP_EVENT_TRIGGER_GPIO_MODE_WHILE_LOW 2
+/**
+ * Active for one event cycle after an edge. The pin needs the timestamp feature, whose behavior
+ * selects the edge.
+ */
+#define MIP_EVENT_TRIGGER_GPIO_MODE_EDGE 4
+
+/**
+ * How a threshold trigger compares.
+ *
+ * - 3dm-cv7-gnss-ins: ThresholdParams
+ */
+typedef uint8_t mip_event_threshold_type;
+/** The value lies between two thresholds. */
+#define MIP_EVENT_THRESHOLD_TYPE_WINDOW 1
+/** The remainder of the value by an interval is at most a threshold. */
+#define MIP_EVENT_THRESHOLD_TYPE_INTERVAL 2
+
+/**
+ * How an action controls a GPIO pin.
+ *
+ * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
+ * - 3dm-cv7-gnss-ins: Action: GPIO
+ */
+typedef uint8_t mip_event_action_gpio_mode;
+/** The pin is left alone. */
+#define MIP_EVENT_ACTION_GPIO_MODE_DISABLED 0
+/** High while the trigger is active and low otherwise. */
+#define MIP_EVENT_ACTION_GPIO_MODE_ACTIVE_HIGH 1
+/** Low while the trigger is active and high otherwise. */
+#define MIP_EVENT_ACTION_GPIO_MODE_ACTIVE_LOW 2
+/** Set high at each activation and never set low. */
+#define MIP_EVENT_ACTION_GPIO_MODE_ONESHOT_HIGH 5
+/** Set low at each activation and never set high. */
+#define MIP_EVENT_ACTION_GPIO_MODE_ONESHOT_LOW 6
+/** Inverted at each activation. */
+#define MIP_EVENT_ACTION_GPIO_MODE_TOGGLE 7
+
+/**
+ * A trigger on a GPIO pin.
+ *
+ * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
+ */
+struct mip_event_trigger_gpio {
+    /** GPIO pin, counted from 1. At least 1. */
+    uint8_t pin;
+    /** How the pin activates the trigger. */
+    mip_event_trigger_gpio_mode mode;
+};
+
+void mip_event_trigger_gpio_read(struct mip_reader *r, struct mip_event_trigger_gpio *v);
+void mip_event_trigger_gpio_write(struct mip_writer *w, const struct mip_event_trigger_gpio *v);
+
+/** Two thresholds with a window between them. */
+struct mip_event_threshold_window {
+    /** Lower threshold, in the unit of the watched value. */
+    double low_thres;
+    /**
+     * Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger
+     * is active outside of the window.
+     */
+    double high_thres;
+};
+
+void mip_event_threshold_window_read(struct mip_reader *r, struct mip_event_threshold_window *v);
+void mip_event_threshold_window_write(struct mip_writer *w,
+                                      const struct mip_event_threshold_window *v);
+
+/** A threshold inside a repeating interval. */
+struct mip_event_threshold_interval {
+    /**
+     * The trigger is active while the remainder is at most this, in the unit of the watched value.
+     */
+    double int_thres;
+    /**
+     * Divisor of the remainder, in the unit of the watched value. If it is below the threshold, the
+     * two swap roles: the trigger is active while the value modulo int_thres is above this.
+     */
+    double interval;
+};
+
+void mip_event_threshold_interval_read(struct mip_reader *r,
+                                       struct mip_event_threshold_interval *v);
+void mip_event_threshold_interval_write(struct mip_writer *w,
+                                        const struct mip_event_threshold_interval *v);
+
+/** The member of mip_event_trigger_threshold that `type` selects. */
+union mip_event_trigger_threshold_thresholds {
+    /** If type is window. */
+    struct mip_event_threshold_window window;
+    /** If type is interval. */
+    struct mip_event_threshold_interval interval;
+};
+
+/**
+ * A trigger on one value of a data field. The value is converted to double before it is compared.
+ *
+ * - 3dm-cv7-gnss-ins: ThresholdParams
+ */
+struct mip_event_trigger_threshold {
+    /** Data descriptor set of the watched value. */
+    uint8_t desc_set;
+    /** Field descriptor of the watched value. */
+    uint8_t field_desc;
+    /**
+     * Number of the value in its field, counted from 1; each element of a vector counts. At least
+     * 1.
+     */
+    uint8_t param_id;
+    /** Kind of comparison. */
+    mip_event_threshold_type type;
+    /** What the value is compared with. */
+    union mip_event_trigger_threshold_thresholds thresholds;
+};
+
+void mip_event_trigger_threshold_read(struct mip_reader *r, struct mip_event_trigger_threshold *v);
+void mip_event_trigger_threshold_write(struct mip_writer *w,
+                                       const struct mip_event_trigger_threshold *v);
+
+/**
+ * A trigger that combines up to four others.
+ *
+ * - 3dm-cv7-gnss-ins: CombinationParams
+ * - 3dm-cv7-gnss-ins: Logical Truth Table
+ */
+struct mip_event_trigger_combination {
+    /**
+     * Bit n is the output when n = a + 2b + 4c + 8d, with a to d the states (0 or 1) of the four
+     * inputs.
+     */
+    uint16_t logic_table;
+    /**
+     * Trigger instances for the inputs a to d; 0 is always inactive. An input may name the trigger
+     * itself; it is then the output of the event cycle before.
+     */
+    uint8_t input_triggers[4];
+};
+
+void mip_event_trigger_combination_read(struct mip_reader *r,
+                                        struct mip_event_trigger_combination *v);
+void mip_event_trigger_combination_write(struct mip_writer *w,
+                                         const struct mip_event_trigger_combination *v);
+
+/**
+ * An action on a GPIO pin, which needs the gpio feature and an output behavior.
+ *
+ * - 3dm-cv7-gnss-ins: GpioParams
+ */
+struct mip_event_action_gpio {
+    /** GPIO pin, counted from 1. At least 1. */
+    uint8_t pin;
+    /** What happens to the pin. */
+    mip_event_action_gpio_mode mode;
+};
+
+void mip_event_action_gpio_read(struct mip_reader *r, struct mip_event_action_gpio *v);
+void mip_event_action_gpio_write(struct mip_writer *w, const struct mip_event_action_gpio *v);
+
+/**
+ * An action that sends data packets.
+ *
+ * - 3dm-cv7-gnss-ins: MessageParams
+ */
+struct mip_event_action_message {
+    /** Data descriptor set of the packet. */
+    uint8_t desc_set;
+    /**
+     * 0 sends one packet per activation. Any other value streams while the trigger is active, at
+     * the base rate of the descriptor set divided by it.
+     */
+    uint16_t decimation;
+    /** Number of fields in the packet. Range: 0 to 12. */
+    uint8_t num_fields;
+    /** Field descriptors, in order. */
+    uint8_t descriptors[249];
+};
+
+void mip_event_action_message_read(struct mip_reader *r, struct mip_event_action_message *v);
+void mip_event_action_message_write(struct mip_writer *w, const struct mip_event_action_message *v);
+
+/**
+ * Satellite constellation. QZSS has no value.
+ *
+ * - 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
+ * - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
+ */
+typedef uint8_t mip_gnss_constellation;
+/** Not known. */
+#define MIP_GNSS_CONSTELLATION_UNKNOWN 0
+/** GPS. */
+#define MIP_GNSS_CONSTELLATION_GPS 1
+/** GLONASS. */
+#define MIP_GNSS_CONSTELLATION_GLONASS 2
+/** Galileo. */
+#define MIP_GNSS_CONSTELLATION_GALILEO 3
+/** BeiDou. */
+#define MIP_GNSS_CONSTELLATION_BEIDOU 4
+/** Satellite based augmentation. */
+#define MIP_GNSS_CONSTELLATION_SBAS 5
+
+/**
+ * Type of a GNSS position fix.
+ *
+ * - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
+ */
+typedef uint8_t mip_gnss_fix_type;
+/** Fix in three dimensions. */
+#define MIP_GNSS_FIX_TYPE_FIX_3D 0
+/** Fix in two dimensions. */
+#define MIP_GNSS_FIX_TYPE_FIX_2D 1
+/** Time only. */
+#define MIP_GNSS_FIX_TYPE_FIX_TIME_ONLY 2
+/** No fix. */
+#define MIP_GNSS_FIX_TYPE_FIX_NONE 3
+/** Fix that is not valid. */
+#define MIP_GNSS_FIX_TYPE_FIX_INVALID 4
+/** RTK fix with float ambiguities. */
+#define MIP_GNSS_FIX_TYPE_FIX_RTK_FLOAT 5
+/** RTK fix with integer ambiguities. */
+#define MIP_GNSS_FIX_TYPE_FIX_RTK_FIXED 6
+/** Differential fix. */
+#define MIP_GNSS_FIX_TYPE_FIX_DIFFERENTIAL 7
+
+/**
+ * Signal of a satellite.
+ *
+ * - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
+ */
+typedef uint8_t mip_gnss_signal;
+/** Not known. */
+#define MIP_GNSS_SIGNAL_UNKNOWN 0
+/** GPS L1 C/A. */
+#define MIP_GNSS_SIGNAL_GPS_L1CA 1
+/** GPS L1 P(Y). */
+#define MIP_GNSS_SIGNAL_GPS_L1P 2
+/** GPS L1 P(Y) by Z-tracking. */
+#define MIP_GNSS_SIGNAL_GPS_L1Z 3
+/** GPS L2 C/A. */
+#define MIP_GNSS_SIGNAL_GPS_L2CA 4
+/** GPS L2 P(Y). */
+#define MIP_GNSS_SIGNAL_GPS_L2P 5
+/** GPS L2 P(Y) by Z-tracking. */
+#define MIP_GNSS_SIGNAL_GPS_L2Z 6
+/** GPS L2C(L). */
+#define MIP_GNSS_SIGNAL_GPS_L2CL 7
+/** GPS L2C(M). */
+#define MIP_GNSS_SIGNAL_GPS_L2CM 8
+/** GPS L2C(M+L). */
+#define MIP_GNSS_SIGNAL_GPS_L2CML 9
+/** GPS L5 I. */
+#define MIP_GNSS_SIGNAL_GPS_L5I 10
+/** GPS L5 Q. */
+#define MIP_GNSS_SIGNAL_GPS_L5Q 11
+/** GPS L5 I+Q. */
+#define MIP_GNSS_SIGNAL_GPS_L5IQ 12
+/** GPS L1C(D). */
+#define MIP_GNSS_SIGNAL_GPS_L1CD 13
+/** GPS L1C(P). */
+#define MIP_GNSS_SIGNAL_GPS_L1CP 14
+/** GPS L1C(D+P). */
+#define MIP_GNSS_SIGNAL_GPS_L1CDP 15
+/** GLONASS G1 C/A. */
+#define MIP_GNSS_SIGNAL_GLONASS_G1CA 32
+/** GLONASS G1 P. */
+#define MIP_GNSS_SIGNAL_GLONASS_G1P 33
+/** GLONASS G2 C/A. */
+#define MIP_GNSS_SIGNAL_GLONASS_G2C 34
+/** GLONASS G2 P. */
+#define MIP_GNSS_SIGNAL_GLONASS_G2P 35
+/** Galileo E1 C. */
+#define MIP_GNSS_SIGNAL_GALILEO_E1C 64
+/** Galileo E1 A. */
+#define MIP_GNSS_SIGNAL_GALILEO_E1A 65
+/** Galileo E1 B. */
+#define MIP_GNSS_SIGNAL_GALILEO_E1B 66
+/** Galileo E1 B+C. */
+#define MIP_GNSS_SIGNAL_GALILEO_E1BC 67
+/** Galileo E1 A+B+C. */
+#define MIP_GNSS_SIGNAL_GALILEO_E1ABC 68
+/** Galileo E6 C. */
+#define MIP_GNSS_SIGNAL_GALILEO_E6C 69
+/** Galileo E6 A. */
+#define MIP_GNSS_SIGNAL_GALILEO_E6A 70
+/** Galileo E6 B. */
+#define MIP_GNSS_SIGNAL_GALILEO_E6B 71
+/** Galileo E6 B+C. */
+#define MIP_GNSS_SIGNAL_GALILEO_E6BC 72
+/** Galileo E6 A+B+C. */
+#define MIP_GNSS_SIGNAL_GALILEO_E6ABC 73
+/** Galileo E5b I. */
+#define MIP_GNSS_SIGNAL_GALILEO_E5BI 74
+/** Galileo E5b Q. */
+#define MIP_GNSS_SIGNAL_GALILEO_E5BQ 75
+/** Galileo E5b I+Q. */
+#define MIP_GNSS_SIGNAL_GALILEO_E5BIQ 76
+/** Galileo E5 (a+b) I. */
+#define MIP_GNSS_SIGNAL_GALILEO_E5ABI 77
+/** Galileo E5 (a+b) Q. */
+#define MIP_GNSS_SIGNAL_GALILEO_E5ABQ 78
+/** Galileo E5 (a+b) I+Q. */
+#define MIP_GNSS_SIGNAL_GALILEO_E5ABIQ 79
+/** Galileo E5a I. */
+#define MIP_GNSS_SIGNAL_GALILEO_E5AI 80
+/** Galileo E5a Q. */
+#define MIP_GNSS_SIGNAL_GALILEO_E5AQ 81
+/** Galileo E5a I+Q. */
+#define MIP_GNSS_SIGNAL_GALILEO_E5AIQ 82
+/** SBAS L1 C/A. */
+#define MIP_GNSS_SIGNAL_SBAS_L1CA 96
+/** SBAS L5 I. */
+#define MIP_GNSS_SIGNAL_SBAS_L5I 97
+/** SBAS L5 Q. */
+#define MIP_GNSS_SIGNAL_SBAS_L5Q 98
+/** SBAS L5 I+Q. */
+#define MIP_GNSS_SIGNAL_SBAS_L5IQ 99
+/** QZSS L1 C/A. */
+#define MIP_GNSS_SIGNAL_QZSS_L1CA 128
+/** QZSS LEX S. */
+#define MIP_GNSS_SIGNAL_QZSS_LEXS 129
+/** QZSS LEX L. */
+#define MIP_GNSS_SIGNAL_QZSS_LEXL 130
+/** QZSS LEX S+L. */
+#define MIP_GNSS_SIGNAL_QZSS_LEXSL 131
+/** QZSS L2C(M). */
+#define MIP_GNSS_SIGNAL_QZSS_L2CM 132
+/** QZSS L2C(L). */
+#define MIP_GNSS_SIGNAL_QZSS_L2CL 133
+/** QZSS L2C(M+L). */
+#define MIP_GNSS_SIGNAL_QZSS_L2CML 134
+/** QZSS L5 I. */
+#define MIP_GNSS_SIGNAL_QZSS_L5I 135
+/** QZSS L5 Q. */
+#define MIP_GNSS_SIGNAL_QZSS_L5Q 136
+/** QZSS L5 I+Q. */
+#define MIP_GNSS_SIGNAL_QZSS_L5IQ 137
+/** QZSS L1C(D). */
+#define MIP_GNSS_SIGNAL_QZSS_L1CD 138
+/** QZSS L1C(P). */
+#define MIP_GNSS_SIGNAL_QZSS_L1CP 139
+/** QZSS L1C(D+P). */
+#define MIP_GNSS_SIGNAL_QZSS_L1CDP 140
+/** BeiDou B1 I. */
+#define MIP_GNSS_SIGNAL_BEIDOU_B1I 160
+/** BeiDou B1 Q. */
+#define MIP_GNSS_SIGNAL_BEIDOU_B1Q 161
+/** BeiDou B1 I+Q. */
+#define MIP_GNSS_SIGNAL_BEIDOU_B1IQ 162
+/** BeiDou B3 I. */
+#define MIP_GNSS_SIGNAL_BEIDOU_B3I 163
+/** BeiDou B3 Q. */
+#define MIP_GNSS_SIGNAL_BEIDOU_B3Q 164
+/** BeiDou B3 I+Q. */
+#define MIP_GNSS_SIGNAL_BEIDOU_B3IQ 165
+/** BeiDou B2 I. */
+#define MIP_GNSS_SIGNAL_BEIDOU_B2I 166
+/** BeiDou B2 Q. */
+#define MIP_GNSS_SIGNAL_BEIDOU_B2Q 167
+/** BeiDou B2 I+Q. */
+#define MIP_GNSS_SIGNAL_BEIDOU_B2IQ 168
+/** BeiDou B2a. */
+#define MIP_GNSS_SIGNAL_BEIDOU_B2A 169
+
+/**
+ * What a GPIO pin is used for.
+ *
+ * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
+ * - 3dm-cv7-gnss-ins: GPIO Features
+ */
+typedef uint8_t mip_gpio_feature;
+/** Not connected. Reading the pin may work but is not guaranteed. */
+#define MIP_GPIO_FEATURE_UNUSED 0
+/** General input or output. */
+#define MIP_GPIO_FEATURE_GPIO 1
+/** Input or output of the pulse per second. */
+#define MIP_GPIO_FEATURE_PPS 2
+/** Input of a motor encoder or odometer. */
+#define MIP_GPIO_FEATURE_ENCODER 3
+/** Input whose edges get exact timestamps for event triggers. */
+#define MIP_GPIO_FEATURE_TIMESTAMP 4
+/** Data or control line of a UART. */
+#define MIP_GPIO_FEATURE_UART 5
+
+/** Behavior of a pin whose feature is unused. */
+typedef uint8_t mip_gpio_unused_behavior;
+/** No other value is defined. */
+#define MIP_GPIO_UNUSED_BEHAVIOR_UNUSED 0
+
+/** Behavior of a pin whose feature is gpio. */
+typedef uint8_t mip_gpio_behavior;
+/** Input; the default. */
+#define MIP_GPIO_BEHAVIOR_INPUT 1
+/** Output, low at first; low again at power-up if the configuration is saved. */
+#define MIP_GPIO_BEHAVIOR_OUTPUT_LOW 2
+/** Output, high at first; high again at power-up if the configuration is saved. */
+#define MIP_GPIO_BEHAVIOR_OUTPUT_HIGH 3
+
+/** Behavior of a pin whose feature is pps. */
+typedef uint8_t mip_gpio_pps_behavior;
+/** The pin receives the pulse; the PPS source must be gpio. One pin at most. */
+#define MIP_GPIO_PPS_BEHAVIOR_INPUT 1
+/** The pin sends the pulse of the device. */
+#define MIP_GPIO_PPS_BEHAVIOR_OUTPUT 2
+
+/** Behavior of a pin whose feature is encoder. */
+typedef uint8_t mip_gpio_encoder_behavior;
+/** Quadrature input A. One pin at most; the latest one configured has it. */
+#define MIP_GPIO_ENCODER_BEHAVIOR_A 1
+/** Quadrature input B. One pin at most; the latest one configured has it. */
+#define MIP_GPIO_ENCODER_BEHAVIOR_B 2
+
+/** Behavior of a pin whose feature is timestamp. */
+typedef uint8_t mip_gpio_timestamp_behavior;
+/** Rising edges get timestamps. */
+#define MIP_GPIO_TIMESTAMP_BEHAVIOR_RISING 1
+/** Falling edges get timestamps. */
+#define MIP_GPIO_TIMESTAMP_BEHAVIOR_FALLING 2
+/** Both edges get timestamps. */
+#define MIP_GPIO_TIMESTAMP_BEHAVIOR_EITHER 3
+
+/** Behavior of a pin whose feature is uart. */
+typedef uint8_t mip_gpio_uart_behavior;
+/** UART 2 sends. */
+#define MIP_GPIO_UART_BEHAVIOR_PORT_2_TX 33
+/** UART 2 receives. */
+#define MIP_GPIO_UART_BEHAVIOR_PORT_2_RX 34
+/** UART 3 sends. */
+#define MIP_GPIO_UART_BEHAVIOR_PORT_3_TX 49
+/** UART 3 receives. */
+#define MIP_GPIO_UART_BEHAVIOR_PORT_3_RX 50
+
+/**
+ * Electrical options of a GPIO pin; which are allowed depends on device, pin, feature and behavior.
+ *
+ * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
+ * - 3dm-cv7-gnss-ins: Pin Mode
+ */
+typedef uint8_t mip_gpio_pin_mode;
+/** Bit 0: The output drives low or floats. It usually needs a pull-up. */
+#define MIP_GPIO_PIN_MODE_OPEN_DRAIN 0x01U
+/** Bit 1: Internal pull-down resistor; not together with the pull-up. */
+#define MIP_GPIO_PIN_MODE_PULLDOWN 0x02U
+/**
+ * Bit 2: Internal pull-up resistor; not together with the pull-down. May lower the allowed input
+ * voltage.
+ */
+#define MIP_GPIO_PIN_MODE_PULLUP 0x04U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gpio_pin_mode_set(mip_gpio_pin_mode *flags, mip_gpio_pin_mode bits) {
+    *flags = (mip_gpio_pin_mode)(*flags | bits);
+}
+static inline void mip_gpio_pin_mode_clear(mip_gpio_pin_mode *flags, mip_gpio_pin_mode bits) {
+    *flags = (mip_gpio_pin_mode)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gpio_pin_mode_has(mip_gpio_pin_mode flags, mip_gpio_pin_mode bits) {
+    return (flags & bits) == bits;
+}
+
+/**
+ * An NMEA-0183 sentence that a device can send.
+ *
+ * - 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs
+ */
+typedef uint8_t mip_nmea_message_id;
+/** GNSS fix. From a GNSS or the filter data set. */
+#define MIP_NMEA_MESSAGE_ID_GGA 1
+/** Latitude and longitude. From a GNSS or the filter data set. */
+#define MIP_NMEA_MESSAGE_ID_GLL 2
+/** Satellites in view. From a GNSS data set; the talker follows the constellation. */
+#define MIP_NMEA_MESSAGE_ID_GSV 3
+/** Recommended minimum GNSS data. From a GNSS or the filter data set. */
+#define MIP_NMEA_MESSAGE_ID_RMC 4
+/** Course and speed over ground. From a GNSS or the filter data set. */
+#define MIP_NMEA_MESSAGE_ID_VTG 5
+/** True heading. From a GNSS or the filter data set. */
+#define MIP_NMEA_MESSAGE_ID_HDT 6
+/** Time and date. From a GNSS data set. */
+#define MIP_NMEA_MESSAGE_ID_ZDA 7
+/** GNSS error statistics. From a GNSS or the filter data set. */
+#define MIP_NMEA_MESSAGE_ID_GST 8
+/** Proprietary PMSRA: Euler angles. From the filter data set. */
+#define MIP_NMEA_MESSAGE_ID_MSRA 129
+/** Proprietary PMSRR: acceleration and angular rate. From the sensor data set. */
+#define MIP_NMEA_MESSAGE_ID_MSRR 130
+
+/**
+ * The first letters of an NMEA-0183 sentence, which name its talker.
+ *
+ * - 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs
+ */
+typedef uint8_t mip_nmea_talker_id;
+/** For sentences whose talker is not free (GSV and the proprietary ones). */
+#define MIP_NMEA_TALKER_ID_IGNORED 0
+/** GN. */
+#define MIP_NMEA_TALKER_ID_GNSS 1
+/** GP. */
+#define MIP_NMEA_TALKER_ID_GPS 2
+/** GA. */
+#define MIP_NMEA_TALKER_ID_GALILEO 3
+/** GL. */
+#define MIP_NMEA_TALKER_ID_GLONASS 4
+
+/**
+ * An NMEA-0183 sentence with its talker, its data source and how often it is sent.
+ *
+ * - 3dm-cv7-gnss-ins: Sources and Talker IDs
+ */
+struct mip_nmea_message {
+    /** The sentence. */
+    mip_nmea_message_id message_id;
+    /** The talker that the sentence names. */
+    mip_nmea_talker_id talker_id;
+    /** Data descriptor set that the contents are taken from. */
+    uint8_t source_desc_set;
+    /** Base rate of the source descriptor set divided by the wanted rate; a poll ignores it. */
+    uint16_t decimation;
+};
+
+void mip_nmea_message_read(struct mip_reader *r, struct mip_nmea_message *v);
+void mip_nmea_message_write(struct mip_writer *w, const struct mip_nmea_message *v);
+
+/**
+ * The result of a command.
+ *
+ * - 3dm-gx5-15: 4.5 Error Codes
+ * - 3dm-cv7-gnss-ins: Ack/Nack Codes
+ */
+typedef uint8_t mip_ack_code;
+/** The command was carried out. */
+#define MIP_ACK_CODE_OK 0
+/** The device does not know the command descriptor. */
+#define MIP_ACK_CODE_UNKNOWN_COMMAND 1
+/** A complete packet had a wrong checksum. */
+#define MIP_ACK_CODE_BAD_CHECKSUM 2
+/** A parameter is out of range, or of the wrong size or type. */
+#define MIP_ACK_CODE_INVALID_PARAMETER 3
+/** The device could not carry the command out. */
+#define MIP_ACK_CODE_COMMAND_FAILED 4
+/** The command did not finish in time. */
+#define MIP_ACK_CODE_COMMAND_TIMEOUT 5
+/** The device does not know the descriptor set. */
+#define MIP_ACK_CODE_UNKNOWN_DESCRIPTOR_SET 6
+
+/** A field of a message format and how often it is sent. */
+struct mip_descriptor_rate {
+    /** Field descriptor. */
+    uint8_t descriptor;
+    /** Base rate divided by the wanted rate. */
+    uint16_t decimation;
+};
+
+void mip_descriptor_rate_read(struct mip_reader *r, struct mip_descriptor_rate *v);
+void mip_descriptor_rate_write(struct mip_writer *w, const struct mip_descriptor_rate *v);
+
+/**
+ * State of the GPS time of sensor data.
+ *
+ * - 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)
+ */
+typedef uint16_t mip_sensor_gps_timestamp_flags;
+/** Bit 0: The PPS signal is present. */
+#define MIP_SENSOR_GPS_TIMESTAMP_FLAGS_PPS_VALID 0x0001U
+/** Bit 1: Toggles each time that the time is updated. */
+#define MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_REFRESH 0x0002U
+/** Bit 2: The time has been set at least once. */
+#define MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED 0x0004U
+/** Bit 3: The time of week is valid. */
+#define MIP_SENSOR_GPS_TIMESTAMP_FLAGS_TOW_VALID 0x0008U
+/** Bit 4: The week number is valid. */
+#define MIP_SENSOR_GPS_TIMESTAMP_FLAGS_WEEK_NUMBER_VALID 0x0010U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_sensor_gps_timestamp_flags_set(mip_sensor_gps_timestamp_flags *flags,
+                                                      mip_sensor_gps_timestamp_flags bits) {
+    *flags = (mip_sensor_gps_timestamp_flags)(*flags | bits);
+}
+static inline void mip_sensor_gps_timestamp_flags_clear(mip_sensor_gps_timestamp_flags *flags,
+                                                        mip_sensor_gps_timestamp_flags bits) {
+    *flags = (mip_sensor_gps_timestamp_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_sensor_gps_timestamp_flags_has(mip_sensor_gps_timestamp_flags flags,
+                                                      mip_sensor_gps_timestamp_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/**
+ * State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits that vouch for the
+ * values.
+ *
+ * - 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
+ */
+typedef uint16_t mip_gx5_sensor_gps_timestamp_flags;
+/** Bit 0: The PPS signal is present; without it, the internal clock drives the time. */
+#define MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_PPS_VALID 0x0001U
+/** Bit 1: Toggles each time that the time is updated. */
+#define MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_REFRESH 0x0002U
+/** Bit 2: The time has been set at least once. */
+#define MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED 0x0004U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_gx5_sensor_gps_timestamp_flags_set(mip_gx5_sensor_gps_timestamp_flags *flags,
+                                                          mip_gx5_sensor_gps_timestamp_flags bits) {
+    *flags = (mip_gx5_sensor_gps_timestamp_flags)(*flags | bits);
+}
+static inline void mip_gx5_sensor_gps_timestamp_flags_clear(
+    mip_gx5_sensor_gps_timestamp_flags *flags, mip_gx5_sensor_gps_timestamp_flags bits) {
+    *flags = (mip_gx5_sensor_gps_timestamp_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_gx5_sensor_gps_timestamp_flags_has(mip_gx5_sensor_gps_timestamp_flags flags,
+                                                          mip_gx5_sensor_gps_timestamp_flags bits) {
+    return (flags & bits) == bits;
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,4640 @@
+/* 3DM. */
+#include "mip/3dm.h"
+
+#include <string.h>
+
+void mip_3dm_poll_entry_read(struct mip_reader *r, struct mip_3dm_poll_entry *v) {
+    mip_read_u8(r, &v->descriptor, 1);
+    mip_read_u16(r, &v->reserved, 1);
+}
+
+void mip_3dm_poll_entry_write(struct mip_writer *w, const struct mip_3dm_poll_entry *v) {
+    mip_write_u8(w, &v->descriptor, 1);
+    mip_write_u16(w, &v->reserved, 1);
+}
+
+void mip_3dm_supported_event_info_read(struct mip_reader *r,
+                                       struct mip_3dm_supported_event_info *v) {
+    mip_read_u8(r, &v->type, 1);
+    mip_read_u8(r, &v->count, 1);
+}
+
+void mip_3dm_supported_event_info_write(struct mip_writer *w,
+                                        const struct mip_3dm_supported_event_info *v) {
+    mip_write_u8(w, &v->type, 1);
+    mip_write_u8(w, &v->count, 1);
+}
+
+void mip_3dm_event_trigger_status_entry_read(struct mip_reader *r,
+                                             struct mip_3dm_event_trigger_status_entry *v) {
+    mip_read_u8(r, &v->type, 1);
+    mip_read_u8(r, &v->status, 1);
+}
+
+void mip_3dm_event_trigger_status_entry_write(struct mip_writer *w,
+                                              const struct mip_3dm_event_trigger_status_entry *v) {
+    mip_write_u8(w, &v->type, 1);
+    mip_write_u8(w, &v->status, 1);
+}
+
+void mip_3dm_event_action_status_entry_read(struct mip_reader *r,
+                                            struct mip_3dm_event_action_status_entry *v) {
+    mip_read_u8(r, &v->action_type, 1);
+    mip_read_u8(r, &v->trigger_id, 1);
+}
+
+void mip_3dm_event_action_status_entry_write(struct mip_writer *w,
+                                             const struct mip_3dm_event_action_status_entry *v) {
+    mip_write_u8(w, &v->action_type, 1);
+    mip_write_u8(w, &v->trigger_id, 1);
+}
+
+void mip_3dm_sensor_range_entry_read(struct mip_reader *r, struct mip_3dm_sensor_range_entry *v) {
+    mip_read_u8(r, &v->setting, 1);
+    mip_read_float(r, &v->range, 1);
+}
+
+void mip_3dm_sensor_range_entry_write(struct mip_writer *w,
+                                      const struct mip_3dm_sensor_range_entry *v) {
+    mip_write_u8(w, &v->setting, 1);
+    mip_write_float(w, &v->range, 1);
+}
+
+static void read_poll_imu_data(struct mip_reader *r, void *value) {
+    struct mip_3dm_poll_imu_data *v = (struct mip_3dm_poll_imu_data *)value;
+    mip_read_bool(r, &v->suppress_ack, 1);
+    mip_read_u8(r, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
+        mip_3dm_poll_entry_read(r, &v->descriptors[i]);
+    }
+}
+
+static void write_poll_imu_data(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_poll_imu_data *v = (const struct mip_3dm_poll_imu_data *)value;
+    mip_write_bool(w, &v->suppress_ack, 1);
+    mip_write_u8(w, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
+        mip_3dm_poll_entry_write(w, &v->descriptors[i]);
+    }
+}
+
+static bool silent_poll_imu_data(const void *value) {
+    const struct mip_3dm_poll_imu_data *v = (const struct mip_3dm_poll_imu_data *)value;
+    return v->suppress_ack == 1;
+}
+
+const struct mip_codec mip_3dm_poll_imu_data_codec = {
+    0x0C,
+    MIP_3DM_POLL_IMU_DATA_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_poll_imu_data),
+    0,
+    read_poll_imu_data,
+    write_poll_imu_data,
+    silent_poll_imu_data,
+};
+
+mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_data *value,
+                                       const struct mip_field *field) {
+    return mip_decode_field(field, read_poll_imu_data, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_poll_imu_data_encode(const struct mip_3dm_poll_imu_data *value,
+                                       struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_POLL_IMU_DATA_DESCRIPTOR, write_poll_imu_data, value);
+}
+
+struct mip_3dm_poll_imu_data mip_3dm_poll_imu_data_make(
+    mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
+    struct mip_3dm_poll_imu_data v;
+    memset(&v, 0, sizeof(v));
+    v.suppress_ack = suppress_ack;
+    v.num_descriptors = num_descriptors;
+    mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
+             num_descriptors * sizeof(descriptors[0]));
+    return v;
+}
+
+static void read_poll_estimation_filter_data(struct mip_reader *r, void *value) {
+    struct mip_3dm_poll_estimation_filter_data *v =
+        (struct mip_3dm_poll_estimation_filter_data *)value;
+    mip_read_bool(r, &v->suppress_ack, 1);
+    mip_read_u8(r, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
+        mip_3dm_poll_entry_read(r, &v->descriptors[i]);
+    }
+}
+
+static void write_poll_estimation_filter_data(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_poll_estimation_filter_data *v =
+        (const struct mip_3dm_poll_estimation_filter_data *)value;
+    mip_write_bool(w, &v->suppress_ack, 1);
+    mip_write_u8(w, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
+        mip_3dm_poll_entry_write(w, &v->descriptors[i]);
+    }
+}
+
+static bool silent_poll_estimation_filter_data(const void *value) {
+    const struct mip_3dm_poll_estimation_filter_data *v =
+        (const struct mip_3dm_poll_estimation_filter_data *)value;
+    return v->suppress_ack == 1;
+}
+
+const struct mip_codec mip_3dm_poll_estimation_filter_data_codec = {
+    0x0C,
+    MIP_3DM_POLL_ESTIMATION_FILTER_DATA_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_poll_estimation_filter_data),
+    0,
+    read_poll_estimation_filter_data,
+    write_poll_estimation_filter_data,
+    silent_poll_estimation_filter_data,
+};
+
+mip_error mip_3dm_poll_estimation_filter_data_decode(
+    struct mip_3dm_poll_estimation_filter_data *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_poll_estimation_filter_data, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_poll_estimation_filter_data_encode(
+    const struct mip_3dm_poll_estimation_filter_data *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_POLL_ESTIMATION_FILTER_DATA_DESCRIPTOR,
+                            write_poll_estimation_filter_data, value);
+}
+
+struct mip_3dm_poll_estimation_filter_data mip_3dm_poll_estimation_filter_data_make(
+    mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
+    struct mip_3dm_poll_estimation_filter_data v;
+    memset(&v, 0, sizeof(v));
+    v.suppress_ack = suppress_ack;
+    v.num_descriptors = num_descriptors;
+    mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
+             num_descriptors * sizeof(descriptors[0]));
+    return v;
+}
+
+static void read_poll_nmea_data(struct mip_reader *r, void *value) {
+    struct mip_3dm_poll_nmea_data *v = (struct mip_3dm_poll_nmea_data *)value;
+    mip_read_bool(r, &v->suppress_ack, 1);
+    mip_read_u8(r, &v->count, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->count, 50, 5); i < n; i++) {
+        mip_nmea_message_read(r, &v->format_entries[i]);
+    }
+}
+
+static void write_poll_nmea_data(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_poll_nmea_data *v = (const struct mip_3dm_poll_nmea_data *)value;
+    mip_write_bool(w, &v->suppress_ack, 1);
+    mip_write_u8(w, &v->count, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->count, 50); i < n; i++) {
+        mip_nmea_message_write(w, &v->format_entries[i]);
+    }
+}
+
+static bool silent_poll_nmea_data(const void *value) {
+    const struct mip_3dm_poll_nmea_data *v = (const struct mip_3dm_poll_nmea_data *)value;
+    return v->suppress_ack == 1;
+}
+
+const struct mip_codec mip_3dm_poll_nmea_data_codec = {
+    0x0C,
+    MIP_3DM_POLL_NMEA_DATA_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_poll_nmea_data),
+    0,
+    read_poll_nmea_data,
+    write_poll_nmea_data,
+    silent_poll_nmea_data,
+};
+
+mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_data *value,
+                                        const struct mip_field *field) {
+    return mip_decode_field(field, read_poll_nmea_data, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_poll_nmea_data_encode(const struct mip_3dm_poll_nmea_data *value,
+                                        struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_POLL_NMEA_DATA_DESCRIPTOR, write_poll_nmea_data,
+                            value);
+}
+
+struct mip_3dm_poll_nmea_data mip_3dm_poll_nmea_data_make(
+    mip_bool suppress_ack, uint8_t count, const struct mip_nmea_message format_entries[]) {
+    struct mip_3dm_poll_nmea_data v;
+    memset(&v, 0, sizeof(v));
+    v.suppress_ack = suppress_ack;
+    v.count = count;
+    mip_copy(v.format_entries, sizeof(v.format_entries), format_entries,
+             count * sizeof(format_entries[0]));
+    return v;
+}
+
+const struct mip_codec mip_3dm_get_imu_data_base_rate_codec = {
+    0x0C,
+    MIP_3DM_GET_IMU_DATA_BASE_RATE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_get_imu_data_base_rate),
+    0,
+    mip_read_nothing,
+    mip_write_nothing,
+    NULL,
+};
+
+mip_error mip_3dm_get_imu_data_base_rate_decode(struct mip_3dm_get_imu_data_base_rate *value,
+                                                const struct mip_field *field) {
+    return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_get_imu_data_base_rate_encode(const struct mip_3dm_get_imu_data_base_rate *value,
+                                                struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GET_IMU_DATA_BASE_RATE_DESCRIPTOR, mip_write_nothing,
+                            value);
+}
+
+static void read_get_imu_data_base_rate_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_imu_data_base_rate_response *v =
+        (struct mip_3dm_get_imu_data_base_rate_response *)value;
+    mip_read_u16(r, &v->rate, 1);
+}
+
+static void write_get_imu_data_base_rate_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_imu_data_base_rate_response *v =
+        (const struct mip_3dm_get_imu_data_base_rate_response *)value;
+    mip_write_u16(w, &v->rate, 1);
+}
+
+const struct mip_codec mip_3dm_get_imu_data_base_rate_response_codec = {
+    0x0C,
+    MIP_3DM_GET_IMU_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_get_imu_data_base_rate_response),
+    0,
+    read_get_imu_data_base_rate_response,
+    write_get_imu_data_base_rate_response,
+    NULL,
+};
+
+mip_error mip_3dm_get_imu_data_base_rate_response_decode(
+    struct mip_3dm_get_imu_data_base_rate_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_get_imu_data_base_rate_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_3dm_get_imu_data_base_rate_response_encode(
+    const struct mip_3dm_get_imu_data_base_rate_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GET_IMU_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
+                            write_get_imu_data_base_rate_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_imu_message_format[] = {0, 2, 0, 0, 0, 0};
+
+static void read_imu_message_format(struct mip_reader *r, void *value) {
+    struct mip_3dm_imu_message_format *v = (struct mip_3dm_imu_message_format *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_imu_message_format,
+                      sizeof(required_imu_message_format));
+    mip_read_group(r, 1, 2);
+    mip_read_u8(r, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
+        mip_descriptor_rate_read(r, &v->descriptors[i]);
+    }
+    v->present = mip_read_present(r);
+}
+
+static void write_imu_message_format(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_imu_message_format *v = (const struct mip_3dm_imu_message_format *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_imu_message_format,
+                       sizeof(required_imu_message_format), v->present);
+    mip_write_group(w, 1, 2);
+    mip_write_u8(w, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
+        mip_descriptor_rate_write(w, &v->descriptors[i]);
+    }
+}
+
+const struct mip_codec mip_3dm_imu_message_format_codec = {
+    0x0C,
+    MIP_3DM_IMU_MESSAGE_FORMAT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_imu_message_format),
+    0,
+    read_imu_message_format,
+    write_imu_message_format,
+    NULL,
+};
+
+mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_message_format *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_imu_message_format, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_imu_message_format_encode(const struct mip_3dm_imu_message_format *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_IMU_MESSAGE_FORMAT_DESCRIPTOR,
+                            write_imu_message_format, value);
+}
+
+struct mip_3dm_imu_message_format mip_3dm_imu_message_format_write(
+    uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]) {
+    struct mip_3dm_imu_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.num_descriptors = num_descriptors;
+    mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
+             num_descriptors * sizeof(descriptors[0]));
+    return v;
+}
+
+struct mip_3dm_imu_message_format mip_3dm_imu_message_format_read(void) {
+    struct mip_3dm_imu_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_imu_message_format mip_3dm_imu_message_format_save(void) {
+    struct mip_3dm_imu_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_imu_message_format mip_3dm_imu_message_format_load(void) {
+    struct mip_3dm_imu_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_imu_message_format mip_3dm_imu_message_format_default(void) {
+    struct mip_3dm_imu_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_imu_message_format_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_imu_message_format_response *v =
+        (struct mip_3dm_imu_message_format_response *)value;
+    mip_read_u8(r, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 84, 3); i < n; i++) {
+        mip_descriptor_rate_read(r, &v->descriptors[i]);
+    }
+}
+
+static void write_imu_message_format_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_imu_message_format_response *v =
+        (const struct mip_3dm_imu_message_format_response *)value;
+    mip_write_u8(w, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 84); i < n; i++) {
+        mip_descriptor_rate_write(w, &v->descriptors[i]);
+    }
+}
+
+const struct mip_codec mip_3dm_imu_message_format_response_codec = {
+    0x0C,
+    MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_imu_message_format_response),
+    0,
+    read_imu_message_format_response,
+    write_imu_message_format_response,
+    NULL,
+};
+
+mip_error mip_3dm_imu_message_format_response_decode(
+    struct mip_3dm_imu_message_format_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_imu_message_format_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_imu_message_format_response_encode(
+    const struct mip_3dm_imu_message_format_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
+                            write_imu_message_format_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_estimation_filter_message_format[] = {0, 2, 0, 0, 0, 0};
+
+static void read_estimation_filter_message_format(struct mip_reader *r, void *value) {
+    struct mip_3dm_estimation_filter_message_format *v =
+        (struct mip_3dm_estimation_filter_message_format *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_estimation_filter_message_format,
+                      sizeof(required_estimation_filter_message_format));
+    mip_read_group(r, 1, 2);
+    mip_read_u8(r, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
+        mip_descriptor_rate_read(r, &v->descriptors[i]);
+    }
+    v->present = mip_read_present(r);
+}
+
+static void write_estimation_filter_message_format(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_estimation_filter_message_format *v =
+        (const struct mip_3dm_estimation_filter_message_format *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_estimation_filter_message_format,
+                       sizeof(required_estimation_filter_message_format), v->present);
+    mip_write_group(w, 1, 2);
+    mip_write_u8(w, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
+        mip_descriptor_rate_write(w, &v->descriptors[i]);
+    }
+}
+
+const struct mip_codec mip_3dm_estimation_filter_message_format_codec = {
+    0x0C,
+    MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_estimation_filter_message_format),
+    0,
+    read_estimation_filter_message_format,
+    write_estimation_filter_message_format,
+    NULL,
+};
+
+mip_error mip_3dm_estimation_filter_message_format_decode(
+    struct mip_3dm_estimation_filter_message_format *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_estimation_filter_message_format, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_3dm_estimation_filter_message_format_encode(
+    const struct mip_3dm_estimation_filter_message_format *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_DESCRIPTOR,
+                            write_estimation_filter_message_format, value);
+}
+
+struct mip_3dm_estimation_filter_message_format mip_3dm_estimation_filter_message_format_write(
+    uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]) {
+    struct mip_3dm_estimation_filter_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.num_descriptors = num_descriptors;
+    mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
+             num_descriptors * sizeof(descriptors[0]));
+    return v;
+}
+
+struct mip_3dm_estimation_filter_message_format
+mip_3dm_estimation_filter_message_format_read(void) {
+    struct mip_3dm_estimation_filter_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_estimation_filter_message_format
+mip_3dm_estimation_filter_message_format_save(void) {
+    struct mip_3dm_estimation_filter_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_estimation_filter_message_format
+mip_3dm_estimation_filter_message_format_load(void) {
+    struct mip_3dm_estimation_filter_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_estimation_filter_message_format
+mip_3dm_estimation_filter_message_format_default(void) {
+    struct mip_3dm_estimation_filter_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_estimation_filter_message_format_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_estimation_filter_message_format_response *v =
+        (struct mip_3dm_estimation_filter_message_format_response *)value;
+    mip_read_u8(r, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 84, 3); i < n; i++) {
+        mip_descriptor_rate_read(r, &v->descriptors[i]);
+    }
+}
+
+static void write_estimation_filter_message_format_response(struct mip_writer *w,
+                                                            const void *value) {
+    const struct mip_3dm_estimation_filter_message_format_response *v =
+        (const struct mip_3dm_estimation_filter_message_format_response *)value;
+    mip_write_u8(w, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 84); i < n; i++) {
+        mip_descriptor_rate_write(w, &v->descriptors[i]);
+    }
+}
+
+const struct mip_codec mip_3dm_estimation_filter_message_format_response_codec = {
+    0x0C,
+    MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_estimation_filter_message_format_response),
+    0,
+    read_estimation_filter_message_format_response,
+    write_estimation_filter_message_format_response,
+    NULL,
+};
+
+mip_error mip_3dm_estimation_filter_message_format_response_decode(
+    struct mip_3dm_estimation_filter_message_format_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_estimation_filter_message_format_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_estimation_filter_message_format_response_encode(
+    const struct mip_3dm_estimation_filter_message_format_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
+                            write_estimation_filter_message_format_response, value);
+}
+
+const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_codec = {
+    0x0C,
+    MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_get_estimation_filter_data_base_rate),
+    0,
+    mip_read_nothing,
+    mip_write_nothing,
+    NULL,
+};
+
+mip_error mip_3dm_get_estimation_filter_data_base_rate_decode(
+    struct mip_3dm_get_estimation_filter_data_base_rate *value, const struct mip_field *field) {
+    return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_get_estimation_filter_data_base_rate_encode(
+    const struct mip_3dm_get_estimation_filter_data_base_rate *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_DESCRIPTOR,
+                            mip_write_nothing, value);
+}
+
+static void read_get_estimation_filter_data_base_rate_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_estimation_filter_data_base_rate_response *v =
+        (struct mip_3dm_get_estimation_filter_data_base_rate_response *)value;
+    mip_read_u16(r, &v->rate, 1);
+}
+
+static void write_get_estimation_filter_data_base_rate_response(struct mip_writer *w,
+                                                                const void *value) {
+    const struct mip_3dm_get_estimation_filter_data_base_rate_response *v =
+        (const struct mip_3dm_get_estimation_filter_data_base_rate_response *)value;
+    mip_write_u16(w, &v->rate, 1);
+}
+
+const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_response_codec = {
+    0x0C,
+    MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_get_estimation_filter_data_base_rate_response),
+    0,
+    read_get_estimation_filter_data_base_rate_response,
+    write_get_estimation_filter_data_base_rate_response,
+    NULL,
+};
+
+mip_error mip_3dm_get_estimation_filter_data_base_rate_response_decode(
+    struct mip_3dm_get_estimation_filter_data_base_rate_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_get_estimation_filter_data_base_rate_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_get_estimation_filter_data_base_rate_response_encode(
+    const struct mip_3dm_get_estimation_filter_data_base_rate_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder,
+                            MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
+                            write_get_estimation_filter_data_base_rate_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_nmea_message_format[] = {0, 2, 0, 0, 0, 0};
+
+static void read_nmea_message_format(struct mip_reader *r, void *value) {
+    struct mip_3dm_nmea_message_format *v = (struct mip_3dm_nmea_message_format *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_nmea_message_format,
+                      sizeof(required_nmea_message_format));
+    mip_read_group(r, 1, 2);
+    mip_read_u8(r, &v->count, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->count, 50, 5); i < n; i++) {
+        mip_nmea_message_read(r, &v->format_entries[i]);
+    }
+    v->present = mip_read_present(r);
+}
+
+static void write_nmea_message_format(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_nmea_message_format *v = (const struct mip_3dm_nmea_message_format *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_nmea_message_format,
+                       sizeof(required_nmea_message_format), v->present);
+    mip_write_group(w, 1, 2);
+    mip_write_u8(w, &v->count, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->count, 50); i < n; i++) {
+        mip_nmea_message_write(w, &v->format_entries[i]);
+    }
+}
+
+const struct mip_codec mip_3dm_nmea_message_format_codec = {
+    0x0C,
+    MIP_3DM_NMEA_MESSAGE_FORMAT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_nmea_message_format),
+    0,
+    read_nmea_message_format,
+    write_nmea_message_format,
+    NULL,
+};
+
+mip_error mip_3dm_nmea_message_format_decode(struct mip_3dm_nmea_message_format *value,
+                                             const struct mip_field *field) {
+    return mip_decode_field(field, read_nmea_message_format, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_nmea_message_format_encode(const struct mip_3dm_nmea_message_format *value,
+                                             struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_NMEA_MESSAGE_FORMAT_DESCRIPTOR,
+                            write_nmea_message_format, value);
+}
+
+struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_write(
+    uint8_t count, const struct mip_nmea_message format_entries[]) {
+    struct mip_3dm_nmea_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.count = count;
+    mip_copy(v.format_entries, sizeof(v.format_entries), format_entries,
+             count * sizeof(format_entries[0]));
+    return v;
+}
+
+struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_read(void) {
+    struct mip_3dm_nmea_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_save(void) {
+    struct mip_3dm_nmea_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_load(void) {
+    struct mip_3dm_nmea_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_default(void) {
+    struct mip_3dm_nmea_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_nmea_message_format_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_nmea_message_format_response *v =
+        (struct mip_3dm_nmea_message_format_response *)value;
+    mip_read_u8(r, &v->count, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->count, 50, 5); i < n; i++) {
+        mip_nmea_message_read(r, &v->format_entries[i]);
+    }
+}
+
+static void write_nmea_message_format_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_nmea_message_format_response *v =
+        (const struct mip_3dm_nmea_message_format_response *)value;
+    mip_write_u8(w, &v->count, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->count, 50); i < n; i++) {
+        mip_nmea_message_write(w, &v->format_entries[i]);
+    }
+}
+
+const struct mip_codec mip_3dm_nmea_message_format_response_codec = {
+    0x0C,
+    MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_nmea_message_format_response),
+    0,
+    read_nmea_message_format_response,
+    write_nmea_message_format_response,
+    NULL,
+};
+
+mip_error mip_3dm_nmea_message_format_response_decode(
+    struct mip_3dm_nmea_message_format_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_nmea_message_format_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_nmea_message_format_response_encode(
+    const struct mip_3dm_nmea_message_format_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
+                            write_nmea_message_format_response, value);
+}
+
+static void read_poll_data(struct mip_reader *r, void *value) {
+    struct mip_3dm_poll_data *v = (struct mip_3dm_poll_data *)value;
+    mip_read_u8(r, &v->desc_set, 1);
+    mip_read_bool(r, &v->suppress_ack, 1);
+    mip_read_u8(r, &v->num_descriptors, 1);
+    mip_read_u8(r, v->descriptors, mip_read_count(r, v->num_descriptors, 250, 1));
+}
+
+static void write_poll_data(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_poll_data *v = (const struct mip_3dm_poll_data *)value;
+    mip_write_u8(w, &v->desc_set, 1);
+    mip_write_bool(w, &v->suppress_ack, 1);
+    mip_write_u8(w, &v->num_descriptors, 1);
+    mip_write_u8(w, v->descriptors, mip_write_count(w, v->num_descriptors, 250));
+}
+
+static bool silent_poll_data(const void *value) {
+    const struct mip_3dm_poll_data *v = (const struct mip_3dm_poll_data *)value;
+    return v->suppress_ack == 1;
+}
+
+const struct mip_codec mip_3dm_poll_data_codec = {
+    0x0C,
+    MIP_3DM_POLL_DATA_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_poll_data),
+    0,
+    read_poll_data,
+    write_poll_data,
+    silent_poll_data,
+};
+
+mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_poll_data, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data *value,
+                                   struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_POLL_DATA_DESCRIPTOR, write_poll_data, value);
+}
+
+struct mip_3dm_poll_data mip_3dm_poll_data_make(uint8_t desc_set, mip_bool suppress_ack,
+                                                uint8_t num_descriptors,
+                                                const uint8_t descriptors[]) {
+    struct mip_3dm_poll_data v;
+    memset(&v, 0, sizeof(v));
+    v.desc_set = desc_set;
+    v.suppress_ack = suppress_ack;
+    v.num_descriptors = num_descriptors;
+    mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
+             num_descriptors * sizeof(descriptors[0]));
+    return v;
+}
+
+static void read_get_data_base_rate(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_data_base_rate *v = (struct mip_3dm_get_data_base_rate *)value;
+    mip_read_u8(r, &v->desc_set, 1);
+}
+
+static void write_get_data_base_rate(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_data_base_rate *v = (const struct mip_3dm_get_data_base_rate *)value;
+    mip_write_u8(w, &v->desc_set, 1);
+}
+
+const struct mip_codec mip_3dm_get_data_base_rate_codec = {
+    0x0C,
+    MIP_3DM_GET_DATA_BASE_RATE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_get_data_base_rate),
+    0,
+    read_get_data_base_rate,
+    write_get_data_base_rate,
+    NULL,
+};
+
+mip_error mip_3dm_get_data_base_rate_decode(struct mip_3dm_get_data_base_rate *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_get_data_base_rate, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_get_data_base_rate_encode(const struct mip_3dm_get_data_base_rate *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GET_DATA_BASE_RATE_DESCRIPTOR,
+                            write_get_data_base_rate, value);
+}
+
+struct mip_3dm_get_data_base_rate mip_3dm_get_data_base_rate_make(uint8_t desc_set) {
+    struct mip_3dm_get_data_base_rate v;
+    memset(&v, 0, sizeof(v));
+    v.desc_set = desc_set;
+    return v;
+}
+
+static void read_get_data_base_rate_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_data_base_rate_response *v =
+        (struct mip_3dm_get_data_base_rate_response *)value;
+    mip_read_u8(r, &v->desc_set, 1);
+    mip_read_u16(r, &v->rate, 1);
+}
+
+static void write_get_data_base_rate_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_data_base_rate_response *v =
+        (const struct mip_3dm_get_data_base_rate_response *)value;
+    mip_write_u8(w, &v->desc_set, 1);
+    mip_write_u16(w, &v->rate, 1);
+}
+
+const struct mip_codec mip_3dm_get_data_base_rate_response_codec = {
+    0x0C,
+    MIP_3DM_GET_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_get_data_base_rate_response),
+    0,
+    read_get_data_base_rate_response,
+    write_get_data_base_rate_response,
+    NULL,
+};
+
+mip_error mip_3dm_get_data_base_rate_response_decode(
+    struct mip_3dm_get_data_base_rate_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_get_data_base_rate_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_get_data_base_rate_response_encode(
+    const struct mip_3dm_get_data_base_rate_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GET_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
+                            write_get_data_base_rate_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_message_format[] = {0, 3, 1, 1, 1, 1};
+
+static void read_message_format(struct mip_reader *r, void *value) {
+    struct mip_3dm_message_format *v = (struct mip_3dm_message_format *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_message_format, sizeof(required_message_format));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->desc_set, 1);
+    mip_read_group(r, 2, 3);
+    mip_read_u8(r, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
+        mip_descriptor_rate_read(r, &v->descriptors[i]);
+    }
+    v->present = mip_read_present(r);
+}
+
+static void write_message_format(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_message_format *v = (const struct mip_3dm_message_format *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_message_format, sizeof(required_message_format),
+                       v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->desc_set, 1);
+    mip_write_group(w, 2, 3);
+    mip_write_u8(w, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
+        mip_descriptor_rate_write(w, &v->descriptors[i]);
+    }
+}
+
+const struct mip_codec mip_3dm_message_format_codec = {
+    0x0C,
+    MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_message_format),
+    0,
+    read_message_format,
+    write_message_format,
+    NULL,
+};
+
+mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
+                                        const struct mip_field *field) {
+    return mip_decode_field(field, read_message_format, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_message_format_encode(const struct mip_3dm_message_format *value,
+                                        struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR, write_message_format,
+                            value);
+}
+
+struct mip_3dm_message_format mip_3dm_message_format_write(
+    uint8_t desc_set, uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]) {
+    struct mip_3dm_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.desc_set = desc_set;
+    v.num_descriptors = num_descriptors;
+    mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
+             num_descriptors * sizeof(descriptors[0]));
+    return v;
+}
+
+struct mip_3dm_message_format mip_3dm_message_format_read(uint8_t desc_set) {
+    struct mip_3dm_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    v.desc_set = desc_set;
+    return v;
+}
+
+struct mip_3dm_message_format mip_3dm_message_format_save(uint8_t desc_set) {
+    struct mip_3dm_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    v.desc_set = desc_set;
+    return v;
+}
+
+struct mip_3dm_message_format mip_3dm_message_format_load(uint8_t desc_set) {
+    struct mip_3dm_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    v.desc_set = desc_set;
+    return v;
+}
+
+struct mip_3dm_message_format mip_3dm_message_format_default(uint8_t desc_set) {
+    struct mip_3dm_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    v.desc_set = desc_set;
+    return v;
+}
+
+static void read_message_format_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_message_format_response *v = (struct mip_3dm_message_format_response *)value;
+    mip_read_u8(r, &v->desc_set, 1);
+    mip_read_u8(r, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
+        mip_descriptor_rate_read(r, &v->descriptors[i]);
+    }
+}
+
+static void write_message_format_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_message_format_response *v =
+        (const struct mip_3dm_message_format_response *)value;
+    mip_write_u8(w, &v->desc_set, 1);
+    mip_write_u8(w, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
+        mip_descriptor_rate_write(w, &v->descriptors[i]);
+    }
+}
+
+const struct mip_codec mip_3dm_message_format_response_codec = {
+    0x0C,
+    MIP_3DM_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_message_format_response),
+    0,
+    read_message_format_response,
+    write_message_format_response,
+    NULL,
+};
+
+mip_error mip_3dm_message_format_response_decode(struct mip_3dm_message_format_response *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, read_message_format_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_message_format_response_encode(
+    const struct mip_3dm_message_format_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
+                            write_message_format_response, value);
+}
+
+static void read_factory_streaming(struct mip_reader *r, void *value) {
+    struct mip_3dm_factory_streaming *v = (struct mip_3dm_factory_streaming *)value;
+    mip_read_u8(r, &v->action, 1);
+    mip_read_u8(r, &v->reserved, 1);
+}
+
+static void write_factory_streaming(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_factory_streaming *v = (const struct mip_3dm_factory_streaming *)value;
+    mip_write_u8(w, &v->action, 1);
+    mip_write_u8(w, &v->reserved, 1);
+}
+
+const struct mip_codec mip_3dm_factory_streaming_codec = {
+    0x0C,
+    MIP_3DM_FACTORY_STREAMING_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_factory_streaming),
+    0,
+    read_factory_streaming,
+    write_factory_streaming,
+    NULL,
+};
+
+mip_error mip_3dm_factory_streaming_decode(struct mip_3dm_factory_streaming *value,
+                                           const struct mip_field *field) {
+    return mip_decode_field(field, read_factory_streaming, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_factory_streaming_encode(const struct mip_3dm_factory_streaming *value,
+                                           struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_FACTORY_STREAMING_DESCRIPTOR, write_factory_streaming,
+                            value);
+}
+
+struct mip_3dm_factory_streaming mip_3dm_factory_streaming_make(
+    mip_3dm_factory_streaming_action action) {
+    struct mip_3dm_factory_streaming v;
+    memset(&v, 0, sizeof(v));
+    v.action = action;
+    return v;
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_data_stream_control[] = {0, 2, 1, 1, 1, 1};
+
+static void read_data_stream_control(struct mip_reader *r, void *value) {
+    struct mip_3dm_data_stream_control *v = (struct mip_3dm_data_stream_control *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_data_stream_control,
+                      sizeof(required_data_stream_control));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->desc_set, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_bool(r, &v->enable, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_data_stream_control(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_data_stream_control *v = (const struct mip_3dm_data_stream_control *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_data_stream_control,
+                       sizeof(required_data_stream_control), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->desc_set, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_bool(w, &v->enable, 1);
+}
+
+const struct mip_codec mip_3dm_data_stream_control_codec = {
+    0x0C,
+    MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_data_stream_control),
+    0,
+    read_data_stream_control,
+    write_data_stream_control,
+    NULL,
+};
+
+mip_error mip_3dm_data_stream_control_decode(struct mip_3dm_data_stream_control *value,
+                                             const struct mip_field *field) {
+    return mip_decode_field(field, read_data_stream_control, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_data_stream_control_encode(const struct mip_3dm_data_stream_control *value,
+                                             struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR,
+                            write_data_stream_control, value);
+}
+
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_write(uint8_t desc_set,
+                                                                     mip_bool enable) {
+    struct mip_3dm_data_stream_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.desc_set = desc_set;
+    v.enable = enable;
+    return v;
+}
+
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_read(uint8_t desc_set) {
+    struct mip_3dm_data_stream_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    v.desc_set = desc_set;
+    return v;
+}
+
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_save(uint8_t desc_set) {
+    struct mip_3dm_data_stream_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    v.desc_set = desc_set;
+    return v;
+}
+
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_load(uint8_t desc_set) {
+    struct mip_3dm_data_stream_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    v.desc_set = desc_set;
+    return v;
+}
+
+struct mip_3dm_data_stream_control mip_3dm_data_stream_control_default(uint8_t desc_set) {
+    struct mip_3dm_data_stream_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    v.desc_set = desc_set;
+    return v;
+}
+
+static void read_data_stream_control_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_data_stream_control_response *v =
+        (struct mip_3dm_data_stream_control_response *)value;
+    mip_read_u8(r, &v->desc_set, 1);
+    mip_read_bool(r, &v->enabled, 1);
+}
+
+static void write_data_stream_control_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_data_stream_control_response *v =
+        (const struct mip_3dm_data_stream_control_response *)value;
+    mip_write_u8(w, &v->desc_set, 1);
+    mip_write_bool(w, &v->enabled, 1);
+}
+
+const struct mip_codec mip_3dm_data_stream_control_response_codec = {
+    0x0C,
+    MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_data_stream_control_response),
+    0,
+    read_data_stream_control_response,
+    write_data_stream_control_response,
+    NULL,
+};
+
+mip_error mip_3dm_data_stream_control_response_decode(
+    struct mip_3dm_data_stream_control_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_data_stream_control_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_data_stream_control_response_encode(
+    const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_DESCRIPTOR,
+                            write_data_stream_control_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gnss_sbas_settings[] = {0, 4, 0, 0, 0, 0};
+
+static void read_gnss_sbas_settings(struct mip_reader *r, void *value) {
+    struct mip_3dm_gnss_sbas_settings *v = (struct mip_3dm_gnss_sbas_settings *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gnss_sbas_settings,
+                      sizeof(required_gnss_sbas_settings));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->enable_sbas, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_u16(r, &v->sbas_options, 1);
+    mip_read_group(r, 3, 4);
+    mip_read_u8(r, &v->num_included_prns, 1);
+    mip_read_u16(r, v->included_prns, mip_read_count(r, v->num_included_prns, 124, 2));
+    v->present = mip_read_present(r);
+}
+
+static void write_gnss_sbas_settings(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gnss_sbas_settings *v = (const struct mip_3dm_gnss_sbas_settings *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gnss_sbas_settings,
+                       sizeof(required_gnss_sbas_settings), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->enable_sbas, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_u16(w, &v->sbas_options, 1);
+    mip_write_group(w, 3, 4);
+    mip_write_u8(w, &v->num_included_prns, 1);
+    mip_write_u16(w, v->included_prns, mip_write_count(w, v->num_included_prns, 124));
+}
+
+const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
+    0x0C,
+    MIP_3DM_GNSS_SBAS_SETTINGS_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_gnss_sbas_settings),
+    0,
+    read_gnss_sbas_settings,
+    write_gnss_sbas_settings,
+    NULL,
+};
+
+mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sbas_settings *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_sbas_settings, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gnss_sbas_settings_encode(const struct mip_3dm_gnss_sbas_settings *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GNSS_SBAS_SETTINGS_DESCRIPTOR,
+                            write_gnss_sbas_settings, value);
+}
+
+struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_write(
+    uint8_t enable_sbas, mip_3dm_sbas_options sbas_options, uint8_t num_included_prns,
+    const uint16_t included_prns[]) {
+    struct mip_3dm_gnss_sbas_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.enable_sbas = enable_sbas;
+    v.sbas_options = sbas_options;
+    v.num_included_prns = num_included_prns;
+    mip_copy(v.included_prns, sizeof(v.included_prns), included_prns,
+             num_included_prns * sizeof(included_prns[0]));
+    return v;
+}
+
+struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_read(void) {
+    struct mip_3dm_gnss_sbas_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_save(void) {
+    struct mip_3dm_gnss_sbas_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_load(void) {
+    struct mip_3dm_gnss_sbas_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_default(void) {
+    struct mip_3dm_gnss_sbas_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_gnss_sbas_settings_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_gnss_sbas_settings_response *v =
+        (struct mip_3dm_gnss_sbas_settings_response *)value;
+    mip_read_u8(r, &v->enable_sbas, 1);
+    mip_read_u16(r, &v->sbas_options, 1);
+    mip_read_u8(r, &v->num_included_prns, 1);
+    mip_read_u16(r, v->included_prns, mip_read_count(r, v->num_included_prns, 124, 2));
+}
+
+static void write_gnss_sbas_settings_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gnss_sbas_settings_response *v =
+        (const struct mip_3dm_gnss_sbas_settings_response *)value;
+    mip_write_u8(w, &v->enable_sbas, 1);
+    mip_write_u16(w, &v->sbas_options, 1);
+    mip_write_u8(w, &v->num_included_prns, 1);
+    mip_write_u16(w, v->included_prns, mip_write_count(w, v->num_included_prns, 124));
+}
+
+const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec = {
+    0x0C,
+    MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_gnss_sbas_settings_response),
+    0,
+    read_gnss_sbas_settings_response,
+    write_gnss_sbas_settings_response,
+    NULL,
+};
+
+mip_error mip_3dm_gnss_sbas_settings_response_decode(
+    struct mip_3dm_gnss_sbas_settings_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_sbas_settings_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gnss_sbas_settings_response_encode(
+    const struct mip_3dm_gnss_sbas_settings_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_DESCRIPTOR,
+                            write_gnss_sbas_settings_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_pps_source_control[] = {0, 1, 0, 0, 0, 0};
+
+static void read_pps_source_control(struct mip_reader *r, void *value) {
+    struct mip_3dm_pps_source_control *v = (struct mip_3dm_pps_source_control *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_pps_source_control,
+                      sizeof(required_pps_source_control));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->source, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_pps_source_control(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_pps_source_control *v = (const struct mip_3dm_pps_source_control *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_pps_source_control,
+                       sizeof(required_pps_source_control), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->source, 1);
+}
+
+const struct mip_codec mip_3dm_pps_source_control_codec = {
+    0x0C,
+    MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_pps_source_control),
+    0,
+    read_pps_source_control,
+    write_pps_source_control,
+    NULL,
+};
+
+mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_source_control *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_pps_source_control, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_pps_source_control_encode(const struct mip_3dm_pps_source_control *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR,
+                            write_pps_source_control, value);
+}
+
+struct mip_3dm_pps_source_control mip_3dm_pps_source_control_write(mip_3dm_pps_source source) {
+    struct mip_3dm_pps_source_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.source = source;
+    return v;
+}
+
+struct mip_3dm_pps_source_control mip_3dm_pps_source_control_read(void) {
+    struct mip_3dm_pps_source_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_pps_source_control mip_3dm_pps_source_control_save(void) {
+    struct mip_3dm_pps_source_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_pps_source_control mip_3dm_pps_source_control_load(void) {
+    struct mip_3dm_pps_source_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_pps_source_control mip_3dm_pps_source_control_default(void) {
+    struct mip_3dm_pps_source_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_pps_source_control_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_pps_source_control_response *v =
+        (struct mip_3dm_pps_source_control_response *)value;
+    mip_read_u8(r, &v->source, 1);
+}
+
+static void write_pps_source_control_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_pps_source_control_response *v =
+        (const struct mip_3dm_pps_source_control_response *)value;
+    mip_write_u8(w, &v->source, 1);
+}
+
+const struct mip_codec mip_3dm_pps_source_control_response_codec = {
+    0x0C,
+    MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_pps_source_control_response),
+    0,
+    read_pps_source_control_response,
+    write_pps_source_control_response,
+    NULL,
+};
+
+mip_error mip_3dm_pps_source_control_response_decode(
+    struct mip_3dm_pps_source_control_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_pps_source_control_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_pps_source_control_response_encode(
+    const struct mip_3dm_pps_source_control_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
+                            write_pps_source_control_response, value);
+}
+
+static void read_get_supported_events(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_supported_events *v = (struct mip_3dm_get_supported_events *)value;
+    mip_read_u8(r, &v->query, 1);
+}
+
+static void write_get_supported_events(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_supported_events *v =
+        (const struct mip_3dm_get_supported_events *)value;
+    mip_write_u8(w, &v->query, 1);
+}
+
+const struct mip_codec mip_3dm_get_supported_events_codec = {
+    0x0C,
+    MIP_3DM_GET_SUPPORTED_EVENTS_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_get_supported_events),
+    0,
+    read_get_supported_events,
+    write_get_supported_events,
+    NULL,
+};
+
+mip_error mip_3dm_get_supported_events_decode(struct mip_3dm_get_supported_events *value,
+                                              const struct mip_field *field) {
+    return mip_decode_field(field, read_get_supported_events, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_get_supported_events_encode(const struct mip_3dm_get_supported_events *value,
+                                              struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GET_SUPPORTED_EVENTS_DESCRIPTOR,
+                            write_get_supported_events, value);
+}
+
+struct mip_3dm_get_supported_events mip_3dm_get_supported_events_make(
+    mip_3dm_supported_events_query query) {
+    struct mip_3dm_get_supported_events v;
+    memset(&v, 0, sizeof(v));
+    v.query = query;
+    return v;
+}
+
+static void read_get_supported_events_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_supported_events_response *v =
+        (struct mip_3dm_get_supported_events_response *)value;
+    mip_read_u8(r, &v->query, 1);
+    mip_read_u8(r, &v->max_instances, 1);
+    mip_read_u8(r, &v->num_entries, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->num_entries, 125, 2); i < n; i++) {
+        mip_3dm_supported_event_info_read(r, &v->entries[i]);
+    }
+}
+
+static void write_get_supported_events_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_supported_events_response *v =
+        (const struct mip_3dm_get_supported_events_response *)value;
+    mip_write_u8(w, &v->query, 1);
+    mip_write_u8(w, &v->max_instances, 1);
+    mip_write_u8(w, &v->num_entries, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->num_entries, 125); i < n; i++) {
+        mip_3dm_supported_event_info_write(w, &v->entries[i]);
+    }
+}
+
+const struct mip_codec mip_3dm_get_supported_events_response_codec = {
+    0x0C,
+    MIP_3DM_GET_SUPPORTED_EVENTS_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_get_supported_events_response),
+    0,
+    read_get_supported_events_response,
+    write_get_supported_events_response,
+    NULL,
+};
+
+mip_error mip_3dm_get_supported_events_response_decode(
+    struct mip_3dm_get_supported_events_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_get_supported_events_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_get_supported_events_response_encode(
+    const struct mip_3dm_get_supported_events_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GET_SUPPORTED_EVENTS_RESPONSE_DESCRIPTOR,
+                            write_get_supported_events_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_event_control[] = {0, 2, 1, 1, 1, 1};
+
+static void read_event_control(struct mip_reader *r, void *value) {
+    struct mip_3dm_event_control *v = (struct mip_3dm_event_control *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_event_control, sizeof(required_event_control));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->instance, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_u8(r, &v->mode, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_event_control(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_event_control *v = (const struct mip_3dm_event_control *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_event_control, sizeof(required_event_control),
+                       v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->instance, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_u8(w, &v->mode, 1);
+}
+
+const struct mip_codec mip_3dm_event_control_codec = {
+    0x0C,
+    MIP_3DM_EVENT_CONTROL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_event_control),
+    0,
+    read_event_control,
+    write_event_control,
+    NULL,
+};
+
+mip_error mip_3dm_event_control_decode(struct mip_3dm_event_control *value,
+                                       const struct mip_field *field) {
+    return mip_decode_field(field, read_event_control, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_event_control_encode(const struct mip_3dm_event_control *value,
+                                       struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_EVENT_CONTROL_DESCRIPTOR, write_event_control, value);
+}
+
+struct mip_3dm_event_control mip_3dm_event_control_write(uint8_t instance,
+                                                         mip_event_trigger_mode mode) {
+    struct mip_3dm_event_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.instance = instance;
+    v.mode = mode;
+    return v;
+}
+
+struct mip_3dm_event_control mip_3dm_event_control_read(uint8_t instance) {
+    struct mip_3dm_event_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    v.instance = instance;
+    return v;
+}
+
+struct mip_3dm_event_control mip_3dm_event_control_save(uint8_t instance) {
+    struct mip_3dm_event_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    v.instance = instance;
+    return v;
+}
+
+struct mip_3dm_event_control mip_3dm_event_control_load(uint8_t instance) {
+    struct mip_3dm_event_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    v.instance = instance;
+    return v;
+}
+
+struct mip_3dm_event_control mip_3dm_event_control_default(uint8_t instance) {
+    struct mip_3dm_event_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    v.instance = instance;
+    return v;
+}
+
+static void read_event_control_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_event_control_response *v = (struct mip_3dm_event_control_response *)value;
+    mip_read_u8(r, &v->instance, 1);
+    mip_read_u8(r, &v->mode, 1);
+}
+
+static void write_event_control_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_event_control_response *v =
+        (const struct mip_3dm_event_control_response *)value;
+    mip_write_u8(w, &v->instance, 1);
+    mip_write_u8(w, &v->mode, 1);
+}
+
+const struct mip_codec mip_3dm_event_control_response_codec = {
+    0x0C,
+    MIP_3DM_EVENT_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_event_control_response),
+    0,
+    read_event_control_response,
+    write_event_control_response,
+    NULL,
+};
+
+mip_error mip_3dm_event_control_response_decode(struct mip_3dm_event_control_response *value,
+                                                const struct mip_field *field) {
+    return mip_decode_field(field, read_event_control_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_event_control_response_encode(const struct mip_3dm_event_control_response *value,
+                                                struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_EVENT_CONTROL_RESPONSE_DESCRIPTOR,
+                            write_event_control_response, value);
+}
+
+static void read_get_event_trigger_status(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_event_trigger_status *v = (struct mip_3dm_get_event_trigger_status *)value;
+    mip_read_u8(r, &v->requested_count, 1);
+    mip_read_u8(r, v->requested_instances, mip_read_count(r, v->requested_count, 252, 1));
+}
+
+static void write_get_event_trigger_status(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_event_trigger_status *v =
+        (const struct mip_3dm_get_event_trigger_status *)value;
+    mip_write_u8(w, &v->requested_count, 1);
+    mip_write_u8(w, v->requested_instances, mip_write_count(w, v->requested_count, 252));
+}
+
+const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
+    0x0C,
+    MIP_3DM_GET_EVENT_TRIGGER_STATUS_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_get_event_trigger_status),
+    0,
+    read_get_event_trigger_status,
+    write_get_event_trigger_status,
+    NULL,
+};
+
+mip_error mip_3dm_get_event_trigger_status_decode(struct mip_3dm_get_event_trigger_status *value,
+                                                  const struct mip_field *field) {
+    return mip_decode_field(field, read_get_event_trigger_status, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_get_event_trigger_status_encode(
+    const struct mip_3dm_get_event_trigger_status *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GET_EVENT_TRIGGER_STATUS_DESCRIPTOR,
+                            write_get_event_trigger_status, value);
+}
+
+struct mip_3dm_get_event_trigger_status mip_3dm_get_event_trigger_status_make(
+    uint8_t requested_count, const uint8_t requested_instances[]) {
+    struct mip_3dm_get_event_trigger_status v;
+    memset(&v, 0, sizeof(v));
+    v.requested_count = requested_count;
+    mip_copy(v.requested_instances, sizeof(v.requested_instances), requested_instances,
+             requested_count * sizeof(requested_instances[0]));
+    return v;
+}
+
+static void read_get_event_trigger_status_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_event_trigger_status_response *v =
+        (struct mip_3dm_get_event_trigger_status_response *)value;
+    mip_read_u8(r, &v->count, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->count, 126, 2); i < n; i++) {
+        mip_3dm_event_trigger_status_entry_read(r, &v->triggers[i]);
+    }
+}
+
+static void write_get_event_trigger_status_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_event_trigger_status_response *v =
+        (const struct mip_3dm_get_event_trigger_status_response *)value;
+    mip_write_u8(w, &v->count, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->count, 126); i < n; i++) {
+        mip_3dm_event_trigger_status_entry_write(w, &v->triggers[i]);
+    }
+}
+
+const struct mip_codec mip_3dm_get_event_trigger_status_response_codec = {
+    0x0C,
+    MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_get_event_trigger_status_response),
+    0,
+    read_get_event_trigger_status_response,
+    write_get_event_trigger_status_response,
+    NULL,
+};
+
+mip_error mip_3dm_get_event_trigger_status_response_decode(
+    struct mip_3dm_get_event_trigger_status_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_get_event_trigger_status_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_3dm_get_event_trigger_status_response_encode(
+    const struct mip_3dm_get_event_trigger_status_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_DESCRIPTOR,
+                            write_get_event_trigger_status_response, value);
+}
+
+static void read_get_event_action_status(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_event_action_status *v = (struct mip_3dm_get_event_action_status *)value;
+    mip_read_u8(r, &v->requested_count, 1);
+    mip_read_u8(r, v->requested_instances, mip_read_count(r, v->requested_count, 252, 1));
+}
+
+static void write_get_event_action_status(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_event_action_status *v =
+        (const struct mip_3dm_get_event_action_status *)value;
+    mip_write_u8(w, &v->requested_count, 1);
+    mip_write_u8(w, v->requested_instances, mip_write_count(w, v->requested_count, 252));
+}
+
+const struct mip_codec mip_3dm_get_event_action_status_codec = {
+    0x0C,
+    MIP_3DM_GET_EVENT_ACTION_STATUS_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_get_event_action_status),
+    0,
+    read_get_event_action_status,
+    write_get_event_action_status,
+    NULL,
+};
+
+mip_error mip_3dm_get_event_action_status_decode(struct mip_3dm_get_event_action_status *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, read_get_event_action_status, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_get_event_action_status_encode(
+    const struct mip_3dm_get_event_action_status *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GET_EVENT_ACTION_STATUS_DESCRIPTOR,
+                            write_get_event_action_status, value);
+}
+
+struct mip_3dm_get_event_action_status mip_3dm_get_event_action_status_make(
+    uint8_t requested_count, const uint8_t requested_instances[]) {
+    struct mip_3dm_get_event_action_status v;
+    memset(&v, 0, sizeof(v));
+    v.requested_count = requested_count;
+    mip_copy(v.requested_instances, sizeof(v.requested_instances), requested_instances,
+             requested_count * sizeof(requested_instances[0]));
+    return v;
+}
+
+static void read_get_event_action_status_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_event_action_status_response *v =
+        (struct mip_3dm_get_event_action_status_response *)value;
+    mip_read_u8(r, &v->count, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->count, 126, 2); i < n; i++) {
+        mip_3dm_event_action_status_entry_read(r, &v->actions[i]);
+    }
+}
+
+static void write_get_event_action_status_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_event_action_status_response *v =
+        (const struct mip_3dm_get_event_action_status_response *)value;
+    mip_write_u8(w, &v->count, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->count, 126); i < n; i++) {
+        mip_3dm_event_action_status_entry_write(w, &v->actions[i]);
+    }
+}
+
+const struct mip_codec mip_3dm_get_event_action_status_response_codec = {
+    0x0C,
+    MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_get_event_action_status_response),
+    0,
+    read_get_event_action_status_response,
+    write_get_event_action_status_response,
+    NULL,
+};
+
+mip_error mip_3dm_get_event_action_status_response_decode(
+    struct mip_3dm_get_event_action_status_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_get_event_action_status_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_3dm_get_event_action_status_response_encode(
+    const struct mip_3dm_get_event_action_status_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_DESCRIPTOR,
+                            write_get_event_action_status_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_event_trigger_configuration[] = {0, 3, 1, 1, 1, 1};
+
+static void read_event_trigger_configuration(struct mip_reader *r, void *value) {
+    struct mip_3dm_event_trigger_configuration *v =
+        (struct mip_3dm_event_trigger_configuration *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_event_trigger_configuration,
+                      sizeof(required_event_trigger_configuration));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->instance, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_u8(r, &v->type, 1);
+    mip_read_group(r, 3, 3);
+    switch (v->type) {
+    case MIP_EVENT_TRIGGER_TYPE_GPIO:
+        mip_event_trigger_gpio_read(r, &v->parameters.gpio);
+        break;
+    case MIP_EVENT_TRIGGER_TYPE_THRESHOLD:
+        mip_event_trigger_threshold_read(r, &v->parameters.threshold);
+        break;
+    case MIP_EVENT_TRIGGER_TYPE_COMBINATION:
+        mip_event_trigger_combination_read(r, &v->parameters.combination);
+        break;
+    default:
+        break;
+    }
+    v->present = mip_read_present(r);
+}
+
+static void write_event_trigger_configuration(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_event_trigger_configuration *v =
+        (const struct mip_3dm_event_trigger_configuration *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_event_trigger_configuration,
+                       sizeof(required_event_trigger_configuration), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->instance, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_u8(w, &v->type, 1);
+    mip_write_group(w, 3, 3);
+    switch (v->type) {
+    case MIP_EVENT_TRIGGER_TYPE_GPIO:
+        mip_event_trigger_gpio_write(w, &v->parameters.gpio);
+        break;
+    case MIP_EVENT_TRIGGER_TYPE_THRESHOLD:
+        mip_event_trigger_threshold_write(w, &v->parameters.threshold);
+        break;
+    case MIP_EVENT_TRIGGER_TYPE_COMBINATION:
+        mip_event_trigger_combination_write(w, &v->parameters.combination);
+        break;
+    default:
+        break;
+    }
+}
+
+const struct mip_codec mip_3dm_event_trigger_configuration_codec = {
+    0x0C,
+    MIP_3DM_EVENT_TRIGGER_CONFIGURATION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_event_trigger_configuration),
+    0,
+    read_event_trigger_configuration,
+    write_event_trigger_configuration,
+    NULL,
+};
+
+mip_error mip_3dm_event_trigger_configuration_decode(
+    struct mip_3dm_event_trigger_configuration *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_event_trigger_configuration, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_event_trigger_configuration_encode(
+    const struct mip_3dm_event_trigger_configuration *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_EVENT_TRIGGER_CONFIGURATION_DESCRIPTOR,
+                            write_event_trigger_configuration, value);
+}
+
+struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_write(
+    uint8_t instance, mip_event_trigger_type type,
+    const union mip_3dm_event_trigger_configuration_parameters *parameters) {
+    struct mip_3dm_event_trigger_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.instance = instance;
+    v.type = type;
+    if (parameters != NULL) {
+        v.parameters = *parameters;
+    }
+    return v;
+}
+
+struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_read(
+    uint8_t instance) {
+    struct mip_3dm_event_trigger_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    v.instance = instance;
+    return v;
+}
+
+struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_save(
+    uint8_t instance) {
+    struct mip_3dm_event_trigger_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    v.instance = instance;
+    return v;
+}
+
+struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_load(
+    uint8_t instance) {
+    struct mip_3dm_event_trigger_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    v.instance = instance;
+    return v;
+}
+
+struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_default(
+    uint8_t instance) {
+    struct mip_3dm_event_trigger_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    v.instance = instance;
+    return v;
+}
+
+static void read_event_trigger_configuration_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_event_trigger_configuration_response *v =
+        (struct mip_3dm_event_trigger_configuration_response *)value;
+    mip_read_u8(r, &v->instance, 1);
+    mip_read_u8(r, &v->type, 1);
+    switch (v->type) {
+    case MIP_EVENT_TRIGGER_TYPE_GPIO:
+        mip_event_trigger_gpio_read(r, &v->parameters.gpio);
+        break;
+    case MIP_EVENT_TRIGGER_TYPE_THRESHOLD:
+        mip_event_trigger_threshold_read(r, &v->parameters.threshold);
+        break;
+    case MIP_EVENT_TRIGGER_TYPE_COMBINATION:
+        mip_event_trigger_combination_read(r, &v->parameters.combination);
+        break;
+    default:
+        break;
+    }
+}
+
+static void write_event_trigger_configuration_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_event_trigger_configuration_response *v =
+        (const struct mip_3dm_event_trigger_configuration_response *)value;
+    mip_write_u8(w, &v->instance, 1);
+    mip_write_u8(w, &v->type, 1);
+    switch (v->type) {
+    case MIP_EVENT_TRIGGER_TYPE_GPIO:
+        mip_event_trigger_gpio_write(w, &v->parameters.gpio);
+        break;
+    case MIP_EVENT_TRIGGER_TYPE_THRESHOLD:
+        mip_event_trigger_threshold_write(w, &v->parameters.threshold);
+        break;
+    case MIP_EVENT_TRIGGER_TYPE_COMBINATION:
+        mip_event_trigger_combination_write(w, &v->parameters.combination);
+        break;
+    default:
+        break;
+    }
+}
+
+const struct mip_codec mip_3dm_event_trigger_configuration_response_codec = {
+    0x0C,
+    MIP_3DM_EVENT_TRIGGER_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_event_trigger_configuration_response),
+    0,
+    read_event_trigger_configuration_response,
+    write_event_trigger_configuration_response,
+    NULL,
+};
+
+mip_error mip_3dm_event_trigger_configuration_response_decode(
+    struct mip_3dm_event_trigger_configuration_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_event_trigger_configuration_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_3dm_event_trigger_configuration_response_encode(
+    const struct mip_3dm_event_trigger_configuration_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_EVENT_TRIGGER_CONFIGURATION_RESPONSE_DESCRIPTOR,
+                            write_event_trigger_configuration_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_event_action_configuration[] = {0, 4, 1, 1, 1, 1};
+
+static void read_event_action_configuration(struct mip_reader *r, void *value) {
+    struct mip_3dm_event_action_configuration *v =
+        (struct mip_3dm_event_action_configuration *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_event_action_configuration,
+                      sizeof(required_event_action_configuration));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->instance, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_u8(r, &v->trigger, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_u8(r, &v->type, 1);
+    mip_read_group(r, 4, 4);
+    switch (v->type) {
+    case MIP_EVENT_ACTION_TYPE_GPIO:
+        mip_event_action_gpio_read(r, &v->parameters.gpio);
+        break;
+    case MIP_EVENT_ACTION_TYPE_MESSAGE:
+        mip_event_action_message_read(r, &v->parameters.message);
+        break;
+    default:
+        break;
+    }
+    v->present = mip_read_present(r);
+}
+
+static void write_event_action_configuration(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_event_action_configuration *v =
+        (const struct mip_3dm_event_action_configuration *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_event_action_configuration,
+                       sizeof(required_event_action_configuration), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->instance, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_u8(w, &v->trigger, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_u8(w, &v->type, 1);
+    mip_write_group(w, 4, 4);
+    switch (v->type) {
+    case MIP_EVENT_ACTION_TYPE_GPIO:
+        mip_event_action_gpio_write(w, &v->parameters.gpio);
+        break;
+    case MIP_EVENT_ACTION_TYPE_MESSAGE:
+        mip_event_action_message_write(w, &v->parameters.message);
+        break;
+    default:
+        break;
+    }
+}
+
+const struct mip_codec mip_3dm_event_action_configuration_codec = {
+    0x0C,
+    MIP_3DM_EVENT_ACTION_CONFIGURATION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_event_action_configuration),
+    0,
+    read_event_action_configuration,
+    write_event_action_configuration,
+    NULL,
+};
+
+mip_error mip_3dm_event_action_configuration_decode(
+    struct mip_3dm_event_action_configuration *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_event_action_configuration, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_event_action_configuration_encode(
+    const struct mip_3dm_event_action_configuration *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_EVENT_ACTION_CONFIGURATION_DESCRIPTOR,
+                            write_event_action_configuration, value);
+}
+
+struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_write(
+    uint8_t instance, uint8_t trigger, mip_event_action_type type,
+    const union mip_3dm_event_action_configuration_parameters *parameters) {
+    struct mip_3dm_event_action_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.instance = instance;
+    v.trigger = trigger;
+    v.type = type;
+    if (parameters != NULL) {
+        v.parameters = *parameters;
+    }
+    return v;
+}
+
+struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_read(
+    uint8_t instance) {
+    struct mip_3dm_event_action_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    v.instance = instance;
+    return v;
+}
+
+struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_save(
+    uint8_t instance) {
+    struct mip_3dm_event_action_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    v.instance = instance;
+    return v;
+}
+
+struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_load(
+    uint8_t instance) {
+    struct mip_3dm_event_action_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    v.instance = instance;
+    return v;
+}
+
+struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_default(
+    uint8_t instance) {
+    struct mip_3dm_event_action_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    v.instance = instance;
+    return v;
+}
+
+static void read_event_action_configuration_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_event_action_configuration_response *v =
+        (struct mip_3dm_event_action_configuration_response *)value;
+    mip_read_u8(r, &v->instance, 1);
+    mip_read_u8(r, &v->trigger, 1);
+    mip_read_u8(r, &v->type, 1);
+    switch (v->type) {
+    case MIP_EVENT_ACTION_TYPE_GPIO:
+        mip_event_action_gpio_read(r, &v->parameters.gpio);
+        break;
+    case MIP_EVENT_ACTION_TYPE_MESSAGE:
+        mip_event_action_message_read(r, &v->parameters.message);
+        break;
+    default:
+        break;
+    }
+}
+
+static void write_event_action_configuration_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_event_action_configuration_response *v =
+        (const struct mip_3dm_event_action_configuration_response *)value;
+    mip_write_u8(w, &v->instance, 1);
+    mip_write_u8(w, &v->trigger, 1);
+    mip_write_u8(w, &v->type, 1);
+    switch (v->type) {
+    case MIP_EVENT_ACTION_TYPE_GPIO:
+        mip_event_action_gpio_write(w, &v->parameters.gpio);
+        break;
+    case MIP_EVENT_ACTION_TYPE_MESSAGE:
+        mip_event_action_message_write(w, &v->parameters.message);
+        break;
+    default:
+        break;
+    }
+}
+
+const struct mip_codec mip_3dm_event_action_configuration_response_codec = {
+    0x0C,
+    MIP_3DM_EVENT_ACTION_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_event_action_configuration_response),
+    0,
+    read_event_action_configuration_response,
+    write_event_action_configuration_response,
+    NULL,
+};
+
+mip_error mip_3dm_event_action_configuration_response_decode(
+    struct mip_3dm_event_action_configuration_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_event_action_configuration_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_3dm_event_action_configuration_response_encode(
+    const struct mip_3dm_event_action_configuration_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_EVENT_ACTION_CONFIGURATION_RESPONSE_DESCRIPTOR,
+                            write_event_action_configuration_response, value);
+}
+
+static void read_device_start_up_settings(struct mip_reader *r, void *value) {
+    struct mip_3dm_device_start_up_settings *v = (struct mip_3dm_device_start_up_settings *)value;
+    mip_read_u8(r, &v->function, 1);
+}
+
+static void write_device_start_up_settings(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_device_start_up_settings *v =
+        (const struct mip_3dm_device_start_up_settings *)value;
+    mip_write_u8(w, &v->function, 1);
+}
+
+const struct mip_codec mip_3dm_device_start_up_settings_codec = {
+    0x0C,
+    MIP_3DM_DEVICE_START_UP_SETTINGS_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_device_start_up_settings),
+    1000,
+    read_device_start_up_settings,
+    write_device_start_up_settings,
+    NULL,
+};
+
+mip_error mip_3dm_device_start_up_settings_decode(struct mip_3dm_device_start_up_settings *value,
+                                                  const struct mip_field *field) {
+    return mip_decode_field(field, read_device_start_up_settings, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_device_start_up_settings_encode(
+    const struct mip_3dm_device_start_up_settings *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_DEVICE_START_UP_SETTINGS_DESCRIPTOR,
+                            write_device_start_up_settings, value);
+}
+
+struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_save(void) {
+    struct mip_3dm_device_start_up_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_load(void) {
+    struct mip_3dm_device_start_up_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_default(void) {
+    struct mip_3dm_device_start_up_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_sensor_to_vehicle_frame_transformation_euler[] = {0, 3, 0, 0, 0, 0};
+
+static void read_sensor_to_vehicle_frame_transformation_euler(struct mip_reader *r, void *value) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *v =
+        (struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_sensor_to_vehicle_frame_transformation_euler,
+                      sizeof(required_sensor_to_vehicle_frame_transformation_euler));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, &v->roll, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, &v->pitch, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_float(r, &v->yaw, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_sensor_to_vehicle_frame_transformation_euler(struct mip_writer *w,
+                                                               const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *v =
+        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_sensor_to_vehicle_frame_transformation_euler,
+                       sizeof(required_sensor_to_vehicle_frame_transformation_euler), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, &v->roll, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, &v->pitch, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_float(w, &v->yaw, 1);
+}
+
+const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_codec = {
+    0x0C,
+    MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler),
+    0,
+    read_sensor_to_vehicle_frame_transformation_euler,
+    write_sensor_to_vehicle_frame_transformation_euler,
+    NULL,
+};
+
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_decode(
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_frame_transformation_euler, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_encode(
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder,
+                            MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_DESCRIPTOR,
+                            write_sensor_to_vehicle_frame_transformation_euler, value);
+}
+
+struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
+mip_3dm_sensor_to_vehicle_frame_transformation_euler_write(float roll, float pitch, float yaw) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.roll = roll;
+    v.pitch = pitch;
+    v.yaw = yaw;
+    return v;
+}
+
+struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
+mip_3dm_sensor_to_vehicle_frame_transformation_euler_read(void) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
+mip_3dm_sensor_to_vehicle_frame_transformation_euler_save(void) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
+mip_3dm_sensor_to_vehicle_frame_transformation_euler_load(void) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_sensor_to_vehicle_frame_transformation_euler
+mip_3dm_sensor_to_vehicle_frame_transformation_euler_default(void) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_sensor_to_vehicle_frame_transformation_euler_response(struct mip_reader *r,
+                                                                       void *value) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *v =
+        (struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *)value;
+    mip_read_float(r, &v->roll, 1);
+    mip_read_float(r, &v->pitch, 1);
+    mip_read_float(r, &v->yaw, 1);
+}
+
+static void write_sensor_to_vehicle_frame_transformation_euler_response(struct mip_writer *w,
+                                                                        const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *v =
+        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *)value;
+    mip_write_float(w, &v->roll, 1);
+    mip_write_float(w, &v->pitch, 1);
+    mip_write_float(w, &v->yaw, 1);
+}
+
+const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_codec = {
+    0x0C,
+    MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response),
+    0,
+    read_sensor_to_vehicle_frame_transformation_euler_response,
+    write_sensor_to_vehicle_frame_transformation_euler_response,
+    NULL,
+};
+
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_decode(
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_frame_transformation_euler_response,
+                            value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(
+        builder, MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_DESCRIPTOR,
+        write_sensor_to_vehicle_frame_transformation_euler_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_sensor_to_vehicle_frame_transformation_quaternion[] = {
+    0, 1, 0, 0, 0, 0};
+
+static void read_sensor_to_vehicle_frame_transformation_quaternion(struct mip_reader *r,
+                                                                   void *value) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *v =
+        (struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_sensor_to_vehicle_frame_transformation_quaternion,
+                      sizeof(required_sensor_to_vehicle_frame_transformation_quaternion));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->q, 4);
+    v->present = mip_read_present(r);
+}
+
+static void write_sensor_to_vehicle_frame_transformation_quaternion(struct mip_writer *w,
+                                                                    const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *v =
+        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_sensor_to_vehicle_frame_transformation_quaternion,
+                       sizeof(required_sensor_to_vehicle_frame_transformation_quaternion),
+                       v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->q, 4);
+}
+
+const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_codec = {
+    0x0C,
+    MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion),
+    0,
+    read_sensor_to_vehicle_frame_transformation_quaternion,
+    write_sensor_to_vehicle_frame_transformation_quaternion,
+    NULL,
+};
+
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_decode(
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_frame_transformation_quaternion, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_encode(
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder,
+                            MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_DESCRIPTOR,
+                            write_sensor_to_vehicle_frame_transformation_quaternion, value);
+}
+
+struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
+mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_write(const float q[4]) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.q, q, sizeof(v.q));
+    return v;
+}
+
+struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
+mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_read(void) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
+mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_save(void) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
+mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_load(void) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
+mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_default(void) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_sensor_to_vehicle_frame_transformation_quaternion_response(struct mip_reader *r,
+                                                                            void *value) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *v =
+        (struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *)value;
+    mip_read_float(r, v->q, 4);
+}
+
+static void write_sensor_to_vehicle_frame_transformation_quaternion_response(struct mip_writer *w,
+                                                                             const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *v =
+        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *)value;
+    mip_write_float(w, v->q, 4);
+}
+
+const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_codec = {
+    0x0C,
+    MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response),
+    0,
+    read_sensor_to_vehicle_frame_transformation_quaternion_response,
+    write_sensor_to_vehicle_frame_transformation_quaternion_response,
+    NULL,
+};
+
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_decode(
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_frame_transformation_quaternion_response,
+                            value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(
+        builder, MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_DESCRIPTOR,
+        write_sensor_to_vehicle_frame_transformation_quaternion_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_sensor_to_vehicle_frame_transformation_direction_cosine_matrix[] = {
+    0, 1, 0, 0, 0, 0};
+
+static void read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix(
+    struct mip_reader *r, void *value) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *v =
+        (struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(
+        r, v->function, required_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
+        sizeof(required_sensor_to_vehicle_frame_transformation_direction_cosine_matrix));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->dcm, 9);
+    v->present = mip_read_present(r);
+}
+
+static void write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix(
+    struct mip_writer *w, const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *v =
+        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(
+        w, v->function, required_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
+        sizeof(required_sensor_to_vehicle_frame_transformation_direction_cosine_matrix),
+        v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->dcm, 9);
+}
+
+const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_codec = {
+    0x0C,
+    MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix),
+    0,
+    read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
+    write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
+    NULL,
+};
+
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_decode(
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field,
+                            read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
+                            value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_encode(
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(
+        builder, MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_DESCRIPTOR,
+        write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix, value);
+}
+
+struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
+mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_write(const float dcm[9]) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.dcm, dcm, sizeof(v.dcm));
+    return v;
+}
+
+struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
+mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_read(void) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
+mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_save(void) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
+mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_load(void) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
+mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_default(void) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response(
+    struct mip_reader *r, void *value) {
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *v =
+        (struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *)value;
+    mip_read_float(r, v->dcm, 9);
+}
+
+static void write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response(
+    struct mip_writer *w, const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *v =
+        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *)value;
+    mip_write_float(w, v->dcm, 9);
+}
+
+const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_codec = {
+    0x0C,
+    MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response),
+    0,
+    read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
+    write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
+    NULL,
+};
+
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_decode(
+    struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(
+        field, read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response, value,
+        sizeof(*value), NULL);
+}
+
+mip_error
+mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(
+        builder,
+        MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_DESCRIPTOR,
+        write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_accelerometer_bias_configuration[] = {0, 1, 0, 0, 0, 0, 1};
+
+static void read_accelerometer_bias_configuration(struct mip_reader *r, void *value) {
+    struct mip_3dm_accelerometer_bias_configuration *v =
+        (struct mip_3dm_accelerometer_bias_configuration *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_accelerometer_bias_configuration,
+                      sizeof(required_accelerometer_bias_configuration));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->bias, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_accelerometer_bias_configuration(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_accelerometer_bias_configuration *v =
+        (const struct mip_3dm_accelerometer_bias_configuration *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_accelerometer_bias_configuration,
+                       sizeof(required_accelerometer_bias_configuration), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->bias, 3);
+}
+
+static bool silent_accelerometer_bias_configuration(const void *value) {
+    const struct mip_3dm_accelerometer_bias_configuration *v =
+        (const struct mip_3dm_accelerometer_bias_configuration *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_APPLY;
+}
+
+const struct mip_codec mip_3dm_accelerometer_bias_configuration_codec = {
+    0x0C,
+    MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_accelerometer_bias_configuration),
+    0,
+    read_accelerometer_bias_configuration,
+    write_accelerometer_bias_configuration,
+    silent_accelerometer_bias_configuration,
+};
+
+mip_error mip_3dm_accelerometer_bias_configuration_decode(
+    struct mip_3dm_accelerometer_bias_configuration *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_accelerometer_bias_configuration, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_3dm_accelerometer_bias_configuration_encode(
+    const struct mip_3dm_accelerometer_bias_configuration *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_DESCRIPTOR,
+                            write_accelerometer_bias_configuration, value);
+}
+
+struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_write(
+    const float bias[3]) {
+    struct mip_3dm_accelerometer_bias_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.bias, bias, sizeof(v.bias));
+    return v;
+}
+
+struct mip_3dm_accelerometer_bias_configuration
+mip_3dm_accelerometer_bias_configuration_read(void) {
+    struct mip_3dm_accelerometer_bias_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_accelerometer_bias_configuration
+mip_3dm_accelerometer_bias_configuration_save(void) {
+    struct mip_3dm_accelerometer_bias_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_accelerometer_bias_configuration
+mip_3dm_accelerometer_bias_configuration_load(void) {
+    struct mip_3dm_accelerometer_bias_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_accelerometer_bias_configuration
+mip_3dm_accelerometer_bias_configuration_default(void) {
+    struct mip_3dm_accelerometer_bias_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_apply(
+    const float bias[3]) {
+    struct mip_3dm_accelerometer_bias_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_APPLY;
+    memcpy(v.bias, bias, sizeof(v.bias));
+    return v;
+}
+
+static void read_accelerometer_bias_configuration_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_accelerometer_bias_configuration_response *v =
+        (struct mip_3dm_accelerometer_bias_configuration_response *)value;
+    mip_read_float(r, v->bias, 3);
+}
+
+static void write_accelerometer_bias_configuration_response(struct mip_writer *w,
+                                                            const void *value) {
+    const struct mip_3dm_accelerometer_bias_configuration_response *v =
+        (const struct mip_3dm_accelerometer_bias_configuration_response *)value;
+    mip_write_float(w, v->bias, 3);
+}
+
+const struct mip_codec mip_3dm_accelerometer_bias_configuration_response_codec = {
+    0x0C,
+    MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_accelerometer_bias_configuration_response),
+    0,
+    read_accelerometer_bias_configuration_response,
+    write_accelerometer_bias_configuration_response,
+    NULL,
+};
+
+mip_error mip_3dm_accelerometer_bias_configuration_response_decode(
+    struct mip_3dm_accelerometer_bias_configuration_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_accelerometer_bias_configuration_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_accelerometer_bias_configuration_response_encode(
+    const struct mip_3dm_accelerometer_bias_configuration_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR,
+                            write_accelerometer_bias_configuration_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gyroscope_bias_configuration[] = {0, 1, 0, 0, 0, 0, 1};
+
+static void read_gyroscope_bias_configuration(struct mip_reader *r, void *value) {
+    struct mip_3dm_gyroscope_bias_configuration *v =
+        (struct mip_3dm_gyroscope_bias_configuration *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gyroscope_bias_configuration,
+                      sizeof(required_gyroscope_bias_configuration));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->bias, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_gyroscope_bias_configuration(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gyroscope_bias_configuration *v =
+        (const struct mip_3dm_gyroscope_bias_configuration *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gyroscope_bias_configuration,
+                       sizeof(required_gyroscope_bias_configuration), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->bias, 3);
+}
+
+static bool silent_gyroscope_bias_configuration(const void *value) {
+    const struct mip_3dm_gyroscope_bias_configuration *v =
+        (const struct mip_3dm_gyroscope_bias_configuration *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_APPLY;
+}
+
+const struct mip_codec mip_3dm_gyroscope_bias_configuration_codec = {
+    0x0C,
+    MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_gyroscope_bias_configuration),
+    0,
+    read_gyroscope_bias_configuration,
+    write_gyroscope_bias_configuration,
+    silent_gyroscope_bias_configuration,
+};
+
+mip_error mip_3dm_gyroscope_bias_configuration_decode(
+    struct mip_3dm_gyroscope_bias_configuration *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gyroscope_bias_configuration, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gyroscope_bias_configuration_encode(
+    const struct mip_3dm_gyroscope_bias_configuration *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_DESCRIPTOR,
+                            write_gyroscope_bias_configuration, value);
+}
+
+struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_write(
+    const float bias[3]) {
+    struct mip_3dm_gyroscope_bias_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.bias, bias, sizeof(v.bias));
+    return v;
+}
+
+struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_read(void) {
+    struct mip_3dm_gyroscope_bias_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_save(void) {
+    struct mip_3dm_gyroscope_bias_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_load(void) {
+    struct mip_3dm_gyroscope_bias_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_default(void) {
+    struct mip_3dm_gyroscope_bias_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_apply(
+    const float bias[3]) {
+    struct mip_3dm_gyroscope_bias_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_APPLY;
+    memcpy(v.bias, bias, sizeof(v.bias));
+    return v;
+}
+
+static void read_gyroscope_bias_configuration_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_gyroscope_bias_configuration_response *v =
+        (struct mip_3dm_gyroscope_bias_configuration_response *)value;
+    mip_read_float(r, v->bias, 3);
+}
+
+static void write_gyroscope_bias_configuration_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gyroscope_bias_configuration_response *v =
+        (const struct mip_3dm_gyroscope_bias_configuration_response *)value;
+    mip_write_float(w, v->bias, 3);
+}
+
+const struct mip_codec mip_3dm_gyroscope_bias_configuration_response_codec = {
+    0x0C,
+    MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_gyroscope_bias_configuration_response),
+    0,
+    read_gyroscope_bias_configuration_response,
+    write_gyroscope_bias_configuration_response,
+    NULL,
+};
+
+mip_error mip_3dm_gyroscope_bias_configuration_response_decode(
+    struct mip_3dm_gyroscope_bias_configuration_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gyroscope_bias_configuration_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gyroscope_bias_configuration_response_encode(
+    const struct mip_3dm_gyroscope_bias_configuration_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR,
+                            write_gyroscope_bias_configuration_response, value);
+}
+
+static void read_capture_gyroscope_bias(struct mip_reader *r, void *value) {
+    struct mip_3dm_capture_gyroscope_bias *v = (struct mip_3dm_capture_gyroscope_bias *)value;
+    mip_read_u16(r, &v->averaging_time_ms, 1);
+}
+
+static void write_capture_gyroscope_bias(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_capture_gyroscope_bias *v =
+        (const struct mip_3dm_capture_gyroscope_bias *)value;
+    mip_write_u16(w, &v->averaging_time_ms, 1);
+}
+
+const struct mip_codec mip_3dm_capture_gyroscope_bias_codec = {
+    0x0C,
+    MIP_3DM_CAPTURE_GYROSCOPE_BIAS_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_capture_gyroscope_bias),
+    31000,
+    read_capture_gyroscope_bias,
+    write_capture_gyroscope_bias,
+    NULL,
+};
+
+mip_error mip_3dm_capture_gyroscope_bias_decode(struct mip_3dm_capture_gyroscope_bias *value,
+                                                const struct mip_field *field) {
+    return mip_decode_field(field, read_capture_gyroscope_bias, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_capture_gyroscope_bias_encode(const struct mip_3dm_capture_gyroscope_bias *value,
+                                                struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_CAPTURE_GYROSCOPE_BIAS_DESCRIPTOR,
+                            write_capture_gyroscope_bias, value);
+}
+
+struct mip_3dm_capture_gyroscope_bias mip_3dm_capture_gyroscope_bias_make(
+    uint16_t averaging_time_ms) {
+    struct mip_3dm_capture_gyroscope_bias v;
+    memset(&v, 0, sizeof(v));
+    v.averaging_time_ms = averaging_time_ms;
+    return v;
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_magnetometer_hard_iron_offset[] = {0, 1, 0, 0, 0, 0};
+
+static void read_magnetometer_hard_iron_offset(struct mip_reader *r, void *value) {
+    struct mip_3dm_magnetometer_hard_iron_offset *v =
+        (struct mip_3dm_magnetometer_hard_iron_offset *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_magnetometer_hard_iron_offset,
+                      sizeof(required_magnetometer_hard_iron_offset));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->offset, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_magnetometer_hard_iron_offset(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_magnetometer_hard_iron_offset *v =
+        (const struct mip_3dm_magnetometer_hard_iron_offset *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_magnetometer_hard_iron_offset,
+                       sizeof(required_magnetometer_hard_iron_offset), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->offset, 3);
+}
+
+const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_codec = {
+    0x0C,
+    MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_magnetometer_hard_iron_offset),
+    0,
+    read_magnetometer_hard_iron_offset,
+    write_magnetometer_hard_iron_offset,
+    NULL,
+};
+
+mip_error mip_3dm_magnetometer_hard_iron_offset_decode(
+    struct mip_3dm_magnetometer_hard_iron_offset *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_magnetometer_hard_iron_offset, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_magnetometer_hard_iron_offset_encode(
+    const struct mip_3dm_magnetometer_hard_iron_offset *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_DESCRIPTOR,
+                            write_magnetometer_hard_iron_offset, value);
+}
+
+struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_write(
+    const float offset[3]) {
+    struct mip_3dm_magnetometer_hard_iron_offset v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.offset, offset, sizeof(v.offset));
+    return v;
+}
+
+struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_read(void) {
+    struct mip_3dm_magnetometer_hard_iron_offset v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_save(void) {
+    struct mip_3dm_magnetometer_hard_iron_offset v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_load(void) {
+    struct mip_3dm_magnetometer_hard_iron_offset v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_default(void) {
+    struct mip_3dm_magnetometer_hard_iron_offset v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_magnetometer_hard_iron_offset_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_magnetometer_hard_iron_offset_response *v =
+        (struct mip_3dm_magnetometer_hard_iron_offset_response *)value;
+    mip_read_float(r, v->offset, 3);
+}
+
+static void write_magnetometer_hard_iron_offset_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_magnetometer_hard_iron_offset_response *v =
+        (const struct mip_3dm_magnetometer_hard_iron_offset_response *)value;
+    mip_write_float(w, v->offset, 3);
+}
+
+const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_response_codec = {
+    0x0C,
+    MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_magnetometer_hard_iron_offset_response),
+    0,
+    read_magnetometer_hard_iron_offset_response,
+    write_magnetometer_hard_iron_offset_response,
+    NULL,
+};
+
+mip_error mip_3dm_magnetometer_hard_iron_offset_response_decode(
+    struct mip_3dm_magnetometer_hard_iron_offset_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_magnetometer_hard_iron_offset_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_magnetometer_hard_iron_offset_response_encode(
+    const struct mip_3dm_magnetometer_hard_iron_offset_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR,
+                            write_magnetometer_hard_iron_offset_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_magnetometer_soft_iron_matrix[] = {0, 1, 0, 0, 0, 0};
+
+static void read_magnetometer_soft_iron_matrix(struct mip_reader *r, void *value) {
+    struct mip_3dm_magnetometer_soft_iron_matrix *v =
+        (struct mip_3dm_magnetometer_soft_iron_matrix *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_magnetometer_soft_iron_matrix,
+                      sizeof(required_magnetometer_soft_iron_matrix));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->offset, 9);
+    v->present = mip_read_present(r);
+}
+
+static void write_magnetometer_soft_iron_matrix(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_magnetometer_soft_iron_matrix *v =
+        (const struct mip_3dm_magnetometer_soft_iron_matrix *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_magnetometer_soft_iron_matrix,
+                       sizeof(required_magnetometer_soft_iron_matrix), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->offset, 9);
+}
+
+const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_codec = {
+    0x0C,
+    MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_magnetometer_soft_iron_matrix),
+    0,
+    read_magnetometer_soft_iron_matrix,
+    write_magnetometer_soft_iron_matrix,
+    NULL,
+};
+
+mip_error mip_3dm_magnetometer_soft_iron_matrix_decode(
+    struct mip_3dm_magnetometer_soft_iron_matrix *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_magnetometer_soft_iron_matrix, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_magnetometer_soft_iron_matrix_encode(
+    const struct mip_3dm_magnetometer_soft_iron_matrix *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_DESCRIPTOR,
+                            write_magnetometer_soft_iron_matrix, value);
+}
+
+struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_write(
+    const float offset[9]) {
+    struct mip_3dm_magnetometer_soft_iron_matrix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.offset, offset, sizeof(v.offset));
+    return v;
+}
+
+struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_read(void) {
+    struct mip_3dm_magnetometer_soft_iron_matrix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_save(void) {
+    struct mip_3dm_magnetometer_soft_iron_matrix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_load(void) {
+    struct mip_3dm_magnetometer_soft_iron_matrix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_default(void) {
+    struct mip_3dm_magnetometer_soft_iron_matrix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_magnetometer_soft_iron_matrix_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_magnetometer_soft_iron_matrix_response *v =
+        (struct mip_3dm_magnetometer_soft_iron_matrix_response *)value;
+    mip_read_float(r, v->offset, 9);
+}
+
+static void write_magnetometer_soft_iron_matrix_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_magnetometer_soft_iron_matrix_response *v =
+        (const struct mip_3dm_magnetometer_soft_iron_matrix_response *)value;
+    mip_write_float(w, v->offset, 9);
+}
+
+const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_response_codec = {
+    0x0C,
+    MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_magnetometer_soft_iron_matrix_response),
+    0,
+    read_magnetometer_soft_iron_matrix_response,
+    write_magnetometer_soft_iron_matrix_response,
+    NULL,
+};
+
+mip_error mip_3dm_magnetometer_soft_iron_matrix_response_decode(
+    struct mip_3dm_magnetometer_soft_iron_matrix_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_magnetometer_soft_iron_matrix_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_magnetometer_soft_iron_matrix_response_encode(
+    const struct mip_3dm_magnetometer_soft_iron_matrix_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR,
+                            write_magnetometer_soft_iron_matrix_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_coning_and_sculling_enable[] = {0, 1, 0, 0, 0, 0};
+
+static void read_coning_and_sculling_enable(struct mip_reader *r, void *value) {
+    struct mip_3dm_coning_and_sculling_enable *v =
+        (struct mip_3dm_coning_and_sculling_enable *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_coning_and_sculling_enable,
+                      sizeof(required_coning_and_sculling_enable));
+    mip_read_group(r, 1, 1);
+    mip_read_bool(r, &v->enable, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_coning_and_sculling_enable(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_coning_and_sculling_enable *v =
+        (const struct mip_3dm_coning_and_sculling_enable *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_coning_and_sculling_enable,
+                       sizeof(required_coning_and_sculling_enable), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_bool(w, &v->enable, 1);
+}
+
+const struct mip_codec mip_3dm_coning_and_sculling_enable_codec = {
+    0x0C,
+    MIP_3DM_CONING_AND_SCULLING_ENABLE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_coning_and_sculling_enable),
+    0,
+    read_coning_and_sculling_enable,
+    write_coning_and_sculling_enable,
+    NULL,
+};
+
+mip_error mip_3dm_coning_and_sculling_enable_decode(
+    struct mip_3dm_coning_and_sculling_enable *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_coning_and_sculling_enable, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_coning_and_sculling_enable_encode(
+    const struct mip_3dm_coning_and_sculling_enable *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_CONING_AND_SCULLING_ENABLE_DESCRIPTOR,
+                            write_coning_and_sculling_enable, value);
+}
+
+struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_write(
+    mip_bool enable) {
+    struct mip_3dm_coning_and_sculling_enable v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.enable = enable;
+    return v;
+}
+
+struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_read(void) {
+    struct mip_3dm_coning_and_sculling_enable v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_save(void) {
+    struct mip_3dm_coning_and_sculling_enable v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_load(void) {
+    struct mip_3dm_coning_and_sculling_enable v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_default(void) {
+    struct mip_3dm_coning_and_sculling_enable v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_coning_and_sculling_enable_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_coning_and_sculling_enable_response *v =
+        (struct mip_3dm_coning_and_sculling_enable_response *)value;
+    mip_read_bool(r, &v->enable, 1);
+}
+
+static void write_coning_and_sculling_enable_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_coning_and_sculling_enable_response *v =
+        (const struct mip_3dm_coning_and_sculling_enable_response *)value;
+    mip_write_bool(w, &v->enable, 1);
+}
+
+const struct mip_codec mip_3dm_coning_and_sculling_enable_response_codec = {
+    0x0C,
+    MIP_3DM_CONING_AND_SCULLING_ENABLE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_coning_and_sculling_enable_response),
+    0,
+    read_coning_and_sculling_enable_response,
+    write_coning_and_sculling_enable_response,
+    NULL,
+};
+
+mip_error mip_3dm_coning_and_sculling_enable_response_decode(
+    struct mip_3dm_coning_and_sculling_enable_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_coning_and_sculling_enable_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_3dm_coning_and_sculling_enable_response_encode(
+    const struct mip_3dm_coning_and_sculling_enable_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_CONING_AND_SCULLING_ENABLE_RESPONSE_DESCRIPTOR,
+                            write_coning_and_sculling_enable_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_uart_baud_rate[] = {0, 1, 0, 0, 0, 0};
+
+static void read_uart_baud_rate(struct mip_reader *r, void *value) {
+    struct mip_3dm_uart_baud_rate *v = (struct mip_3dm_uart_baud_rate *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_uart_baud_rate, sizeof(required_uart_baud_rate));
+    mip_read_group(r, 1, 1);
+    mip_read_u32(r, &v->baud, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_uart_baud_rate(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_uart_baud_rate *v = (const struct mip_3dm_uart_baud_rate *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_uart_baud_rate, sizeof(required_uart_baud_rate),
+                       v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u32(w, &v->baud, 1);
+}
+
+const struct mip_codec mip_3dm_uart_baud_rate_codec = {
+    0x0C,
+    MIP_3DM_UART_BAUD_RATE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_uart_baud_rate),
+    0,
+    read_uart_baud_rate,
+    write_uart_baud_rate,
+    NULL,
+};
+
+mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_rate *value,
+                                        const struct mip_field *field) {
+    return mip_decode_field(field, read_uart_baud_rate, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_uart_baud_rate_encode(const struct mip_3dm_uart_baud_rate *value,
+                                        struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_UART_BAUD_RATE_DESCRIPTOR, write_uart_baud_rate,
+                            value);
+}
+
+struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_write(uint32_t baud) {
+    struct mip_3dm_uart_baud_rate v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.baud = baud;
+    return v;
+}
+
+struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_read(void) {
+    struct mip_3dm_uart_baud_rate v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_save(void) {
+    struct mip_3dm_uart_baud_rate v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_load(void) {
+    struct mip_3dm_uart_baud_rate v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_default(void) {
+    struct mip_3dm_uart_baud_rate v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_uart_baud_rate_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_uart_baud_rate_response *v = (struct mip_3dm_uart_baud_rate_response *)value;
+    mip_read_u32(r, &v->baud, 1);
+}
+
+static void write_uart_baud_rate_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_uart_baud_rate_response *v =
+        (const struct mip_3dm_uart_baud_rate_response *)value;
+    mip_write_u32(w, &v->baud, 1);
+}
+
+const struct mip_codec mip_3dm_uart_baud_rate_response_codec = {
+    0x0C,
+    MIP_3DM_UART_BAUD_RATE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_uart_baud_rate_response),
+    0,
+    read_uart_baud_rate_response,
+    write_uart_baud_rate_response,
+    NULL,
+};
+
+mip_error mip_3dm_uart_baud_rate_response_decode(struct mip_3dm_uart_baud_rate_response *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, read_uart_baud_rate_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_uart_baud_rate_response_encode(
+    const struct mip_3dm_uart_baud_rate_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_UART_BAUD_RATE_RESPONSE_DESCRIPTOR,
+                            write_uart_baud_rate_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gpio_configuration[] = {0, 4, 1, 1, 1, 1};
+
+static void read_gpio_configuration(struct mip_reader *r, void *value) {
+    struct mip_3dm_gpio_configuration *v = (struct mip_3dm_gpio_configuration *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gpio_configuration,
+                      sizeof(required_gpio_configuration));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->pin, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_u8(r, &v->feature, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_u8(r, &v->behavior, 1);
+    mip_read_group(r, 4, 4);
+    mip_read_u8(r, &v->pin_mode, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_gpio_configuration(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gpio_configuration *v = (const struct mip_3dm_gpio_configuration *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gpio_configuration,
+                       sizeof(required_gpio_configuration), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->pin, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_u8(w, &v->feature, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_u8(w, &v->behavior, 1);
+    mip_write_group(w, 4, 4);
+    mip_write_u8(w, &v->pin_mode, 1);
+}
+
+const struct mip_codec mip_3dm_gpio_configuration_codec = {
+    0x0C,
+    MIP_3DM_GPIO_CONFIGURATION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_gpio_configuration),
+    0,
+    read_gpio_configuration,
+    write_gpio_configuration,
+    NULL,
+};
+
+mip_error mip_3dm_gpio_configuration_decode(struct mip_3dm_gpio_configuration *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_gpio_configuration, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gpio_configuration_encode(const struct mip_3dm_gpio_configuration *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GPIO_CONFIGURATION_DESCRIPTOR,
+                            write_gpio_configuration, value);
+}
+
+struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_write(uint8_t pin,
+                                                                   mip_gpio_feature feature,
+                                                                   uint8_t behavior,
+                                                                   mip_gpio_pin_mode pin_mode) {
+    struct mip_3dm_gpio_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.pin = pin;
+    v.feature = feature;
+    v.behavior = behavior;
+    v.pin_mode = pin_mode;
+    return v;
+}
+
+struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_read(uint8_t pin) {
+    struct mip_3dm_gpio_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    v.pin = pin;
+    return v;
+}
+
+struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_save(uint8_t pin) {
+    struct mip_3dm_gpio_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    v.pin = pin;
+    return v;
+}
+
+struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_load(uint8_t pin) {
+    struct mip_3dm_gpio_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    v.pin = pin;
+    return v;
+}
+
+struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_default(uint8_t pin) {
+    struct mip_3dm_gpio_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    v.pin = pin;
+    return v;
+}
+
+static void read_gpio_configuration_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_gpio_configuration_response *v =
+        (struct mip_3dm_gpio_configuration_response *)value;
+    mip_read_u8(r, &v->pin, 1);
+    mip_read_u8(r, &v->feature, 1);
+    mip_read_u8(r, &v->behavior, 1);
+    mip_read_u8(r, &v->pin_mode, 1);
+}
+
+static void write_gpio_configuration_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gpio_configuration_response *v =
+        (const struct mip_3dm_gpio_configuration_response *)value;
+    mip_write_u8(w, &v->pin, 1);
+    mip_write_u8(w, &v->feature, 1);
+    mip_write_u8(w, &v->behavior, 1);
+    mip_write_u8(w, &v->pin_mode, 1);
+}
+
+const struct mip_codec mip_3dm_gpio_configuration_response_codec = {
+    0x0C,
+    MIP_3DM_GPIO_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_gpio_configuration_response),
+    0,
+    read_gpio_configuration_response,
+    write_gpio_configuration_response,
+    NULL,
+};
+
+mip_error mip_3dm_gpio_configuration_response_decode(
+    struct mip_3dm_gpio_configuration_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gpio_configuration_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gpio_configuration_response_encode(
+    const struct mip_3dm_gpio_configuration_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GPIO_CONFIGURATION_RESPONSE_DESCRIPTOR,
+                            write_gpio_configuration_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gpio_state[] = {0, 2, 1};
+
+static void read_gpio_state(struct mip_reader *r, void *value) {
+    struct mip_3dm_gpio_state *v = (struct mip_3dm_gpio_state *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gpio_state, sizeof(required_gpio_state));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->pin, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_bool(r, &v->state, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_gpio_state(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gpio_state *v = (const struct mip_3dm_gpio_state *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gpio_state, sizeof(required_gpio_state),
+                       v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->pin, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_bool(w, &v->state, 1);
+}
+
+const struct mip_codec mip_3dm_gpio_state_codec = {
+    0x0C,
+    MIP_3DM_GPIO_STATE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_gpio_state),
+    0,
+    read_gpio_state,
+    write_gpio_state,
+    NULL,
+};
+
+mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *value,
+                                    const struct mip_field *field) {
+    return mip_decode_field(field, read_gpio_state, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gpio_state_encode(const struct mip_3dm_gpio_state *value,
+                                    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GPIO_STATE_DESCRIPTOR, write_gpio_state, value);
+}
+
+struct mip_3dm_gpio_state mip_3dm_gpio_state_write(uint8_t pin, mip_bool state) {
+    struct mip_3dm_gpio_state v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.pin = pin;
+    v.state = state;
+    return v;
+}
+
+struct mip_3dm_gpio_state mip_3dm_gpio_state_read(uint8_t pin) {
+    struct mip_3dm_gpio_state v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    v.pin = pin;
+    return v;
+}
+
+static void read_gpio_state_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_gpio_state_response *v = (struct mip_3dm_gpio_state_response *)value;
+    mip_read_u8(r, &v->pin, 1);
+    mip_read_bool(r, &v->state, 1);
+}
+
+static void write_gpio_state_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gpio_state_response *v = (const struct mip_3dm_gpio_state_response *)value;
+    mip_write_u8(w, &v->pin, 1);
+    mip_write_bool(w, &v->state, 1);
+}
+
+const struct mip_codec mip_3dm_gpio_state_response_codec = {
+    0x0C,
+    MIP_3DM_GPIO_STATE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_gpio_state_response),
+    0,
+    read_gpio_state_response,
+    write_gpio_state_response,
+    NULL,
+};
+
+mip_error mip_3dm_gpio_state_response_decode(struct mip_3dm_gpio_state_response *value,
+                                             const struct mip_field *field) {
+    return mip_decode_field(field, read_gpio_state_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gpio_state_response_encode(const struct mip_3dm_gpio_state_response *value,
+                                             struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GPIO_STATE_RESPONSE_DESCRIPTOR,
+                            write_gpio_state_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_odometer_configuration[] = {0, 3, 0, 0, 0, 0};
+
+static void read_odometer_configuration(struct mip_reader *r, void *value) {
+    struct mip_3dm_odometer_configuration *v = (struct mip_3dm_odometer_configuration *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_odometer_configuration,
+                      sizeof(required_odometer_configuration));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->mode, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, &v->scaling, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_float(r, &v->uncertainty, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_odometer_configuration(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_odometer_configuration *v =
+        (const struct mip_3dm_odometer_configuration *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_odometer_configuration,
+                       sizeof(required_odometer_configuration), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->mode, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, &v->scaling, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_float(w, &v->uncertainty, 1);
+}
+
+const struct mip_codec mip_3dm_odometer_configuration_codec = {
+    0x0C,
+    MIP_3DM_ODOMETER_CONFIGURATION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_odometer_configuration),
+    0,
+    read_odometer_configuration,
+    write_odometer_configuration,
+    NULL,
+};
+
+mip_error mip_3dm_odometer_configuration_decode(struct mip_3dm_odometer_configuration *value,
+                                                const struct mip_field *field) {
+    return mip_decode_field(field, read_odometer_configuration, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_odometer_configuration_encode(const struct mip_3dm_odometer_configuration *value,
+                                                struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_ODOMETER_CONFIGURATION_DESCRIPTOR,
+                            write_odometer_configuration, value);
+}
+
+struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_write(
+    mip_3dm_odometer_mode mode, float scaling, float uncertainty) {
+    struct mip_3dm_odometer_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.mode = mode;
+    v.scaling = scaling;
+    v.uncertainty = uncertainty;
+    return v;
+}
+
+struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_read(void) {
+    struct mip_3dm_odometer_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_save(void) {
+    struct mip_3dm_odometer_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_load(void) {
+    struct mip_3dm_odometer_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_default(void) {
+    struct mip_3dm_odometer_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_odometer_configuration_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_odometer_configuration_response *v =
+        (struct mip_3dm_odometer_configuration_response *)value;
+    mip_read_u8(r, &v->mode, 1);
+    mip_read_float(r, &v->scaling, 1);
+    mip_read_float(r, &v->uncertainty, 1);
+}
+
+static void write_odometer_configuration_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_odometer_configuration_response *v =
+        (const struct mip_3dm_odometer_configuration_response *)value;
+    mip_write_u8(w, &v->mode, 1);
+    mip_write_float(w, &v->scaling, 1);
+    mip_write_float(w, &v->uncertainty, 1);
+}
+
+const struct mip_codec mip_3dm_odometer_configuration_response_codec = {
+    0x0C,
+    MIP_3DM_ODOMETER_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_odometer_configuration_response),
+    0,
+    read_odometer_configuration_response,
+    write_odometer_configuration_response,
+    NULL,
+};
+
+mip_error mip_3dm_odometer_configuration_response_decode(
+    struct mip_3dm_odometer_configuration_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_odometer_configuration_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_3dm_odometer_configuration_response_encode(
+    const struct mip_3dm_odometer_configuration_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_ODOMETER_CONFIGURATION_RESPONSE_DESCRIPTOR,
+                            write_odometer_configuration_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_advanced_low_pass_filter_settings[] = {0, 5, 1, 1, 1, 1};
+
+static void read_advanced_low_pass_filter_settings(struct mip_reader *r, void *value) {
+    struct mip_3dm_advanced_low_pass_filter_settings *v =
+        (struct mip_3dm_advanced_low_pass_filter_settings *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_advanced_low_pass_filter_settings,
+                      sizeof(required_advanced_low_pass_filter_settings));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->target_descriptor, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_bool(r, &v->enable, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_bool(r, &v->manual, 1);
+    mip_read_group(r, 4, 4);
+    mip_read_u16(r, &v->frequency, 1);
+    mip_read_group(r, 5, 5);
+    mip_read_u8(r, &v->reserved, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_advanced_low_pass_filter_settings(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_advanced_low_pass_filter_settings *v =
+        (const struct mip_3dm_advanced_low_pass_filter_settings *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_advanced_low_pass_filter_settings,
+                       sizeof(required_advanced_low_pass_filter_settings), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->target_descriptor, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_bool(w, &v->enable, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_bool(w, &v->manual, 1);
+    mip_write_group(w, 4, 4);
+    mip_write_u16(w, &v->frequency, 1);
+    mip_write_group(w, 5, 5);
+    mip_write_u8(w, &v->reserved, 1);
+}
+
+const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_codec = {
+    0x0C,
+    MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_advanced_low_pass_filter_settings),
+    0,
+    read_advanced_low_pass_filter_settings,
+    write_advanced_low_pass_filter_settings,
+    NULL,
+};
+
+mip_error mip_3dm_advanced_low_pass_filter_settings_decode(
+    struct mip_3dm_advanced_low_pass_filter_settings *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_advanced_low_pass_filter_settings, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_3dm_advanced_low_pass_filter_settings_encode(
+    const struct mip_3dm_advanced_low_pass_filter_settings *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_DESCRIPTOR,
+                            write_advanced_low_pass_filter_settings, value);
+}
+
+struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_write(
+    uint8_t target_descriptor, mip_bool enable, mip_bool manual, uint16_t frequency) {
+    struct mip_3dm_advanced_low_pass_filter_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.target_descriptor = target_descriptor;
+    v.enable = enable;
+    v.manual = manual;
+    v.frequency = frequency;
+    return v;
+}
+
+struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_read(
+    uint8_t target_descriptor) {
+    struct mip_3dm_advanced_low_pass_filter_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    v.target_descriptor = target_descriptor;
+    return v;
+}
+
+struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_save(
+    uint8_t target_descriptor) {
+    struct mip_3dm_advanced_low_pass_filter_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    v.target_descriptor = target_descriptor;
+    return v;
+}
+
+struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_load(
+    uint8_t target_descriptor) {
+    struct mip_3dm_advanced_low_pass_filter_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    v.target_descriptor = target_descriptor;
+    return v;
+}
+
+struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_default(
+    uint8_t target_descriptor) {
+    struct mip_3dm_advanced_low_pass_filter_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    v.target_descriptor = target_descriptor;
+    return v;
+}
+
+static void read_advanced_low_pass_filter_settings_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_advanced_low_pass_filter_settings_response *v =
+        (struct mip_3dm_advanced_low_pass_filter_settings_response *)value;
+    mip_read_u8(r, &v->target_descriptor, 1);
+    mip_read_bool(r, &v->enable, 1);
+    mip_read_bool(r, &v->manual, 1);
+    mip_read_u16(r, &v->frequency, 1);
+    mip_read_u8(r, &v->reserved, 1);
+}
+
+static void write_advanced_low_pass_filter_settings_response(struct mip_writer *w,
+                                                             const void *value) {
+    const struct mip_3dm_advanced_low_pass_filter_settings_response *v =
+        (const struct mip_3dm_advanced_low_pass_filter_settings_response *)value;
+    mip_write_u8(w, &v->target_descriptor, 1);
+    mip_write_bool(w, &v->enable, 1);
+    mip_write_bool(w, &v->manual, 1);
+    mip_write_u16(w, &v->frequency, 1);
+    mip_write_u8(w, &v->reserved, 1);
+}
+
+const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_response_codec = {
+    0x0C,
+    MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_advanced_low_pass_filter_settings_response),
+    0,
+    read_advanced_low_pass_filter_settings_response,
+    write_advanced_low_pass_filter_settings_response,
+    NULL,
+};
+
+mip_error mip_3dm_advanced_low_pass_filter_settings_response_decode(
+    struct mip_3dm_advanced_low_pass_filter_settings_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_advanced_low_pass_filter_settings_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_advanced_low_pass_filter_settings_response_encode(
+    const struct mip_3dm_advanced_low_pass_filter_settings_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_DESCRIPTOR,
+                            write_advanced_low_pass_filter_settings_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_complementary_filter_configuration[] = {0, 4, 0, 0, 0, 0};
+
+static void read_complementary_filter_configuration(struct mip_reader *r, void *value) {
+    struct mip_3dm_complementary_filter_configuration *v =
+        (struct mip_3dm_complementary_filter_configuration *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_complementary_filter_configuration,
+                      sizeof(required_complementary_filter_configuration));
+    mip_read_group(r, 1, 1);
+    mip_read_bool(r, &v->pitch_roll_enable, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_bool(r, &v->heading_enable, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_float(r, &v->pitch_roll_time_constant, 1);
+    mip_read_group(r, 4, 4);
+    mip_read_float(r, &v->heading_time_constant, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_complementary_filter_configuration(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_complementary_filter_configuration *v =
+        (const struct mip_3dm_complementary_filter_configuration *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_complementary_filter_configuration,
+                       sizeof(required_complementary_filter_configuration), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_bool(w, &v->pitch_roll_enable, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_bool(w, &v->heading_enable, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_float(w, &v->pitch_roll_time_constant, 1);
+    mip_write_group(w, 4, 4);
+    mip_write_float(w, &v->heading_time_constant, 1);
+}
+
+const struct mip_codec mip_3dm_complementary_filter_configuration_codec = {
+    0x0C,
+    MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_complementary_filter_configuration),
+    0,
+    read_complementary_filter_configuration,
+    write_complementary_filter_configuration,
+    NULL,
+};
+
+mip_error mip_3dm_complementary_filter_configuration_decode(
+    struct mip_3dm_complementary_filter_configuration *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_complementary_filter_configuration, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_3dm_complementary_filter_configuration_encode(
+    const struct mip_3dm_complementary_filter_configuration *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_DESCRIPTOR,
+                            write_complementary_filter_configuration, value);
+}
+
+struct mip_3dm_complementary_filter_configuration mip_3dm_complementary_filter_configuration_write(
+    mip_bool pitch_roll_enable, mip_bool heading_enable, float pitch_roll_time_constant,
+    float heading_time_constant) {
+    struct mip_3dm_complementary_filter_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.pitch_roll_enable = pitch_roll_enable;
+    v.heading_enable = heading_enable;
+    v.pitch_roll_time_constant = pitch_roll_time_constant;
+    v.heading_time_constant = heading_time_constant;
+    return v;
+}
+
+struct mip_3dm_complementary_filter_configuration
+mip_3dm_complementary_filter_configuration_read(void) {
+    struct mip_3dm_complementary_filter_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_complementary_filter_configuration
+mip_3dm_complementary_filter_configuration_save(void) {
+    struct mip_3dm_complementary_filter_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_complementary_filter_configuration
+mip_3dm_complementary_filter_configuration_load(void) {
+    struct mip_3dm_complementary_filter_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_complementary_filter_configuration
+mip_3dm_complementary_filter_configuration_default(void) {
+    struct mip_3dm_complementary_filter_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_complementary_filter_configuration_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_complementary_filter_configuration_response *v =
+        (struct mip_3dm_complementary_filter_configuration_response *)value;
+    mip_read_bool(r, &v->pitch_roll_enable, 1);
+    mip_read_bool(r, &v->heading_enable, 1);
+    mip_read_float(r, &v->pitch_roll_time_constant, 1);
+    mip_read_float(r, &v->heading_time_constant, 1);
+}
+
+static void write_complementary_filter_configuration_response(struct mip_writer *w,
+                                                              const void *value) {
+    const struct mip_3dm_complementary_filter_configuration_response *v =
+        (const struct mip_3dm_complementary_filter_configuration_response *)value;
+    mip_write_bool(w, &v->pitch_roll_enable, 1);
+    mip_write_bool(w, &v->heading_enable, 1);
+    mip_write_float(w, &v->pitch_roll_time_constant, 1);
+    mip_write_float(w, &v->heading_time_constant, 1);
+}
+
+const struct mip_codec mip_3dm_complementary_filter_configuration_response_codec = {
+    0x0C,
+    MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_complementary_filter_configuration_response),
+    0,
+    read_complementary_filter_configuration_response,
+    write_complementary_filter_configuration_response,
+    NULL,
+};
+
+mip_error mip_3dm_complementary_filter_configuration_response_decode(
+    struct mip_3dm_complementary_filter_configuration_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_complementary_filter_configuration_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_complementary_filter_configuration_response_encode(
+    const struct mip_3dm_complementary_filter_configuration_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_DESCRIPTOR,
+                            write_complementary_filter_configuration_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_sensor_range[] = {0, 2, 1, 1, 1, 1};
+
+static void read_sensor_range(struct mip_reader *r, void *value) {
+    struct mip_3dm_sensor_range *v = (struct mip_3dm_sensor_range *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_sensor_range, sizeof(required_sensor_range));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->sensor, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_u8(r, &v->setting, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_sensor_range(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_sensor_range *v = (const struct mip_3dm_sensor_range *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_sensor_range, sizeof(required_sensor_range),
+                       v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->sensor, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_u8(w, &v->setting, 1);
+}
+
+const struct mip_codec mip_3dm_sensor_range_codec = {
+    0x0C,
+    MIP_3DM_SENSOR_RANGE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_sensor_range),
+    0,
+    read_sensor_range,
+    write_sensor_range,
+    NULL,
+};
+
+mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range *value,
+                                      const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_range, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_sensor_range_encode(const struct mip_3dm_sensor_range *value,
+                                      struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_SENSOR_RANGE_DESCRIPTOR, write_sensor_range, value);
+}
+
+struct mip_3dm_sensor_range mip_3dm_sensor_range_write(mip_3dm_sensor_range_type sensor,
+                                                       uint8_t setting) {
+    struct mip_3dm_sensor_range v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.sensor = sensor;
+    v.setting = setting;
+    return v;
+}
+
+struct mip_3dm_sensor_range mip_3dm_sensor_range_read(mip_3dm_sensor_range_type sensor) {
+    struct mip_3dm_sensor_range v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    v.sensor = sensor;
+    return v;
+}
+
+struct mip_3dm_sensor_range mip_3dm_sensor_range_save(mip_3dm_sensor_range_type sensor) {
+    struct mip_3dm_sensor_range v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    v.sensor = sensor;
+    return v;
+}
+
+struct mip_3dm_sensor_range mip_3dm_sensor_range_load(mip_3dm_sensor_range_type sensor) {
+    struct mip_3dm_sensor_range v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    v.sensor = sensor;
+    return v;
+}
+
+struct mip_3dm_sensor_range mip_3dm_sensor_range_default(mip_3dm_sensor_range_type sensor) {
+    struct mip_3dm_sensor_range v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    v.sensor = sensor;
+    return v;
+}
+
+static void read_sensor_range_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_sensor_range_response *v = (struct mip_3dm_sensor_range_response *)value;
+    mip_read_u8(r, &v->sensor, 1);
+    mip_read_u8(r, &v->setting, 1);
+}
+
+static void write_sensor_range_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_sensor_range_response *v =
+        (const struct mip_3dm_sensor_range_response *)value;
+    mip_write_u8(w, &v->sensor, 1);
+    mip_write_u8(w, &v->setting, 1);
+}
+
+const struct mip_codec mip_3dm_sensor_range_response_codec = {
+    0x0C,
+    MIP_3DM_SENSOR_RANGE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_sensor_range_response),
+    0,
+    read_sensor_range_response,
+    write_sensor_range_response,
+    NULL,
+};
+
+mip_error mip_3dm_sensor_range_response_decode(struct mip_3dm_sensor_range_response *value,
+                                               const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_range_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_sensor_range_response_encode(const struct mip_3dm_sensor_range_response *value,
+                                               struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_SENSOR_RANGE_RESPONSE_DESCRIPTOR,
+                            write_sensor_range_response, value);
+}
+
+static void read_get_calibrated_sensor_ranges(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_calibrated_sensor_ranges *v =
+        (struct mip_3dm_get_calibrated_sensor_ranges *)value;
+    mip_read_u8(r, &v->sensor, 1);
+}
+
+static void write_get_calibrated_sensor_ranges(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_calibrated_sensor_ranges *v =
+        (const struct mip_3dm_get_calibrated_sensor_ranges *)value;
+    mip_write_u8(w, &v->sensor, 1);
+}
+
+const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
+    0x0C,
+    MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_get_calibrated_sensor_ranges),
+    0,
+    read_get_calibrated_sensor_ranges,
+    write_get_calibrated_sensor_ranges,
+    NULL,
+};
+
+mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
+    struct mip_3dm_get_calibrated_sensor_ranges *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_get_calibrated_sensor_ranges, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
+    const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_DESCRIPTOR,
+                            write_get_calibrated_sensor_ranges, value);
+}
+
+struct mip_3dm_get_calibrated_sensor_ranges mip_3dm_get_calibrated_sensor_ranges_make(
+    mip_3dm_sensor_range_type sensor) {
+    struct mip_3dm_get_calibrated_sensor_ranges v;
+    memset(&v, 0, sizeof(v));
+    v.sensor = sensor;
+    return v;
+}
+
+static void read_get_calibrated_sensor_ranges_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_calibrated_sensor_ranges_response *v =
+        (struct mip_3dm_get_calibrated_sensor_ranges_response *)value;
+    mip_read_u8(r, &v->sensor, 1);
+    mip_read_u8(r, &v->num_ranges, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->num_ranges, 50, 5); i < n; i++) {
+        mip_3dm_sensor_range_entry_read(r, &v->ranges[i]);
+    }
+}
+
+static void write_get_calibrated_sensor_ranges_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_calibrated_sensor_ranges_response *v =
+        (const struct mip_3dm_get_calibrated_sensor_ranges_response *)value;
+    mip_write_u8(w, &v->sensor, 1);
+    mip_write_u8(w, &v->num_ranges, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->num_ranges, 50); i < n; i++) {
+        mip_3dm_sensor_range_entry_write(w, &v->ranges[i]);
+    }
+}
+
+const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec = {
+    0x0C,
+    MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response),
+    0,
+    read_get_calibrated_sensor_ranges_response,
+    write_get_calibrated_sensor_ranges_response,
+    NULL,
+};
+
+mip_error mip_3dm_get_calibrated_sensor_ranges_response_decode(
+    struct mip_3dm_get_calibrated_sensor_ranges_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_get_calibrated_sensor_ranges_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
+    const struct mip_3dm_get_calibrated_sensor_ranges_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_DESCRIPTOR,
+                            write_get_calibrated_sensor_ranges_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_low_pass_anti_aliasing_filter[] = {0, 5, 2, 2, 2, 2};
+
+static void read_low_pass_anti_aliasing_filter(struct mip_reader *r, void *value) {
+    struct mip_3dm_low_pass_anti_aliasing_filter *v =
+        (struct mip_3dm_low_pass_anti_aliasing_filter *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_low_pass_anti_aliasing_filter,
+                      sizeof(required_low_pass_anti_aliasing_filter));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->desc_set, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_u8(r, &v->field_desc, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_bool(r, &v->enable, 1);
+    mip_read_group(r, 4, 4);
+    mip_read_bool(r, &v->manual, 1);
+    mip_read_group(r, 5, 5);
+    mip_read_float(r, &v->frequency, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_low_pass_anti_aliasing_filter(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_low_pass_anti_aliasing_filter *v =
+        (const struct mip_3dm_low_pass_anti_aliasing_filter *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_low_pass_anti_aliasing_filter,
+                       sizeof(required_low_pass_anti_aliasing_filter), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->desc_set, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_u8(w, &v->field_desc, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_bool(w, &v->enable, 1);
+    mip_write_group(w, 4, 4);
+    mip_write_bool(w, &v->manual, 1);
+    mip_write_group(w, 5, 5);
+    mip_write_float(w, &v->frequency, 1);
+}
+
+const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_codec = {
+    0x0C,
+    MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_low_pass_anti_aliasing_filter),
+    0,
+    read_low_pass_anti_aliasing_filter,
+    write_low_pass_anti_aliasing_filter,
+    NULL,
+};
+
+mip_error mip_3dm_low_pass_anti_aliasing_filter_decode(
+    struct mip_3dm_low_pass_anti_aliasing_filter *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_low_pass_anti_aliasing_filter, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_low_pass_anti_aliasing_filter_encode(
+    const struct mip_3dm_low_pass_anti_aliasing_filter *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_DESCRIPTOR,
+                            write_low_pass_anti_aliasing_filter, value);
+}
+
+struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_write(
+    uint8_t desc_set, uint8_t field_desc, mip_bool enable, mip_bool manual, float frequency) {
+    struct mip_3dm_low_pass_anti_aliasing_filter v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.desc_set = desc_set;
+    v.field_desc = field_desc;
+    v.enable = enable;
+    v.manual = manual;
+    v.frequency = frequency;
+    return v;
+}
+
+struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_read(
+    uint8_t desc_set, uint8_t field_desc) {
+    struct mip_3dm_low_pass_anti_aliasing_filter v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    v.desc_set = desc_set;
+    v.field_desc = field_desc;
+    return v;
+}
+
+struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_save(
+    uint8_t desc_set, uint8_t field_desc) {
+    struct mip_3dm_low_pass_anti_aliasing_filter v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    v.desc_set = desc_set;
+    v.field_desc = field_desc;
+    return v;
+}
+
+struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_load(
+    uint8_t desc_set, uint8_t field_desc) {
+    struct mip_3dm_low_pass_anti_aliasing_filter v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    v.desc_set = desc_set;
+    v.field_desc = field_desc;
+    return v;
+}
+
+struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_default(
+    uint8_t desc_set, uint8_t field_desc) {
+    struct mip_3dm_low_pass_anti_aliasing_filter v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    v.desc_set = desc_set;
+    v.field_desc = field_desc;
+    return v;
+}
+
+static void read_low_pass_anti_aliasing_filter_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_low_pass_anti_aliasing_filter_response *v =
+        (struct mip_3dm_low_pass_anti_aliasing_filter_response *)value;
+    mip_read_u8(r, &v->desc_set, 1);
+    mip_read_u8(r, &v->field_desc, 1);
+    mip_read_bool(r, &v->enable, 1);
+    mip_read_bool(r, &v->manual, 1);
+    mip_read_float(r, &v->frequency, 1);
+}
+
+static void write_low_pass_anti_aliasing_filter_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_low_pass_anti_aliasing_filter_response *v =
+        (const struct mip_3dm_low_pass_anti_aliasing_filter_response *)value;
+    mip_write_u8(w, &v->desc_set, 1);
+    mip_write_u8(w, &v->field_desc, 1);
+    mip_write_bool(w, &v->enable, 1);
+    mip_write_bool(w, &v->manual, 1);
+    mip_write_float(w, &v->frequency, 1);
+}
+
+const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_response_codec = {
+    0x0C,
+    MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_low_pass_anti_aliasing_filter_response),
+    0,
+    read_low_pass_anti_aliasing_filter_response,
+    write_low_pass_anti_aliasing_filter_response,
+    NULL,
+};
+
+mip_error mip_3dm_low_pass_anti_aliasing_filter_response_decode(
+    struct mip_3dm_low_pass_anti_aliasing_filter_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_low_pass_anti_aliasing_filter_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_low_pass_anti_aliasing_filter_response_encode(
+    const struct mip_3dm_low_pass_anti_aliasing_filter_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_DESCRIPTOR,
+                            write_low_pass_anti_aliasing_filter_response, value);
+}
+
+static void read_device_status(struct mip_reader *r, void *value) {
+    struct mip_3dm_device_status *v = (struct mip_3dm_device_status *)value;
+    mip_read_constant(r, 6254, 2);
+    mip_read_u8(r, &v->status_selector, 1);
+}
+
+static void write_device_status(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
+    mip_write_constant(w, 6254, 2);
+    mip_write_u8(w, &v->status_selector, 1);
+}
+
+const struct mip_codec mip_3dm_device_status_codec = {
+    0x0C,
+    MIP_3DM_DEVICE_STATUS_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_device_status),
+    0,
+    read_device_status,
+    write_device_status,
+    NULL,
+};
+
+mip_error mip_3dm_device_status_decode(struct mip_3dm_device_status *value,
+                                       const struct mip_field *field) {
+    return mip_decode_field(field, read_device_status, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_device_status_encode(const struct mip_3dm_device_status *value,
+                                       struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_DEVICE_STATUS_DESCRIPTOR, write_device_status, value);
+}
+
+struct mip_3dm_device_status mip_3dm_device_status_make(
+    mip_3dm_device_status_selector status_selector) {
+    struct mip_3dm_device_status v;
+    memset(&v, 0, sizeof(v));
+    v.status_selector = status_selector;
+    return v;
+}
+
+static void read_device_status_basic_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_device_status_basic_response *v =
+        (struct mip_3dm_device_status_basic_response *)value;
+    mip_read_constant(r, 6254, 2);
+    mip_read_constant(r, 1, 1);
+    mip_read_u32(r, &v->status_flags, 1);
+    mip_read_u16(r, &v->system_state, 1);
+    mip_read_u32(r, &v->system_timer, 1);
+}
+
+static void write_device_status_basic_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_device_status_basic_response *v =
+        (const struct mip_3dm_device_status_basic_response *)value;
+    mip_write_constant(w, 6254, 2);
+    mip_write_constant(w, 1, 1);
+    mip_write_u32(w, &v->status_flags, 1);
+    mip_write_u16(w, &v->system_state, 1);
+    mip_write_u32(w, &v->system_timer, 1);
+}
+
+const struct mip_codec mip_3dm_device_status_basic_response_codec = {
+    0x0C,
+    MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_device_status_basic_response),
+    0,
+    read_device_status_basic_response,
+    write_device_status_basic_response,
+    NULL,
+};
+
+mip_error mip_3dm_device_status_basic_response_decode(
+    struct mip_3dm_device_status_basic_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_device_status_basic_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_device_status_basic_response_encode(
+    const struct mip_3dm_device_status_basic_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_DESCRIPTOR,
+                            write_device_status_basic_response, value);
+}
+
+static void read_device_status_diagnostic_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_device_status_diagnostic_response *v =
+        (struct mip_3dm_device_status_diagnostic_response *)value;
+    mip_read_constant(r, 6254, 2);
+    mip_read_constant(r, 2, 1);
+    mip_read_u32(r, &v->status_flags, 1);
+    mip_read_u16(r, &v->system_state, 1);
+    mip_read_u32(r, &v->system_timer, 1);
+    mip_read_bool(r, &v->imu_stream_enabled, 1);
+    mip_read_bool(r, &v->filter_stream_enabled, 1);
+    mip_read_u32(r, &v->imu_dropped_packets, 1);
+    mip_read_u32(r, &v->filter_dropped_packets, 1);
+    mip_read_u32(r, &v->com_port_bytes_written, 1);
+    mip_read_u32(r, &v->com_port_bytes_read, 1);
+    mip_read_u32(r, &v->com_port_write_overruns, 1);
+    mip_read_u32(r, &v->com_port_read_overruns, 1);
+    mip_read_u32(r, &v->imu_parser_errors, 1);
+    mip_read_u32(r, &v->imu_message_count, 1);
+    mip_read_u32(r, &v->imu_last_message_time, 1);
+}
+
+static void write_device_status_diagnostic_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_device_status_diagnostic_response *v =
+        (const struct mip_3dm_device_status_diagnostic_response *)value;
+    mip_write_constant(w, 6254, 2);
+    mip_write_constant(w, 2, 1);
+    mip_write_u32(w, &v->status_flags, 1);
+    mip_write_u16(w, &v->system_state, 1);
+    mip_write_u32(w, &v->system_timer, 1);
+    mip_write_bool(w, &v->imu_stream_enabled, 1);
+    mip_write_bool(w, &v->filter_stream_enabled, 1);
+    mip_write_u32(w, &v->imu_dropped_packets, 1);
+    mip_write_u32(w, &v->filter_dropped_packets, 1);
+    mip_write_u32(w, &v->com_port_bytes_written, 1);
+    mip_write_u32(w, &v->com_port_bytes_read, 1);
+    mip_write_u32(w, &v->com_port_write_overruns, 1);
+    mip_write_u32(w, &v->com_port_read_overruns, 1);
+    mip_write_u32(w, &v->imu_parser_errors, 1);
+    mip_write_u32(w, &v->imu_message_count, 1);
+    mip_write_u32(w, &v->imu_last_message_time, 1);
+}
+
+const struct mip_codec mip_3dm_device_status_diagnostic_response_codec = {
+    0x0C,
+    MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_device_status_diagnostic_response),
+    0,
+    read_device_status_diagnostic_response,
+    write_device_status_diagnostic_response,
+    NULL,
+};
+
+mip_error mip_3dm_device_status_diagnostic_response_decode(
+    struct mip_3dm_device_status_diagnostic_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_device_status_diagnostic_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_3dm_device_status_diagnostic_response_encode(
+    const struct mip_3dm_device_status_diagnostic_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR,
+                            write_device_status_diagnostic_response, value);
+}

@@ -1,0 +1,3794 @@
+/* Filter commands. */
+#include "mip/filter.h"
+
+#include <string.h>
+
+const struct mip_codec mip_filter_reset_navigation_filter_codec = {
+    0x0D,
+    MIP_FILTER_RESET_NAVIGATION_FILTER_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_reset_navigation_filter),
+    0,
+    mip_read_nothing,
+    mip_write_nothing,
+    NULL,
+};
+
+mip_error mip_filter_reset_navigation_filter_decode(
+    struct mip_filter_reset_navigation_filter *value, const struct mip_field *field) {
+    return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_reset_navigation_filter_encode(
+    const struct mip_filter_reset_navigation_filter *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_RESET_NAVIGATION_FILTER_DESCRIPTOR,
+                            mip_write_nothing, value);
+}
+
+static void read_set_initial_attitude(struct mip_reader *r, void *value) {
+    struct mip_filter_set_initial_attitude *v = (struct mip_filter_set_initial_attitude *)value;
+    mip_read_float(r, &v->roll, 1);
+    mip_read_float(r, &v->pitch, 1);
+    mip_read_float(r, &v->heading, 1);
+}
+
+static void write_set_initial_attitude(struct mip_writer *w, const void *value) {
+    const struct mip_filter_set_initial_attitude *v =
+        (const struct mip_filter_set_initial_attitude *)value;
+    mip_write_float(w, &v->roll, 1);
+    mip_write_float(w, &v->pitch, 1);
+    mip_write_float(w, &v->heading, 1);
+}
+
+const struct mip_codec mip_filter_set_initial_attitude_codec = {
+    0x0D,
+    MIP_FILTER_SET_INITIAL_ATTITUDE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_set_initial_attitude),
+    0,
+    read_set_initial_attitude,
+    write_set_initial_attitude,
+    NULL,
+};
+
+mip_error mip_filter_set_initial_attitude_decode(struct mip_filter_set_initial_attitude *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, read_set_initial_attitude, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_set_initial_attitude_encode(
+    const struct mip_filter_set_initial_attitude *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_SET_INITIAL_ATTITUDE_DESCRIPTOR,
+                            write_set_initial_attitude, value);
+}
+
+struct mip_filter_set_initial_attitude mip_filter_set_initial_attitude_make(float roll, float pitch,
+                                                                            float heading) {
+    struct mip_filter_set_initial_attitude v;
+    memset(&v, 0, sizeof(v));
+    v.roll = roll;
+    v.pitch = pitch;
+    v.heading = heading;
+    return v;
+}
+
+static void read_set_initial_heading_control(struct mip_reader *r, void *value) {
+    struct mip_filter_set_initial_heading_control *v =
+        (struct mip_filter_set_initial_heading_control *)value;
+    mip_read_float(r, &v->heading, 1);
+}
+
+static void write_set_initial_heading_control(struct mip_writer *w, const void *value) {
+    const struct mip_filter_set_initial_heading_control *v =
+        (const struct mip_filter_set_initial_heading_control *)value;
+    mip_write_float(w, &v->heading, 1);
+}
+
+const struct mip_codec mip_filter_set_initial_heading_control_codec = {
+    0x0D,
+    MIP_FILTER_SET_INITIAL_HEADING_CONTROL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_set_initial_heading_control),
+    0,
+    read_set_initial_heading_control,
+    write_set_initial_heading_control,
+    NULL,
+};
+
+mip_error mip_filter_set_initial_heading_control_decode(
+    struct mip_filter_set_initial_heading_control *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_set_initial_heading_control, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_set_initial_heading_control_encode(
+    const struct mip_filter_set_initial_heading_control *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_SET_INITIAL_HEADING_CONTROL_DESCRIPTOR,
+                            write_set_initial_heading_control, value);
+}
+
+struct mip_filter_set_initial_heading_control mip_filter_set_initial_heading_control_make(
+    float heading) {
+    struct mip_filter_set_initial_heading_control v;
+    memset(&v, 0, sizeof(v));
+    v.heading = heading;
+    return v;
+}
+
+const struct mip_codec mip_filter_run_navigation_filter_codec = {
+    0x0D,
+    MIP_FILTER_RUN_NAVIGATION_FILTER_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_run_navigation_filter),
+    0,
+    mip_read_nothing,
+    mip_write_nothing,
+    NULL,
+};
+
+mip_error mip_filter_run_navigation_filter_decode(struct mip_filter_run_navigation_filter *value,
+                                                  const struct mip_field *field) {
+    return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_run_navigation_filter_encode(
+    const struct mip_filter_run_navigation_filter *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_RUN_NAVIGATION_FILTER_DESCRIPTOR, mip_write_nothing,
+                            value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_sensor_to_vehicle_frame_transformation[] = {0, 3, 0, 0, 0, 0};
+
+static void read_sensor_to_vehicle_frame_transformation(struct mip_reader *r, void *value) {
+    struct mip_filter_sensor_to_vehicle_frame_transformation *v =
+        (struct mip_filter_sensor_to_vehicle_frame_transformation *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_sensor_to_vehicle_frame_transformation,
+                      sizeof(required_sensor_to_vehicle_frame_transformation));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, &v->roll, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, &v->pitch, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_float(r, &v->yaw, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_sensor_to_vehicle_frame_transformation(struct mip_writer *w, const void *value) {
+    const struct mip_filter_sensor_to_vehicle_frame_transformation *v =
+        (const struct mip_filter_sensor_to_vehicle_frame_transformation *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_sensor_to_vehicle_frame_transformation,
+                       sizeof(required_sensor_to_vehicle_frame_transformation), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, &v->roll, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, &v->pitch, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_float(w, &v->yaw, 1);
+}
+
+const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_codec = {
+    0x0D,
+    MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation),
+    0,
+    read_sensor_to_vehicle_frame_transformation,
+    write_sensor_to_vehicle_frame_transformation,
+    NULL,
+};
+
+mip_error mip_filter_sensor_to_vehicle_frame_transformation_decode(
+    struct mip_filter_sensor_to_vehicle_frame_transformation *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_frame_transformation, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_sensor_to_vehicle_frame_transformation_encode(
+    const struct mip_filter_sensor_to_vehicle_frame_transformation *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DESCRIPTOR,
+                            write_sensor_to_vehicle_frame_transformation, value);
+}
+
+struct mip_filter_sensor_to_vehicle_frame_transformation
+mip_filter_sensor_to_vehicle_frame_transformation_write(float roll, float pitch, float yaw) {
+    struct mip_filter_sensor_to_vehicle_frame_transformation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.roll = roll;
+    v.pitch = pitch;
+    v.yaw = yaw;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_frame_transformation
+mip_filter_sensor_to_vehicle_frame_transformation_read(void) {
+    struct mip_filter_sensor_to_vehicle_frame_transformation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_frame_transformation
+mip_filter_sensor_to_vehicle_frame_transformation_save(void) {
+    struct mip_filter_sensor_to_vehicle_frame_transformation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_frame_transformation
+mip_filter_sensor_to_vehicle_frame_transformation_load(void) {
+    struct mip_filter_sensor_to_vehicle_frame_transformation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_frame_transformation
+mip_filter_sensor_to_vehicle_frame_transformation_default(void) {
+    struct mip_filter_sensor_to_vehicle_frame_transformation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_sensor_to_vehicle_frame_transformation_response(struct mip_reader *r,
+                                                                 void *value) {
+    struct mip_filter_sensor_to_vehicle_frame_transformation_response *v =
+        (struct mip_filter_sensor_to_vehicle_frame_transformation_response *)value;
+    mip_read_float(r, &v->roll, 1);
+    mip_read_float(r, &v->pitch, 1);
+    mip_read_float(r, &v->yaw, 1);
+}
+
+static void write_sensor_to_vehicle_frame_transformation_response(struct mip_writer *w,
+                                                                  const void *value) {
+    const struct mip_filter_sensor_to_vehicle_frame_transformation_response *v =
+        (const struct mip_filter_sensor_to_vehicle_frame_transformation_response *)value;
+    mip_write_float(w, &v->roll, 1);
+    mip_write_float(w, &v->pitch, 1);
+    mip_write_float(w, &v->yaw, 1);
+}
+
+const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_response_codec = {
+    0x0D,
+    MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation_response),
+    0,
+    read_sensor_to_vehicle_frame_transformation_response,
+    write_sensor_to_vehicle_frame_transformation_response,
+    NULL,
+};
+
+mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_decode(
+    struct mip_filter_sensor_to_vehicle_frame_transformation_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_frame_transformation_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_encode(
+    const struct mip_filter_sensor_to_vehicle_frame_transformation_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder,
+                            MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_DESCRIPTOR,
+                            write_sensor_to_vehicle_frame_transformation_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gnss_antenna_offset_control[] = {0, 1, 0, 0, 0, 0};
+
+static void read_gnss_antenna_offset_control(struct mip_reader *r, void *value) {
+    struct mip_filter_gnss_antenna_offset_control *v =
+        (struct mip_filter_gnss_antenna_offset_control *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gnss_antenna_offset_control,
+                      sizeof(required_gnss_antenna_offset_control));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->offset, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_gnss_antenna_offset_control(struct mip_writer *w, const void *value) {
+    const struct mip_filter_gnss_antenna_offset_control *v =
+        (const struct mip_filter_gnss_antenna_offset_control *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gnss_antenna_offset_control,
+                       sizeof(required_gnss_antenna_offset_control), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->offset, 3);
+}
+
+const struct mip_codec mip_filter_gnss_antenna_offset_control_codec = {
+    0x0D,
+    MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_gnss_antenna_offset_control),
+    0,
+    read_gnss_antenna_offset_control,
+    write_gnss_antenna_offset_control,
+    NULL,
+};
+
+mip_error mip_filter_gnss_antenna_offset_control_decode(
+    struct mip_filter_gnss_antenna_offset_control *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_antenna_offset_control, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_gnss_antenna_offset_control_encode(
+    const struct mip_filter_gnss_antenna_offset_control *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
+                            write_gnss_antenna_offset_control, value);
+}
+
+struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_write(
+    const float offset[3]) {
+    struct mip_filter_gnss_antenna_offset_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.offset, offset, sizeof(v.offset));
+    return v;
+}
+
+struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_read(void) {
+    struct mip_filter_gnss_antenna_offset_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_save(void) {
+    struct mip_filter_gnss_antenna_offset_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_load(void) {
+    struct mip_filter_gnss_antenna_offset_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_default(void) {
+    struct mip_filter_gnss_antenna_offset_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_gnss_antenna_offset_control_response(struct mip_reader *r, void *value) {
+    struct mip_filter_gnss_antenna_offset_control_response *v =
+        (struct mip_filter_gnss_antenna_offset_control_response *)value;
+    mip_read_float(r, v->offset, 3);
+}
+
+static void write_gnss_antenna_offset_control_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_gnss_antenna_offset_control_response *v =
+        (const struct mip_filter_gnss_antenna_offset_control_response *)value;
+    mip_write_float(w, v->offset, 3);
+}
+
+const struct mip_codec mip_filter_gnss_antenna_offset_control_response_codec = {
+    0x0D,
+    MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_gnss_antenna_offset_control_response),
+    0,
+    read_gnss_antenna_offset_control_response,
+    write_gnss_antenna_offset_control_response,
+    NULL,
+};
+
+mip_error mip_filter_gnss_antenna_offset_control_response_decode(
+    struct mip_filter_gnss_antenna_offset_control_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_antenna_offset_control_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_gnss_antenna_offset_control_response_encode(
+    const struct mip_filter_gnss_antenna_offset_control_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR,
+                            write_gnss_antenna_offset_control_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_estimation_control_flags[] = {0, 1, 0, 0, 0, 0};
+
+static void read_estimation_control_flags(struct mip_reader *r, void *value) {
+    struct mip_filter_estimation_control_flags *v =
+        (struct mip_filter_estimation_control_flags *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_estimation_control_flags,
+                      sizeof(required_estimation_control_flags));
+    mip_read_group(r, 1, 1);
+    mip_read_u16(r, &v->flags, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_estimation_control_flags(struct mip_writer *w, const void *value) {
+    const struct mip_filter_estimation_control_flags *v =
+        (const struct mip_filter_estimation_control_flags *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_estimation_control_flags,
+                       sizeof(required_estimation_control_flags), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u16(w, &v->flags, 1);
+}
+
+const struct mip_codec mip_filter_estimation_control_flags_codec = {
+    0x0D,
+    MIP_FILTER_ESTIMATION_CONTROL_FLAGS_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_estimation_control_flags),
+    0,
+    read_estimation_control_flags,
+    write_estimation_control_flags,
+    NULL,
+};
+
+mip_error mip_filter_estimation_control_flags_decode(
+    struct mip_filter_estimation_control_flags *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_estimation_control_flags, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_estimation_control_flags_encode(
+    const struct mip_filter_estimation_control_flags *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_ESTIMATION_CONTROL_FLAGS_DESCRIPTOR,
+                            write_estimation_control_flags, value);
+}
+
+struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_write(
+    mip_filter_estimated_states flags) {
+    struct mip_filter_estimation_control_flags v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.flags = flags;
+    return v;
+}
+
+struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_read(void) {
+    struct mip_filter_estimation_control_flags v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_save(void) {
+    struct mip_filter_estimation_control_flags v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_load(void) {
+    struct mip_filter_estimation_control_flags v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_default(void) {
+    struct mip_filter_estimation_control_flags v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_estimation_control_flags_response(struct mip_reader *r, void *value) {
+    struct mip_filter_estimation_control_flags_response *v =
+        (struct mip_filter_estimation_control_flags_response *)value;
+    mip_read_u16(r, &v->flags, 1);
+}
+
+static void write_estimation_control_flags_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_estimation_control_flags_response *v =
+        (const struct mip_filter_estimation_control_flags_response *)value;
+    mip_write_u16(w, &v->flags, 1);
+}
+
+const struct mip_codec mip_filter_estimation_control_flags_response_codec = {
+    0x0D,
+    MIP_FILTER_ESTIMATION_CONTROL_FLAGS_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_estimation_control_flags_response),
+    0,
+    read_estimation_control_flags_response,
+    write_estimation_control_flags_response,
+    NULL,
+};
+
+mip_error mip_filter_estimation_control_flags_response_decode(
+    struct mip_filter_estimation_control_flags_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_estimation_control_flags_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_estimation_control_flags_response_encode(
+    const struct mip_filter_estimation_control_flags_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_ESTIMATION_CONTROL_FLAGS_RESPONSE_DESCRIPTOR,
+                            write_estimation_control_flags_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gnss_aiding_source_control[] = {0, 1, 0, 0, 0, 0};
+
+static void read_gnss_aiding_source_control(struct mip_reader *r, void *value) {
+    struct mip_filter_gnss_aiding_source_control *v =
+        (struct mip_filter_gnss_aiding_source_control *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gnss_aiding_source_control,
+                      sizeof(required_gnss_aiding_source_control));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->source, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_gnss_aiding_source_control(struct mip_writer *w, const void *value) {
+    const struct mip_filter_gnss_aiding_source_control *v =
+        (const struct mip_filter_gnss_aiding_source_control *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gnss_aiding_source_control,
+                       sizeof(required_gnss_aiding_source_control), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->source, 1);
+}
+
+const struct mip_codec mip_filter_gnss_aiding_source_control_codec = {
+    0x0D,
+    MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_gnss_aiding_source_control),
+    0,
+    read_gnss_aiding_source_control,
+    write_gnss_aiding_source_control,
+    NULL,
+};
+
+mip_error mip_filter_gnss_aiding_source_control_decode(
+    struct mip_filter_gnss_aiding_source_control *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_aiding_source_control, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_gnss_aiding_source_control_encode(
+    const struct mip_filter_gnss_aiding_source_control *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_DESCRIPTOR,
+                            write_gnss_aiding_source_control, value);
+}
+
+struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_write(
+    mip_filter_gnss_aiding_source source) {
+    struct mip_filter_gnss_aiding_source_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.source = source;
+    return v;
+}
+
+struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_read(void) {
+    struct mip_filter_gnss_aiding_source_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_save(void) {
+    struct mip_filter_gnss_aiding_source_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_load(void) {
+    struct mip_filter_gnss_aiding_source_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_default(void) {
+    struct mip_filter_gnss_aiding_source_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_gnss_aiding_source_control_response(struct mip_reader *r, void *value) {
+    struct mip_filter_gnss_aiding_source_control_response *v =
+        (struct mip_filter_gnss_aiding_source_control_response *)value;
+    mip_read_u8(r, &v->source, 1);
+}
+
+static void write_gnss_aiding_source_control_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_gnss_aiding_source_control_response *v =
+        (const struct mip_filter_gnss_aiding_source_control_response *)value;
+    mip_write_u8(w, &v->source, 1);
+}
+
+const struct mip_codec mip_filter_gnss_aiding_source_control_response_codec = {
+    0x0D,
+    MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_gnss_aiding_source_control_response),
+    0,
+    read_gnss_aiding_source_control_response,
+    write_gnss_aiding_source_control_response,
+    NULL,
+};
+
+mip_error mip_filter_gnss_aiding_source_control_response_decode(
+    struct mip_filter_gnss_aiding_source_control_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_aiding_source_control_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_gnss_aiding_source_control_response_encode(
+    const struct mip_filter_gnss_aiding_source_control_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
+                            write_gnss_aiding_source_control_response, value);
+}
+
+static void read_external_heading_update(struct mip_reader *r, void *value) {
+    struct mip_filter_external_heading_update *v =
+        (struct mip_filter_external_heading_update *)value;
+    mip_read_float(r, &v->heading, 1);
+    mip_read_float(r, &v->heading_uncertainty, 1);
+    mip_read_u8(r, &v->type, 1);
+}
+
+static void write_external_heading_update(struct mip_writer *w, const void *value) {
+    const struct mip_filter_external_heading_update *v =
+        (const struct mip_filter_external_heading_update *)value;
+    mip_write_float(w, &v->heading, 1);
+    mip_write_float(w, &v->heading_uncertainty, 1);
+    mip_write_u8(w, &v->type, 1);
+}
+
+const struct mip_codec mip_filter_external_heading_update_codec = {
+    0x0D,
+    MIP_FILTER_EXTERNAL_HEADING_UPDATE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_external_heading_update),
+    0,
+    read_external_heading_update,
+    write_external_heading_update,
+    NULL,
+};
+
+mip_error mip_filter_external_heading_update_decode(
+    struct mip_filter_external_heading_update *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_external_heading_update, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_external_heading_update_encode(
+    const struct mip_filter_external_heading_update *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_EXTERNAL_HEADING_UPDATE_DESCRIPTOR,
+                            write_external_heading_update, value);
+}
+
+struct mip_filter_external_heading_update mip_filter_external_heading_update_make(
+    float heading, float heading_uncertainty, mip_filter_heading_type type) {
+    struct mip_filter_external_heading_update v;
+    memset(&v, 0, sizeof(v));
+    v.heading = heading;
+    v.heading_uncertainty = heading_uncertainty;
+    v.type = type;
+    return v;
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_heading_update_control[] = {0, 1, 0, 0, 0, 0};
+
+static void read_heading_update_control(struct mip_reader *r, void *value) {
+    struct mip_filter_heading_update_control *v = (struct mip_filter_heading_update_control *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_heading_update_control,
+                      sizeof(required_heading_update_control));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->enable, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_heading_update_control(struct mip_writer *w, const void *value) {
+    const struct mip_filter_heading_update_control *v =
+        (const struct mip_filter_heading_update_control *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_heading_update_control,
+                       sizeof(required_heading_update_control), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->enable, 1);
+}
+
+const struct mip_codec mip_filter_heading_update_control_codec = {
+    0x0D,
+    MIP_FILTER_HEADING_UPDATE_CONTROL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_heading_update_control),
+    0,
+    read_heading_update_control,
+    write_heading_update_control,
+    NULL,
+};
+
+mip_error mip_filter_heading_update_control_decode(struct mip_filter_heading_update_control *value,
+                                                   const struct mip_field *field) {
+    return mip_decode_field(field, read_heading_update_control, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_heading_update_control_encode(
+    const struct mip_filter_heading_update_control *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_HEADING_UPDATE_CONTROL_DESCRIPTOR,
+                            write_heading_update_control, value);
+}
+
+struct mip_filter_heading_update_control mip_filter_heading_update_control_write(
+    mip_filter_heading_update_source enable) {
+    struct mip_filter_heading_update_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.enable = enable;
+    return v;
+}
+
+struct mip_filter_heading_update_control mip_filter_heading_update_control_read(void) {
+    struct mip_filter_heading_update_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_heading_update_control mip_filter_heading_update_control_save(void) {
+    struct mip_filter_heading_update_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_heading_update_control mip_filter_heading_update_control_load(void) {
+    struct mip_filter_heading_update_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_heading_update_control mip_filter_heading_update_control_default(void) {
+    struct mip_filter_heading_update_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_heading_update_control_response(struct mip_reader *r, void *value) {
+    struct mip_filter_heading_update_control_response *v =
+        (struct mip_filter_heading_update_control_response *)value;
+    mip_read_u8(r, &v->enable, 1);
+}
+
+static void write_heading_update_control_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_heading_update_control_response *v =
+        (const struct mip_filter_heading_update_control_response *)value;
+    mip_write_u8(w, &v->enable, 1);
+}
+
+const struct mip_codec mip_filter_heading_update_control_response_codec = {
+    0x0D,
+    MIP_FILTER_HEADING_UPDATE_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_heading_update_control_response),
+    0,
+    read_heading_update_control_response,
+    write_heading_update_control_response,
+    NULL,
+};
+
+mip_error mip_filter_heading_update_control_response_decode(
+    struct mip_filter_heading_update_control_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_heading_update_control_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_heading_update_control_response_encode(
+    const struct mip_filter_heading_update_control_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_HEADING_UPDATE_CONTROL_RESPONSE_DESCRIPTOR,
+                            write_heading_update_control_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_auto_initialization_control[] = {0, 1, 0, 0, 0, 0};
+
+static void read_auto_initialization_control(struct mip_reader *r, void *value) {
+    struct mip_filter_auto_initialization_control *v =
+        (struct mip_filter_auto_initialization_control *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_auto_initialization_control,
+                      sizeof(required_auto_initialization_control));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->enable, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_auto_initialization_control(struct mip_writer *w, const void *value) {
+    const struct mip_filter_auto_initialization_control *v =
+        (const struct mip_filter_auto_initialization_control *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_auto_initialization_control,
+                       sizeof(required_auto_initialization_control), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->enable, 1);
+}
+
+const struct mip_codec mip_filter_auto_initialization_control_codec = {
+    0x0D,
+    MIP_FILTER_AUTO_INITIALIZATION_CONTROL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_auto_initialization_control),
+    0,
+    read_auto_initialization_control,
+    write_auto_initialization_control,
+    NULL,
+};
+
+mip_error mip_filter_auto_initialization_control_decode(
+    struct mip_filter_auto_initialization_control *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_auto_initialization_control, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_auto_initialization_control_encode(
+    const struct mip_filter_auto_initialization_control *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_AUTO_INITIALIZATION_CONTROL_DESCRIPTOR,
+                            write_auto_initialization_control, value);
+}
+
+struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_write(
+    uint8_t enable) {
+    struct mip_filter_auto_initialization_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.enable = enable;
+    return v;
+}
+
+struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_read(void) {
+    struct mip_filter_auto_initialization_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_save(void) {
+    struct mip_filter_auto_initialization_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_load(void) {
+    struct mip_filter_auto_initialization_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_default(void) {
+    struct mip_filter_auto_initialization_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_auto_initialization_control_response(struct mip_reader *r, void *value) {
+    struct mip_filter_auto_initialization_control_response *v =
+        (struct mip_filter_auto_initialization_control_response *)value;
+    mip_read_u8(r, &v->enable, 1);
+}
+
+static void write_auto_initialization_control_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_auto_initialization_control_response *v =
+        (const struct mip_filter_auto_initialization_control_response *)value;
+    mip_write_u8(w, &v->enable, 1);
+}
+
+const struct mip_codec mip_filter_auto_initialization_control_response_codec = {
+    0x0D,
+    MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_auto_initialization_control_response),
+    0,
+    read_auto_initialization_control_response,
+    write_auto_initialization_control_response,
+    NULL,
+};
+
+mip_error mip_filter_auto_initialization_control_response_decode(
+    struct mip_filter_auto_initialization_control_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_auto_initialization_control_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_auto_initialization_control_response_encode(
+    const struct mip_filter_auto_initialization_control_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_DESCRIPTOR,
+                            write_auto_initialization_control_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_accelerometer_noise_standard_deviation[] = {0, 1, 0, 0, 0, 0};
+
+static void read_accelerometer_noise_standard_deviation(struct mip_reader *r, void *value) {
+    struct mip_filter_accelerometer_noise_standard_deviation *v =
+        (struct mip_filter_accelerometer_noise_standard_deviation *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_accelerometer_noise_standard_deviation,
+                      sizeof(required_accelerometer_noise_standard_deviation));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->noise, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_accelerometer_noise_standard_deviation(struct mip_writer *w, const void *value) {
+    const struct mip_filter_accelerometer_noise_standard_deviation *v =
+        (const struct mip_filter_accelerometer_noise_standard_deviation *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_accelerometer_noise_standard_deviation,
+                       sizeof(required_accelerometer_noise_standard_deviation), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->noise, 3);
+}
+
+const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_codec = {
+    0x0D,
+    MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_accelerometer_noise_standard_deviation),
+    0,
+    read_accelerometer_noise_standard_deviation,
+    write_accelerometer_noise_standard_deviation,
+    NULL,
+};
+
+mip_error mip_filter_accelerometer_noise_standard_deviation_decode(
+    struct mip_filter_accelerometer_noise_standard_deviation *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_accelerometer_noise_standard_deviation, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_accelerometer_noise_standard_deviation_encode(
+    const struct mip_filter_accelerometer_noise_standard_deviation *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
+                            write_accelerometer_noise_standard_deviation, value);
+}
+
+struct mip_filter_accelerometer_noise_standard_deviation
+mip_filter_accelerometer_noise_standard_deviation_write(const float noise[3]) {
+    struct mip_filter_accelerometer_noise_standard_deviation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.noise, noise, sizeof(v.noise));
+    return v;
+}
+
+struct mip_filter_accelerometer_noise_standard_deviation
+mip_filter_accelerometer_noise_standard_deviation_read(void) {
+    struct mip_filter_accelerometer_noise_standard_deviation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_accelerometer_noise_standard_deviation
+mip_filter_accelerometer_noise_standard_deviation_save(void) {
+    struct mip_filter_accelerometer_noise_standard_deviation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_accelerometer_noise_standard_deviation
+mip_filter_accelerometer_noise_standard_deviation_load(void) {
+    struct mip_filter_accelerometer_noise_standard_deviation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_accelerometer_noise_standard_deviation
+mip_filter_accelerometer_noise_standard_deviation_default(void) {
+    struct mip_filter_accelerometer_noise_standard_deviation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_accelerometer_noise_standard_deviation_response(struct mip_reader *r,
+                                                                 void *value) {
+    struct mip_filter_accelerometer_noise_standard_deviation_response *v =
+        (struct mip_filter_accelerometer_noise_standard_deviation_response *)value;
+    mip_read_float(r, v->noise, 3);
+}
+
+static void write_accelerometer_noise_standard_deviation_response(struct mip_writer *w,
+                                                                  const void *value) {
+    const struct mip_filter_accelerometer_noise_standard_deviation_response *v =
+        (const struct mip_filter_accelerometer_noise_standard_deviation_response *)value;
+    mip_write_float(w, v->noise, 3);
+}
+
+const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_response_codec = {
+    0x0D,
+    MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_accelerometer_noise_standard_deviation_response),
+    0,
+    read_accelerometer_noise_standard_deviation_response,
+    write_accelerometer_noise_standard_deviation_response,
+    NULL,
+};
+
+mip_error mip_filter_accelerometer_noise_standard_deviation_response_decode(
+    struct mip_filter_accelerometer_noise_standard_deviation_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_accelerometer_noise_standard_deviation_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_accelerometer_noise_standard_deviation_response_encode(
+    const struct mip_filter_accelerometer_noise_standard_deviation_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder,
+                            MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
+                            write_accelerometer_noise_standard_deviation_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gyroscope_noise_standard_deviation[] = {0, 1, 0, 0, 0, 0};
+
+static void read_gyroscope_noise_standard_deviation(struct mip_reader *r, void *value) {
+    struct mip_filter_gyroscope_noise_standard_deviation *v =
+        (struct mip_filter_gyroscope_noise_standard_deviation *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gyroscope_noise_standard_deviation,
+                      sizeof(required_gyroscope_noise_standard_deviation));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->noise, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_gyroscope_noise_standard_deviation(struct mip_writer *w, const void *value) {
+    const struct mip_filter_gyroscope_noise_standard_deviation *v =
+        (const struct mip_filter_gyroscope_noise_standard_deviation *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gyroscope_noise_standard_deviation,
+                       sizeof(required_gyroscope_noise_standard_deviation), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->noise, 3);
+}
+
+const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_codec = {
+    0x0D,
+    MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_gyroscope_noise_standard_deviation),
+    0,
+    read_gyroscope_noise_standard_deviation,
+    write_gyroscope_noise_standard_deviation,
+    NULL,
+};
+
+mip_error mip_filter_gyroscope_noise_standard_deviation_decode(
+    struct mip_filter_gyroscope_noise_standard_deviation *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gyroscope_noise_standard_deviation, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_gyroscope_noise_standard_deviation_encode(
+    const struct mip_filter_gyroscope_noise_standard_deviation *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
+                            write_gyroscope_noise_standard_deviation, value);
+}
+
+struct mip_filter_gyroscope_noise_standard_deviation
+mip_filter_gyroscope_noise_standard_deviation_write(const float noise[3]) {
+    struct mip_filter_gyroscope_noise_standard_deviation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.noise, noise, sizeof(v.noise));
+    return v;
+}
+
+struct mip_filter_gyroscope_noise_standard_deviation
+mip_filter_gyroscope_noise_standard_deviation_read(void) {
+    struct mip_filter_gyroscope_noise_standard_deviation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_gyroscope_noise_standard_deviation
+mip_filter_gyroscope_noise_standard_deviation_save(void) {
+    struct mip_filter_gyroscope_noise_standard_deviation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_gyroscope_noise_standard_deviation
+mip_filter_gyroscope_noise_standard_deviation_load(void) {
+    struct mip_filter_gyroscope_noise_standard_deviation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_gyroscope_noise_standard_deviation
+mip_filter_gyroscope_noise_standard_deviation_default(void) {
+    struct mip_filter_gyroscope_noise_standard_deviation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_gyroscope_noise_standard_deviation_response(struct mip_reader *r, void *value) {
+    struct mip_filter_gyroscope_noise_standard_deviation_response *v =
+        (struct mip_filter_gyroscope_noise_standard_deviation_response *)value;
+    mip_read_float(r, v->noise, 3);
+}
+
+static void write_gyroscope_noise_standard_deviation_response(struct mip_writer *w,
+                                                              const void *value) {
+    const struct mip_filter_gyroscope_noise_standard_deviation_response *v =
+        (const struct mip_filter_gyroscope_noise_standard_deviation_response *)value;
+    mip_write_float(w, v->noise, 3);
+}
+
+const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_response_codec = {
+    0x0D,
+    MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_gyroscope_noise_standard_deviation_response),
+    0,
+    read_gyroscope_noise_standard_deviation_response,
+    write_gyroscope_noise_standard_deviation_response,
+    NULL,
+};
+
+mip_error mip_filter_gyroscope_noise_standard_deviation_response_decode(
+    struct mip_filter_gyroscope_noise_standard_deviation_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_gyroscope_noise_standard_deviation_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_gyroscope_noise_standard_deviation_response_encode(
+    const struct mip_filter_gyroscope_noise_standard_deviation_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder,
+                            MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
+                            write_gyroscope_noise_standard_deviation_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_accelerometer_bias_model_parameters[] = {0, 2, 0, 0, 0, 0};
+
+static void read_accelerometer_bias_model_parameters(struct mip_reader *r, void *value) {
+    struct mip_filter_accelerometer_bias_model_parameters *v =
+        (struct mip_filter_accelerometer_bias_model_parameters *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_accelerometer_bias_model_parameters,
+                      sizeof(required_accelerometer_bias_model_parameters));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->beta, 3);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, v->noise, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_accelerometer_bias_model_parameters(struct mip_writer *w, const void *value) {
+    const struct mip_filter_accelerometer_bias_model_parameters *v =
+        (const struct mip_filter_accelerometer_bias_model_parameters *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_accelerometer_bias_model_parameters,
+                       sizeof(required_accelerometer_bias_model_parameters), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->beta, 3);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, v->noise, 3);
+}
+
+const struct mip_codec mip_filter_accelerometer_bias_model_parameters_codec = {
+    0x0D,
+    MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_accelerometer_bias_model_parameters),
+    0,
+    read_accelerometer_bias_model_parameters,
+    write_accelerometer_bias_model_parameters,
+    NULL,
+};
+
+mip_error mip_filter_accelerometer_bias_model_parameters_decode(
+    struct mip_filter_accelerometer_bias_model_parameters *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_accelerometer_bias_model_parameters, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_accelerometer_bias_model_parameters_encode(
+    const struct mip_filter_accelerometer_bias_model_parameters *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
+                            write_accelerometer_bias_model_parameters, value);
+}
+
+struct mip_filter_accelerometer_bias_model_parameters
+mip_filter_accelerometer_bias_model_parameters_write(const float beta[3], const float noise[3]) {
+    struct mip_filter_accelerometer_bias_model_parameters v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.beta, beta, sizeof(v.beta));
+    memcpy(v.noise, noise, sizeof(v.noise));
+    return v;
+}
+
+struct mip_filter_accelerometer_bias_model_parameters
+mip_filter_accelerometer_bias_model_parameters_read(void) {
+    struct mip_filter_accelerometer_bias_model_parameters v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_accelerometer_bias_model_parameters
+mip_filter_accelerometer_bias_model_parameters_save(void) {
+    struct mip_filter_accelerometer_bias_model_parameters v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_accelerometer_bias_model_parameters
+mip_filter_accelerometer_bias_model_parameters_load(void) {
+    struct mip_filter_accelerometer_bias_model_parameters v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_accelerometer_bias_model_parameters
+mip_filter_accelerometer_bias_model_parameters_default(void) {
+    struct mip_filter_accelerometer_bias_model_parameters v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_accelerometer_bias_model_parameters_response(struct mip_reader *r, void *value) {
+    struct mip_filter_accelerometer_bias_model_parameters_response *v =
+        (struct mip_filter_accelerometer_bias_model_parameters_response *)value;
+    mip_read_float(r, v->beta, 3);
+    mip_read_float(r, v->noise, 3);
+}
+
+static void write_accelerometer_bias_model_parameters_response(struct mip_writer *w,
+                                                               const void *value) {
+    const struct mip_filter_accelerometer_bias_model_parameters_response *v =
+        (const struct mip_filter_accelerometer_bias_model_parameters_response *)value;
+    mip_write_float(w, v->beta, 3);
+    mip_write_float(w, v->noise, 3);
+}
+
+const struct mip_codec mip_filter_accelerometer_bias_model_parameters_response_codec = {
+    0x0D,
+    MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_accelerometer_bias_model_parameters_response),
+    0,
+    read_accelerometer_bias_model_parameters_response,
+    write_accelerometer_bias_model_parameters_response,
+    NULL,
+};
+
+mip_error mip_filter_accelerometer_bias_model_parameters_response_decode(
+    struct mip_filter_accelerometer_bias_model_parameters_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_accelerometer_bias_model_parameters_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_accelerometer_bias_model_parameters_response_encode(
+    const struct mip_filter_accelerometer_bias_model_parameters_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder,
+                            MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR,
+                            write_accelerometer_bias_model_parameters_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gyroscope_bias_model_parameters[] = {0, 2, 0, 0, 0, 0};
+
+static void read_gyroscope_bias_model_parameters(struct mip_reader *r, void *value) {
+    struct mip_filter_gyroscope_bias_model_parameters *v =
+        (struct mip_filter_gyroscope_bias_model_parameters *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gyroscope_bias_model_parameters,
+                      sizeof(required_gyroscope_bias_model_parameters));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->beta, 3);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, v->noise, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_gyroscope_bias_model_parameters(struct mip_writer *w, const void *value) {
+    const struct mip_filter_gyroscope_bias_model_parameters *v =
+        (const struct mip_filter_gyroscope_bias_model_parameters *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gyroscope_bias_model_parameters,
+                       sizeof(required_gyroscope_bias_model_parameters), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->beta, 3);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, v->noise, 3);
+}
+
+const struct mip_codec mip_filter_gyroscope_bias_model_parameters_codec = {
+    0x0D,
+    MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_gyroscope_bias_model_parameters),
+    0,
+    read_gyroscope_bias_model_parameters,
+    write_gyroscope_bias_model_parameters,
+    NULL,
+};
+
+mip_error mip_filter_gyroscope_bias_model_parameters_decode(
+    struct mip_filter_gyroscope_bias_model_parameters *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gyroscope_bias_model_parameters, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_gyroscope_bias_model_parameters_encode(
+    const struct mip_filter_gyroscope_bias_model_parameters *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
+                            write_gyroscope_bias_model_parameters, value);
+}
+
+struct mip_filter_gyroscope_bias_model_parameters mip_filter_gyroscope_bias_model_parameters_write(
+    const float beta[3], const float noise[3]) {
+    struct mip_filter_gyroscope_bias_model_parameters v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.beta, beta, sizeof(v.beta));
+    memcpy(v.noise, noise, sizeof(v.noise));
+    return v;
+}
+
+struct mip_filter_gyroscope_bias_model_parameters
+mip_filter_gyroscope_bias_model_parameters_read(void) {
+    struct mip_filter_gyroscope_bias_model_parameters v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_gyroscope_bias_model_parameters
+mip_filter_gyroscope_bias_model_parameters_save(void) {
+    struct mip_filter_gyroscope_bias_model_parameters v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_gyroscope_bias_model_parameters
+mip_filter_gyroscope_bias_model_parameters_load(void) {
+    struct mip_filter_gyroscope_bias_model_parameters v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_gyroscope_bias_model_parameters
+mip_filter_gyroscope_bias_model_parameters_default(void) {
+    struct mip_filter_gyroscope_bias_model_parameters v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_gyroscope_bias_model_parameters_response(struct mip_reader *r, void *value) {
+    struct mip_filter_gyroscope_bias_model_parameters_response *v =
+        (struct mip_filter_gyroscope_bias_model_parameters_response *)value;
+    mip_read_float(r, v->beta, 3);
+    mip_read_float(r, v->noise, 3);
+}
+
+static void write_gyroscope_bias_model_parameters_response(struct mip_writer *w,
+                                                           const void *value) {
+    const struct mip_filter_gyroscope_bias_model_parameters_response *v =
+        (const struct mip_filter_gyroscope_bias_model_parameters_response *)value;
+    mip_write_float(w, v->beta, 3);
+    mip_write_float(w, v->noise, 3);
+}
+
+const struct mip_codec mip_filter_gyroscope_bias_model_parameters_response_codec = {
+    0x0D,
+    MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_gyroscope_bias_model_parameters_response),
+    0,
+    read_gyroscope_bias_model_parameters_response,
+    write_gyroscope_bias_model_parameters_response,
+    NULL,
+};
+
+mip_error mip_filter_gyroscope_bias_model_parameters_response_decode(
+    struct mip_filter_gyroscope_bias_model_parameters_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_gyroscope_bias_model_parameters_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_gyroscope_bias_model_parameters_response_encode(
+    const struct mip_filter_gyroscope_bias_model_parameters_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR,
+                            write_gyroscope_bias_model_parameters_response, value);
+}
+
+static void read_external_heading_update_with_time(struct mip_reader *r, void *value) {
+    struct mip_filter_external_heading_update_with_time *v =
+        (struct mip_filter_external_heading_update_with_time *)value;
+    mip_read_double(r, &v->gps_time, 1);
+    mip_read_u16(r, &v->gps_week, 1);
+    mip_read_float(r, &v->heading, 1);
+    mip_read_float(r, &v->heading_uncertainty, 1);
+    mip_read_u8(r, &v->type, 1);
+}
+
+static void write_external_heading_update_with_time(struct mip_writer *w, const void *value) {
+    const struct mip_filter_external_heading_update_with_time *v =
+        (const struct mip_filter_external_heading_update_with_time *)value;
+    mip_write_double(w, &v->gps_time, 1);
+    mip_write_u16(w, &v->gps_week, 1);
+    mip_write_float(w, &v->heading, 1);
+    mip_write_float(w, &v->heading_uncertainty, 1);
+    mip_write_u8(w, &v->type, 1);
+}
+
+const struct mip_codec mip_filter_external_heading_update_with_time_codec = {
+    0x0D,
+    MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_external_heading_update_with_time),
+    0,
+    read_external_heading_update_with_time,
+    write_external_heading_update_with_time,
+    NULL,
+};
+
+mip_error mip_filter_external_heading_update_with_time_decode(
+    struct mip_filter_external_heading_update_with_time *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_external_heading_update_with_time, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_external_heading_update_with_time_encode(
+    const struct mip_filter_external_heading_update_with_time *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_DESCRIPTOR,
+                            write_external_heading_update_with_time, value);
+}
+
+struct mip_filter_external_heading_update_with_time
+mip_filter_external_heading_update_with_time_make(double gps_time, uint16_t gps_week, float heading,
+                                                  float heading_uncertainty,
+                                                  mip_filter_heading_type type) {
+    struct mip_filter_external_heading_update_with_time v;
+    memset(&v, 0, sizeof(v));
+    v.gps_time = gps_time;
+    v.gps_week = gps_week;
+    v.heading = heading;
+    v.heading_uncertainty = heading_uncertainty;
+    v.type = type;
+    return v;
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_zero_angular_rate_update_control[] = {0, 2, 0, 0, 0, 0};
+
+static void read_zero_angular_rate_update_control(struct mip_reader *r, void *value) {
+    struct mip_filter_zero_angular_rate_update_control *v =
+        (struct mip_filter_zero_angular_rate_update_control *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_zero_angular_rate_update_control,
+                      sizeof(required_zero_angular_rate_update_control));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->enable, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, &v->threshold, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_zero_angular_rate_update_control(struct mip_writer *w, const void *value) {
+    const struct mip_filter_zero_angular_rate_update_control *v =
+        (const struct mip_filter_zero_angular_rate_update_control *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_zero_angular_rate_update_control,
+                       sizeof(required_zero_angular_rate_update_control), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->enable, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, &v->threshold, 1);
+}
+
+const struct mip_codec mip_filter_zero_angular_rate_update_control_codec = {
+    0x0D,
+    MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_zero_angular_rate_update_control),
+    0,
+    read_zero_angular_rate_update_control,
+    write_zero_angular_rate_update_control,
+    NULL,
+};
+
+mip_error mip_filter_zero_angular_rate_update_control_decode(
+    struct mip_filter_zero_angular_rate_update_control *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_zero_angular_rate_update_control, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_zero_angular_rate_update_control_encode(
+    const struct mip_filter_zero_angular_rate_update_control *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_DESCRIPTOR,
+                            write_zero_angular_rate_update_control, value);
+}
+
+struct mip_filter_zero_angular_rate_update_control
+mip_filter_zero_angular_rate_update_control_write(uint8_t enable, float threshold) {
+    struct mip_filter_zero_angular_rate_update_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.enable = enable;
+    v.threshold = threshold;
+    return v;
+}
+
+struct mip_filter_zero_angular_rate_update_control
+mip_filter_zero_angular_rate_update_control_read(void) {
+    struct mip_filter_zero_angular_rate_update_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_zero_angular_rate_update_control
+mip_filter_zero_angular_rate_update_control_save(void) {
+    struct mip_filter_zero_angular_rate_update_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_zero_angular_rate_update_control
+mip_filter_zero_angular_rate_update_control_load(void) {
+    struct mip_filter_zero_angular_rate_update_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_zero_angular_rate_update_control
+mip_filter_zero_angular_rate_update_control_default(void) {
+    struct mip_filter_zero_angular_rate_update_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_zero_angular_rate_update_control_response(struct mip_reader *r, void *value) {
+    struct mip_filter_zero_angular_rate_update_control_response *v =
+        (struct mip_filter_zero_angular_rate_update_control_response *)value;
+    mip_read_u8(r, &v->enable, 1);
+    mip_read_float(r, &v->threshold, 1);
+}
+
+static void write_zero_angular_rate_update_control_response(struct mip_writer *w,
+                                                            const void *value) {
+    const struct mip_filter_zero_angular_rate_update_control_response *v =
+        (const struct mip_filter_zero_angular_rate_update_control_response *)value;
+    mip_write_u8(w, &v->enable, 1);
+    mip_write_float(w, &v->threshold, 1);
+}
+
+const struct mip_codec mip_filter_zero_angular_rate_update_control_response_codec = {
+    0x0D,
+    MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_zero_angular_rate_update_control_response),
+    0,
+    read_zero_angular_rate_update_control_response,
+    write_zero_angular_rate_update_control_response,
+    NULL,
+};
+
+mip_error mip_filter_zero_angular_rate_update_control_response_decode(
+    struct mip_filter_zero_angular_rate_update_control_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_zero_angular_rate_update_control_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_zero_angular_rate_update_control_response_encode(
+    const struct mip_filter_zero_angular_rate_update_control_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder,
+                            MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_DESCRIPTOR,
+                            write_zero_angular_rate_update_control_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_tare_orientation[] = {0, 1, 0, 0, 0, 0};
+
+static void read_tare_orientation(struct mip_reader *r, void *value) {
+    struct mip_filter_tare_orientation *v = (struct mip_filter_tare_orientation *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_tare_orientation, sizeof(required_tare_orientation));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->axes, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_tare_orientation(struct mip_writer *w, const void *value) {
+    const struct mip_filter_tare_orientation *v = (const struct mip_filter_tare_orientation *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_tare_orientation, sizeof(required_tare_orientation),
+                       v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->axes, 1);
+}
+
+const struct mip_codec mip_filter_tare_orientation_codec = {
+    0x0D,
+    MIP_FILTER_TARE_ORIENTATION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_tare_orientation),
+    0,
+    read_tare_orientation,
+    write_tare_orientation,
+    NULL,
+};
+
+mip_error mip_filter_tare_orientation_decode(struct mip_filter_tare_orientation *value,
+                                             const struct mip_field *field) {
+    return mip_decode_field(field, read_tare_orientation, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_tare_orientation_encode(const struct mip_filter_tare_orientation *value,
+                                             struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_TARE_ORIENTATION_DESCRIPTOR, write_tare_orientation,
+                            value);
+}
+
+struct mip_filter_tare_orientation mip_filter_tare_orientation_write(mip_filter_tare_axes axes) {
+    struct mip_filter_tare_orientation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.axes = axes;
+    return v;
+}
+
+struct mip_filter_tare_orientation mip_filter_tare_orientation_save(void) {
+    struct mip_filter_tare_orientation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_tare_orientation mip_filter_tare_orientation_load(void) {
+    struct mip_filter_tare_orientation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_tare_orientation mip_filter_tare_orientation_default(void) {
+    struct mip_filter_tare_orientation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+const struct mip_codec mip_filter_commanded_zero_angular_rate_update_codec = {
+    0x0D,
+    MIP_FILTER_COMMANDED_ZERO_ANGULAR_RATE_UPDATE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_commanded_zero_angular_rate_update),
+    0,
+    mip_read_nothing,
+    mip_write_nothing,
+    NULL,
+};
+
+mip_error mip_filter_commanded_zero_angular_rate_update_decode(
+    struct mip_filter_commanded_zero_angular_rate_update *value, const struct mip_field *field) {
+    return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_commanded_zero_angular_rate_update_encode(
+    const struct mip_filter_commanded_zero_angular_rate_update *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_COMMANDED_ZERO_ANGULAR_RATE_UPDATE_DESCRIPTOR,
+                            mip_write_nothing, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_set_reference_position[] = {0, 4, 0, 0, 0, 0};
+
+static void read_set_reference_position(struct mip_reader *r, void *value) {
+    struct mip_filter_set_reference_position *v = (struct mip_filter_set_reference_position *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_set_reference_position,
+                      sizeof(required_set_reference_position));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->enable, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_double(r, &v->latitude, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_double(r, &v->longitude, 1);
+    mip_read_group(r, 4, 4);
+    mip_read_double(r, &v->altitude, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_set_reference_position(struct mip_writer *w, const void *value) {
+    const struct mip_filter_set_reference_position *v =
+        (const struct mip_filter_set_reference_position *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_set_reference_position,
+                       sizeof(required_set_reference_position), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->enable, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_double(w, &v->latitude, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_double(w, &v->longitude, 1);
+    mip_write_group(w, 4, 4);
+    mip_write_double(w, &v->altitude, 1);
+}
+
+const struct mip_codec mip_filter_set_reference_position_codec = {
+    0x0D,
+    MIP_FILTER_SET_REFERENCE_POSITION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_set_reference_position),
+    0,
+    read_set_reference_position,
+    write_set_reference_position,
+    NULL,
+};
+
+mip_error mip_filter_set_reference_position_decode(struct mip_filter_set_reference_position *value,
+                                                   const struct mip_field *field) {
+    return mip_decode_field(field, read_set_reference_position, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_set_reference_position_encode(
+    const struct mip_filter_set_reference_position *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_SET_REFERENCE_POSITION_DESCRIPTOR,
+                            write_set_reference_position, value);
+}
+
+struct mip_filter_set_reference_position mip_filter_set_reference_position_write(uint8_t enable,
+                                                                                 double latitude,
+                                                                                 double longitude,
+                                                                                 double altitude) {
+    struct mip_filter_set_reference_position v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.enable = enable;
+    v.latitude = latitude;
+    v.longitude = longitude;
+    v.altitude = altitude;
+    return v;
+}
+
+struct mip_filter_set_reference_position mip_filter_set_reference_position_read(void) {
+    struct mip_filter_set_reference_position v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_set_reference_position mip_filter_set_reference_position_save(void) {
+    struct mip_filter_set_reference_position v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_set_reference_position mip_filter_set_reference_position_load(void) {
+    struct mip_filter_set_reference_position v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_set_reference_position mip_filter_set_reference_position_default(void) {
+    struct mip_filter_set_reference_position v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_set_reference_position_response(struct mip_reader *r, void *value) {
+    struct mip_filter_set_reference_position_response *v =
+        (struct mip_filter_set_reference_position_response *)value;
+    mip_read_u8(r, &v->enable, 1);
+    mip_read_double(r, &v->latitude, 1);
+    mip_read_double(r, &v->longitude, 1);
+    mip_read_double(r, &v->altitude, 1);
+}
+
+static void write_set_reference_position_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_set_reference_position_response *v =
+        (const struct mip_filter_set_reference_position_response *)value;
+    mip_write_u8(w, &v->enable, 1);
+    mip_write_double(w, &v->latitude, 1);
+    mip_write_double(w, &v->longitude, 1);
+    mip_write_double(w, &v->altitude, 1);
+}
+
+const struct mip_codec mip_filter_set_reference_position_response_codec = {
+    0x0D,
+    MIP_FILTER_SET_REFERENCE_POSITION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_set_reference_position_response),
+    0,
+    read_set_reference_position_response,
+    write_set_reference_position_response,
+    NULL,
+};
+
+mip_error mip_filter_set_reference_position_response_decode(
+    struct mip_filter_set_reference_position_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_set_reference_position_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_set_reference_position_response_encode(
+    const struct mip_filter_set_reference_position_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_SET_REFERENCE_POSITION_RESPONSE_DESCRIPTOR,
+                            write_set_reference_position_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gravity_noise_standard_deviation[] = {0, 1, 0, 0, 0, 0};
+
+static void read_gravity_noise_standard_deviation(struct mip_reader *r, void *value) {
+    struct mip_filter_gravity_noise_standard_deviation *v =
+        (struct mip_filter_gravity_noise_standard_deviation *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gravity_noise_standard_deviation,
+                      sizeof(required_gravity_noise_standard_deviation));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->noise, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_gravity_noise_standard_deviation(struct mip_writer *w, const void *value) {
+    const struct mip_filter_gravity_noise_standard_deviation *v =
+        (const struct mip_filter_gravity_noise_standard_deviation *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gravity_noise_standard_deviation,
+                       sizeof(required_gravity_noise_standard_deviation), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->noise, 3);
+}
+
+const struct mip_codec mip_filter_gravity_noise_standard_deviation_codec = {
+    0x0D,
+    MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_gravity_noise_standard_deviation),
+    0,
+    read_gravity_noise_standard_deviation,
+    write_gravity_noise_standard_deviation,
+    NULL,
+};
+
+mip_error mip_filter_gravity_noise_standard_deviation_decode(
+    struct mip_filter_gravity_noise_standard_deviation *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gravity_noise_standard_deviation, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_gravity_noise_standard_deviation_encode(
+    const struct mip_filter_gravity_noise_standard_deviation *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
+                            write_gravity_noise_standard_deviation, value);
+}
+
+struct mip_filter_gravity_noise_standard_deviation
+mip_filter_gravity_noise_standard_deviation_write(const float noise[3]) {
+    struct mip_filter_gravity_noise_standard_deviation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.noise, noise, sizeof(v.noise));
+    return v;
+}
+
+struct mip_filter_gravity_noise_standard_deviation
+mip_filter_gravity_noise_standard_deviation_read(void) {
+    struct mip_filter_gravity_noise_standard_deviation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_gravity_noise_standard_deviation
+mip_filter_gravity_noise_standard_deviation_save(void) {
+    struct mip_filter_gravity_noise_standard_deviation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_gravity_noise_standard_deviation
+mip_filter_gravity_noise_standard_deviation_load(void) {
+    struct mip_filter_gravity_noise_standard_deviation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_gravity_noise_standard_deviation
+mip_filter_gravity_noise_standard_deviation_default(void) {
+    struct mip_filter_gravity_noise_standard_deviation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_gravity_noise_standard_deviation_response(struct mip_reader *r, void *value) {
+    struct mip_filter_gravity_noise_standard_deviation_response *v =
+        (struct mip_filter_gravity_noise_standard_deviation_response *)value;
+    mip_read_float(r, v->noise, 3);
+}
+
+static void write_gravity_noise_standard_deviation_response(struct mip_writer *w,
+                                                            const void *value) {
+    const struct mip_filter_gravity_noise_standard_deviation_response *v =
+        (const struct mip_filter_gravity_noise_standard_deviation_response *)value;
+    mip_write_float(w, v->noise, 3);
+}
+
+const struct mip_codec mip_filter_gravity_noise_standard_deviation_response_codec = {
+    0x0D,
+    MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_gravity_noise_standard_deviation_response),
+    0,
+    read_gravity_noise_standard_deviation_response,
+    write_gravity_noise_standard_deviation_response,
+    NULL,
+};
+
+mip_error mip_filter_gravity_noise_standard_deviation_response_decode(
+    struct mip_filter_gravity_noise_standard_deviation_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_gravity_noise_standard_deviation_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_gravity_noise_standard_deviation_response_encode(
+    const struct mip_filter_gravity_noise_standard_deviation_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder,
+                            MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
+                            write_gravity_noise_standard_deviation_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_enable_disable_measurements[] = {0, 1, 0, 0, 0, 0};
+
+static void read_enable_disable_measurements(struct mip_reader *r, void *value) {
+    struct mip_filter_enable_disable_measurements *v =
+        (struct mip_filter_enable_disable_measurements *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_enable_disable_measurements,
+                      sizeof(required_enable_disable_measurements));
+    mip_read_group(r, 1, 1);
+    mip_read_u16(r, &v->control, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_enable_disable_measurements(struct mip_writer *w, const void *value) {
+    const struct mip_filter_enable_disable_measurements *v =
+        (const struct mip_filter_enable_disable_measurements *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_enable_disable_measurements,
+                       sizeof(required_enable_disable_measurements), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u16(w, &v->control, 1);
+}
+
+const struct mip_codec mip_filter_enable_disable_measurements_codec = {
+    0x0D,
+    MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_enable_disable_measurements),
+    0,
+    read_enable_disable_measurements,
+    write_enable_disable_measurements,
+    NULL,
+};
+
+mip_error mip_filter_enable_disable_measurements_decode(
+    struct mip_filter_enable_disable_measurements *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_enable_disable_measurements, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_enable_disable_measurements_encode(
+    const struct mip_filter_enable_disable_measurements *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_DESCRIPTOR,
+                            write_enable_disable_measurements, value);
+}
+
+struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_write(
+    mip_filter_measurement_flags control) {
+    struct mip_filter_enable_disable_measurements v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.control = control;
+    return v;
+}
+
+struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_read(void) {
+    struct mip_filter_enable_disable_measurements v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_save(void) {
+    struct mip_filter_enable_disable_measurements v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_load(void) {
+    struct mip_filter_enable_disable_measurements v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_default(void) {
+    struct mip_filter_enable_disable_measurements v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_enable_disable_measurements_response(struct mip_reader *r, void *value) {
+    struct mip_filter_enable_disable_measurements_response *v =
+        (struct mip_filter_enable_disable_measurements_response *)value;
+    mip_read_u16(r, &v->control, 1);
+}
+
+static void write_enable_disable_measurements_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_enable_disable_measurements_response *v =
+        (const struct mip_filter_enable_disable_measurements_response *)value;
+    mip_write_u16(w, &v->control, 1);
+}
+
+const struct mip_codec mip_filter_enable_disable_measurements_response_codec = {
+    0x0D,
+    MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_enable_disable_measurements_response),
+    0,
+    read_enable_disable_measurements_response,
+    write_enable_disable_measurements_response,
+    NULL,
+};
+
+mip_error mip_filter_enable_disable_measurements_response_decode(
+    struct mip_filter_enable_disable_measurements_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_enable_disable_measurements_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_enable_disable_measurements_response_encode(
+    const struct mip_filter_enable_disable_measurements_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR,
+                            write_enable_disable_measurements_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_magnetic_field_declination_source_control[] = {0, 2, 0, 0, 0, 0};
+
+static void read_magnetic_field_declination_source_control(struct mip_reader *r, void *value) {
+    struct mip_filter_magnetic_field_declination_source_control *v =
+        (struct mip_filter_magnetic_field_declination_source_control *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_magnetic_field_declination_source_control,
+                      sizeof(required_magnetic_field_declination_source_control));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->source, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, &v->declination, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_magnetic_field_declination_source_control(struct mip_writer *w,
+                                                            const void *value) {
+    const struct mip_filter_magnetic_field_declination_source_control *v =
+        (const struct mip_filter_magnetic_field_declination_source_control *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_magnetic_field_declination_source_control,
+                       sizeof(required_magnetic_field_declination_source_control), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->source, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, &v->declination, 1);
+}
+
+const struct mip_codec mip_filter_magnetic_field_declination_source_control_codec = {
+    0x0D,
+    MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_magnetic_field_declination_source_control),
+    0,
+    read_magnetic_field_declination_source_control,
+    write_magnetic_field_declination_source_control,
+    NULL,
+};
+
+mip_error mip_filter_magnetic_field_declination_source_control_decode(
+    struct mip_filter_magnetic_field_declination_source_control *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_magnetic_field_declination_source_control, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_magnetic_field_declination_source_control_encode(
+    const struct mip_filter_magnetic_field_declination_source_control *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder,
+                            MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_DESCRIPTOR,
+                            write_magnetic_field_declination_source_control, value);
+}
+
+struct mip_filter_magnetic_field_declination_source_control
+mip_filter_magnetic_field_declination_source_control_write(mip_filter_declination_source source,
+                                                           float declination) {
+    struct mip_filter_magnetic_field_declination_source_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.source = source;
+    v.declination = declination;
+    return v;
+}
+
+struct mip_filter_magnetic_field_declination_source_control
+mip_filter_magnetic_field_declination_source_control_read(void) {
+    struct mip_filter_magnetic_field_declination_source_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_magnetic_field_declination_source_control
+mip_filter_magnetic_field_declination_source_control_save(void) {
+    struct mip_filter_magnetic_field_declination_source_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_magnetic_field_declination_source_control
+mip_filter_magnetic_field_declination_source_control_load(void) {
+    struct mip_filter_magnetic_field_declination_source_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_magnetic_field_declination_source_control
+mip_filter_magnetic_field_declination_source_control_default(void) {
+    struct mip_filter_magnetic_field_declination_source_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_magnetic_field_declination_source_control_response(struct mip_reader *r,
+                                                                    void *value) {
+    struct mip_filter_magnetic_field_declination_source_control_response *v =
+        (struct mip_filter_magnetic_field_declination_source_control_response *)value;
+    mip_read_u8(r, &v->source, 1);
+    mip_read_float(r, &v->declination, 1);
+}
+
+static void write_magnetic_field_declination_source_control_response(struct mip_writer *w,
+                                                                     const void *value) {
+    const struct mip_filter_magnetic_field_declination_source_control_response *v =
+        (const struct mip_filter_magnetic_field_declination_source_control_response *)value;
+    mip_write_u8(w, &v->source, 1);
+    mip_write_float(w, &v->declination, 1);
+}
+
+const struct mip_codec mip_filter_magnetic_field_declination_source_control_response_codec = {
+    0x0D,
+    MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_magnetic_field_declination_source_control_response),
+    0,
+    read_magnetic_field_declination_source_control_response,
+    write_magnetic_field_declination_source_control_response,
+    NULL,
+};
+
+mip_error mip_filter_magnetic_field_declination_source_control_response_decode(
+    struct mip_filter_magnetic_field_declination_source_control_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_magnetic_field_declination_source_control_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_magnetic_field_declination_source_control_response_encode(
+    const struct mip_filter_magnetic_field_declination_source_control_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(
+        builder, MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
+        write_magnetic_field_declination_source_control_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gravity_magnitude_error_adaptive_measurement[] = {0, 1, 0, 0, 0, 0};
+
+static void read_gravity_magnitude_error_adaptive_measurement(struct mip_reader *r, void *value) {
+    struct mip_filter_gravity_magnitude_error_adaptive_measurement *v =
+        (struct mip_filter_gravity_magnitude_error_adaptive_measurement *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gravity_magnitude_error_adaptive_measurement,
+                      sizeof(required_gravity_magnitude_error_adaptive_measurement));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->adaptive_measurement, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, &v->frequency, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_float(r, &v->low_limit, 1);
+    mip_read_group(r, 4, 4);
+    mip_read_float(r, &v->high_limit, 1);
+    mip_read_group(r, 5, 5);
+    mip_read_float(r, &v->low_limit_uncertainty, 1);
+    mip_read_group(r, 6, 6);
+    mip_read_float(r, &v->high_limit_uncertainty, 1);
+    mip_read_group(r, 7, 7);
+    mip_read_float(r, &v->minimum_uncertainty, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_gravity_magnitude_error_adaptive_measurement(struct mip_writer *w,
+                                                               const void *value) {
+    const struct mip_filter_gravity_magnitude_error_adaptive_measurement *v =
+        (const struct mip_filter_gravity_magnitude_error_adaptive_measurement *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gravity_magnitude_error_adaptive_measurement,
+                       sizeof(required_gravity_magnitude_error_adaptive_measurement), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->adaptive_measurement, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, &v->frequency, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_float(w, &v->low_limit, 1);
+    mip_write_group(w, 4, 4);
+    mip_write_float(w, &v->high_limit, 1);
+    mip_write_group(w, 5, 5);
+    mip_write_float(w, &v->low_limit_uncertainty, 1);
+    mip_write_group(w, 6, 6);
+    mip_write_float(w, &v->high_limit_uncertainty, 1);
+    mip_write_group(w, 7, 7);
+    mip_write_float(w, &v->minimum_uncertainty, 1);
+}
+
+const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_codec = {
+    0x0D,
+    MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement),
+    0,
+    read_gravity_magnitude_error_adaptive_measurement,
+    write_gravity_magnitude_error_adaptive_measurement,
+    NULL,
+};
+
+mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_decode(
+    struct mip_filter_gravity_magnitude_error_adaptive_measurement *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_gravity_magnitude_error_adaptive_measurement, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_encode(
+    const struct mip_filter_gravity_magnitude_error_adaptive_measurement *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder,
+                            MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
+                            write_gravity_magnitude_error_adaptive_measurement, value);
+}
+
+struct mip_filter_gravity_magnitude_error_adaptive_measurement
+mip_filter_gravity_magnitude_error_adaptive_measurement_write(
+    mip_filter_adaptive_measurement_selector adaptive_measurement) {
+    struct mip_filter_gravity_magnitude_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.adaptive_measurement = adaptive_measurement;
+    return v;
+}
+
+struct mip_filter_gravity_magnitude_error_adaptive_measurement
+mip_filter_gravity_magnitude_error_adaptive_measurement_read(void) {
+    struct mip_filter_gravity_magnitude_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_gravity_magnitude_error_adaptive_measurement
+mip_filter_gravity_magnitude_error_adaptive_measurement_save(void) {
+    struct mip_filter_gravity_magnitude_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_gravity_magnitude_error_adaptive_measurement
+mip_filter_gravity_magnitude_error_adaptive_measurement_load(void) {
+    struct mip_filter_gravity_magnitude_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_gravity_magnitude_error_adaptive_measurement
+mip_filter_gravity_magnitude_error_adaptive_measurement_default(void) {
+    struct mip_filter_gravity_magnitude_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_gravity_magnitude_error_adaptive_measurement_response(struct mip_reader *r,
+                                                                       void *value) {
+    struct mip_filter_gravity_magnitude_error_adaptive_measurement_response *v =
+        (struct mip_filter_gravity_magnitude_error_adaptive_measurement_response *)value;
+    mip_read_u8(r, &v->adaptive_measurement, 1);
+    mip_read_float(r, &v->frequency, 1);
+    mip_read_float(r, &v->low_limit, 1);
+    mip_read_float(r, &v->high_limit, 1);
+    mip_read_float(r, &v->low_limit_uncertainty, 1);
+    mip_read_float(r, &v->high_limit_uncertainty, 1);
+    mip_read_float(r, &v->minimum_uncertainty, 1);
+}
+
+static void write_gravity_magnitude_error_adaptive_measurement_response(struct mip_writer *w,
+                                                                        const void *value) {
+    const struct mip_filter_gravity_magnitude_error_adaptive_measurement_response *v =
+        (const struct mip_filter_gravity_magnitude_error_adaptive_measurement_response *)value;
+    mip_write_u8(w, &v->adaptive_measurement, 1);
+    mip_write_float(w, &v->frequency, 1);
+    mip_write_float(w, &v->low_limit, 1);
+    mip_write_float(w, &v->high_limit, 1);
+    mip_write_float(w, &v->low_limit_uncertainty, 1);
+    mip_write_float(w, &v->high_limit_uncertainty, 1);
+    mip_write_float(w, &v->minimum_uncertainty, 1);
+}
+
+const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_response_codec = {
+    0x0D,
+    MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response),
+    0,
+    read_gravity_magnitude_error_adaptive_measurement_response,
+    write_gravity_magnitude_error_adaptive_measurement_response,
+    NULL,
+};
+
+mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_decode(
+    struct mip_filter_gravity_magnitude_error_adaptive_measurement_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_gravity_magnitude_error_adaptive_measurement_response,
+                            value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_encode(
+    const struct mip_filter_gravity_magnitude_error_adaptive_measurement_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(
+        builder, MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
+        write_gravity_magnitude_error_adaptive_measurement_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_pitch_roll_aiding_control[] = {0, 1, 0, 0, 0, 0};
+
+static void read_pitch_roll_aiding_control(struct mip_reader *r, void *value) {
+    struct mip_filter_pitch_roll_aiding_control *v =
+        (struct mip_filter_pitch_roll_aiding_control *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_pitch_roll_aiding_control,
+                      sizeof(required_pitch_roll_aiding_control));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->aiding, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_pitch_roll_aiding_control(struct mip_writer *w, const void *value) {
+    const struct mip_filter_pitch_roll_aiding_control *v =
+        (const struct mip_filter_pitch_roll_aiding_control *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_pitch_roll_aiding_control,
+                       sizeof(required_pitch_roll_aiding_control), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->aiding, 1);
+}
+
+const struct mip_codec mip_filter_pitch_roll_aiding_control_codec = {
+    0x0D,
+    MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_pitch_roll_aiding_control),
+    0,
+    read_pitch_roll_aiding_control,
+    write_pitch_roll_aiding_control,
+    NULL,
+};
+
+mip_error mip_filter_pitch_roll_aiding_control_decode(
+    struct mip_filter_pitch_roll_aiding_control *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_pitch_roll_aiding_control, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_pitch_roll_aiding_control_encode(
+    const struct mip_filter_pitch_roll_aiding_control *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_DESCRIPTOR,
+                            write_pitch_roll_aiding_control, value);
+}
+
+struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_write(
+    mip_filter_pitch_roll_aiding_source aiding) {
+    struct mip_filter_pitch_roll_aiding_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.aiding = aiding;
+    return v;
+}
+
+struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_read(void) {
+    struct mip_filter_pitch_roll_aiding_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_save(void) {
+    struct mip_filter_pitch_roll_aiding_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_load(void) {
+    struct mip_filter_pitch_roll_aiding_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_default(void) {
+    struct mip_filter_pitch_roll_aiding_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_pitch_roll_aiding_control_response(struct mip_reader *r, void *value) {
+    struct mip_filter_pitch_roll_aiding_control_response *v =
+        (struct mip_filter_pitch_roll_aiding_control_response *)value;
+    mip_read_u8(r, &v->aiding, 1);
+}
+
+static void write_pitch_roll_aiding_control_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_pitch_roll_aiding_control_response *v =
+        (const struct mip_filter_pitch_roll_aiding_control_response *)value;
+    mip_write_u8(w, &v->aiding, 1);
+}
+
+const struct mip_codec mip_filter_pitch_roll_aiding_control_response_codec = {
+    0x0D,
+    MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_pitch_roll_aiding_control_response),
+    0,
+    read_pitch_roll_aiding_control_response,
+    write_pitch_roll_aiding_control_response,
+    NULL,
+};
+
+mip_error mip_filter_pitch_roll_aiding_control_response_decode(
+    struct mip_filter_pitch_roll_aiding_control_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_pitch_roll_aiding_control_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_pitch_roll_aiding_control_response_encode(
+    const struct mip_filter_pitch_roll_aiding_control_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_RESPONSE_DESCRIPTOR,
+                            write_pitch_roll_aiding_control_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_aiding_measurement_control[] = {0, 2, 1, 1, 1, 1};
+
+static void read_aiding_measurement_control(struct mip_reader *r, void *value) {
+    struct mip_filter_aiding_measurement_control *v =
+        (struct mip_filter_aiding_measurement_control *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_aiding_measurement_control,
+                      sizeof(required_aiding_measurement_control));
+    mip_read_group(r, 1, 1);
+    mip_read_u16(r, &v->aiding_source, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_bool(r, &v->enable, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_aiding_measurement_control(struct mip_writer *w, const void *value) {
+    const struct mip_filter_aiding_measurement_control *v =
+        (const struct mip_filter_aiding_measurement_control *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_aiding_measurement_control,
+                       sizeof(required_aiding_measurement_control), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u16(w, &v->aiding_source, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_bool(w, &v->enable, 1);
+}
+
+const struct mip_codec mip_filter_aiding_measurement_control_codec = {
+    0x0D,
+    MIP_FILTER_AIDING_MEASUREMENT_CONTROL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_aiding_measurement_control),
+    0,
+    read_aiding_measurement_control,
+    write_aiding_measurement_control,
+    NULL,
+};
+
+mip_error mip_filter_aiding_measurement_control_decode(
+    struct mip_filter_aiding_measurement_control *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_aiding_measurement_control, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_aiding_measurement_control_encode(
+    const struct mip_filter_aiding_measurement_control *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_AIDING_MEASUREMENT_CONTROL_DESCRIPTOR,
+                            write_aiding_measurement_control, value);
+}
+
+struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_write(
+    mip_filter_aiding_source aiding_source, mip_bool enable) {
+    struct mip_filter_aiding_measurement_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.aiding_source = aiding_source;
+    v.enable = enable;
+    return v;
+}
+
+struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_read(
+    mip_filter_aiding_source aiding_source) {
+    struct mip_filter_aiding_measurement_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    v.aiding_source = aiding_source;
+    return v;
+}
+
+struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_save(
+    mip_filter_aiding_source aiding_source) {
+    struct mip_filter_aiding_measurement_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    v.aiding_source = aiding_source;
+    return v;
+}
+
+struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_load(
+    mip_filter_aiding_source aiding_source) {
+    struct mip_filter_aiding_measurement_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    v.aiding_source = aiding_source;
+    return v;
+}
+
+struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_default(
+    mip_filter_aiding_source aiding_source) {
+    struct mip_filter_aiding_measurement_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    v.aiding_source = aiding_source;
+    return v;
+}
+
+static void read_aiding_measurement_control_response(struct mip_reader *r, void *value) {
+    struct mip_filter_aiding_measurement_control_response *v =
+        (struct mip_filter_aiding_measurement_control_response *)value;
+    mip_read_u16(r, &v->aiding_source, 1);
+    mip_read_bool(r, &v->enable, 1);
+}
+
+static void write_aiding_measurement_control_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_aiding_measurement_control_response *v =
+        (const struct mip_filter_aiding_measurement_control_response *)value;
+    mip_write_u16(w, &v->aiding_source, 1);
+    mip_write_bool(w, &v->enable, 1);
+}
+
+const struct mip_codec mip_filter_aiding_measurement_control_response_codec = {
+    0x0D,
+    MIP_FILTER_AIDING_MEASUREMENT_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_aiding_measurement_control_response),
+    0,
+    read_aiding_measurement_control_response,
+    write_aiding_measurement_control_response,
+    NULL,
+};
+
+mip_error mip_filter_aiding_measurement_control_response_decode(
+    struct mip_filter_aiding_measurement_control_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_aiding_measurement_control_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_aiding_measurement_control_response_encode(
+    const struct mip_filter_aiding_measurement_control_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_AIDING_MEASUREMENT_CONTROL_RESPONSE_DESCRIPTOR,
+                            write_aiding_measurement_control_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_navigation_filter_initialization[] = {0, 9, 0, 0, 0, 0};
+
+static void read_navigation_filter_initialization(struct mip_reader *r, void *value) {
+    struct mip_filter_navigation_filter_initialization *v =
+        (struct mip_filter_navigation_filter_initialization *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_navigation_filter_initialization,
+                      sizeof(required_navigation_filter_initialization));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->wait_for_run_command, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_u8(r, &v->initial_cond_src, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_u8(r, &v->auto_heading_alignment_selector, 1);
+    mip_read_group(r, 4, 4);
+    mip_read_float(r, &v->initial_heading, 1);
+    mip_read_group(r, 5, 5);
+    mip_read_float(r, &v->initial_pitch, 1);
+    mip_read_group(r, 6, 6);
+    mip_read_float(r, &v->initial_roll, 1);
+    mip_read_group(r, 7, 7);
+    mip_read_float(r, v->initial_position, 3);
+    mip_read_group(r, 8, 8);
+    mip_read_float(r, v->initial_velocity, 3);
+    mip_read_group(r, 9, 9);
+    mip_read_u8(r, &v->reference_frame_selector, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_navigation_filter_initialization(struct mip_writer *w, const void *value) {
+    const struct mip_filter_navigation_filter_initialization *v =
+        (const struct mip_filter_navigation_filter_initialization *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_navigation_filter_initialization,
+                       sizeof(required_navigation_filter_initialization), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->wait_for_run_command, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_u8(w, &v->initial_cond_src, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_u8(w, &v->auto_heading_alignment_selector, 1);
+    mip_write_group(w, 4, 4);
+    mip_write_float(w, &v->initial_heading, 1);
+    mip_write_group(w, 5, 5);
+    mip_write_float(w, &v->initial_pitch, 1);
+    mip_write_group(w, 6, 6);
+    mip_write_float(w, &v->initial_roll, 1);
+    mip_write_group(w, 7, 7);
+    mip_write_float(w, v->initial_position, 3);
+    mip_write_group(w, 8, 8);
+    mip_write_float(w, v->initial_velocity, 3);
+    mip_write_group(w, 9, 9);
+    mip_write_u8(w, &v->reference_frame_selector, 1);
+}
+
+const struct mip_codec mip_filter_navigation_filter_initialization_codec = {
+    0x0D,
+    MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_navigation_filter_initialization),
+    0,
+    read_navigation_filter_initialization,
+    write_navigation_filter_initialization,
+    NULL,
+};
+
+mip_error mip_filter_navigation_filter_initialization_decode(
+    struct mip_filter_navigation_filter_initialization *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_navigation_filter_initialization, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_navigation_filter_initialization_encode(
+    const struct mip_filter_navigation_filter_initialization *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_DESCRIPTOR,
+                            write_navigation_filter_initialization, value);
+}
+
+struct mip_filter_navigation_filter_initialization
+mip_filter_navigation_filter_initialization_write(
+    uint8_t wait_for_run_command, mip_filter_initial_condition_source initial_cond_src,
+    mip_filter_heading_alignment auto_heading_alignment_selector, float initial_heading,
+    float initial_pitch, float initial_roll, const float initial_position[3],
+    const float initial_velocity[3], mip_filter_reference_frame reference_frame_selector) {
+    struct mip_filter_navigation_filter_initialization v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.wait_for_run_command = wait_for_run_command;
+    v.initial_cond_src = initial_cond_src;
+    v.auto_heading_alignment_selector = auto_heading_alignment_selector;
+    v.initial_heading = initial_heading;
+    v.initial_pitch = initial_pitch;
+    v.initial_roll = initial_roll;
+    memcpy(v.initial_position, initial_position, sizeof(v.initial_position));
+    memcpy(v.initial_velocity, initial_velocity, sizeof(v.initial_velocity));
+    v.reference_frame_selector = reference_frame_selector;
+    return v;
+}
+
+struct mip_filter_navigation_filter_initialization
+mip_filter_navigation_filter_initialization_read(void) {
+    struct mip_filter_navigation_filter_initialization v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_navigation_filter_initialization
+mip_filter_navigation_filter_initialization_save(void) {
+    struct mip_filter_navigation_filter_initialization v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_navigation_filter_initialization
+mip_filter_navigation_filter_initialization_load(void) {
+    struct mip_filter_navigation_filter_initialization v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_navigation_filter_initialization
+mip_filter_navigation_filter_initialization_default(void) {
+    struct mip_filter_navigation_filter_initialization v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_navigation_filter_initialization_response(struct mip_reader *r, void *value) {
+    struct mip_filter_navigation_filter_initialization_response *v =
+        (struct mip_filter_navigation_filter_initialization_response *)value;
+    mip_read_u8(r, &v->wait_for_run_command, 1);
+    mip_read_u8(r, &v->initial_cond_src, 1);
+    mip_read_u8(r, &v->auto_heading_alignment_selector, 1);
+    mip_read_float(r, &v->initial_heading, 1);
+    mip_read_float(r, &v->initial_pitch, 1);
+    mip_read_float(r, &v->initial_roll, 1);
+    mip_read_float(r, v->initial_position, 3);
+    mip_read_float(r, v->initial_velocity, 3);
+    mip_read_u8(r, &v->reference_frame_selector, 1);
+}
+
+static void write_navigation_filter_initialization_response(struct mip_writer *w,
+                                                            const void *value) {
+    const struct mip_filter_navigation_filter_initialization_response *v =
+        (const struct mip_filter_navigation_filter_initialization_response *)value;
+    mip_write_u8(w, &v->wait_for_run_command, 1);
+    mip_write_u8(w, &v->initial_cond_src, 1);
+    mip_write_u8(w, &v->auto_heading_alignment_selector, 1);
+    mip_write_float(w, &v->initial_heading, 1);
+    mip_write_float(w, &v->initial_pitch, 1);
+    mip_write_float(w, &v->initial_roll, 1);
+    mip_write_float(w, v->initial_position, 3);
+    mip_write_float(w, v->initial_velocity, 3);
+    mip_write_u8(w, &v->reference_frame_selector, 1);
+}
+
+const struct mip_codec mip_filter_navigation_filter_initialization_response_codec = {
+    0x0D,
+    MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_navigation_filter_initialization_response),
+    0,
+    read_navigation_filter_initialization_response,
+    write_navigation_filter_initialization_response,
+    NULL,
+};
+
+mip_error mip_filter_navigation_filter_initialization_response_decode(
+    struct mip_filter_navigation_filter_initialization_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_navigation_filter_initialization_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_navigation_filter_initialization_response_encode(
+    const struct mip_filter_navigation_filter_initialization_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder,
+                            MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_RESPONSE_DESCRIPTOR,
+                            write_navigation_filter_initialization_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_adaptive_filter_control[] = {0, 2, 0, 0, 0, 0};
+
+static void read_adaptive_filter_control(struct mip_reader *r, void *value) {
+    struct mip_filter_adaptive_filter_control *v =
+        (struct mip_filter_adaptive_filter_control *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_adaptive_filter_control,
+                      sizeof(required_adaptive_filter_control));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->level, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_u16(r, &v->time_limit, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_adaptive_filter_control(struct mip_writer *w, const void *value) {
+    const struct mip_filter_adaptive_filter_control *v =
+        (const struct mip_filter_adaptive_filter_control *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_adaptive_filter_control,
+                       sizeof(required_adaptive_filter_control), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->level, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_u16(w, &v->time_limit, 1);
+}
+
+const struct mip_codec mip_filter_adaptive_filter_control_codec = {
+    0x0D,
+    MIP_FILTER_ADAPTIVE_FILTER_CONTROL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_adaptive_filter_control),
+    0,
+    read_adaptive_filter_control,
+    write_adaptive_filter_control,
+    NULL,
+};
+
+mip_error mip_filter_adaptive_filter_control_decode(
+    struct mip_filter_adaptive_filter_control *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_adaptive_filter_control, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_adaptive_filter_control_encode(
+    const struct mip_filter_adaptive_filter_control *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_ADAPTIVE_FILTER_CONTROL_DESCRIPTOR,
+                            write_adaptive_filter_control, value);
+}
+
+struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_write(
+    mip_filter_adaptive_level level, uint16_t time_limit) {
+    struct mip_filter_adaptive_filter_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.level = level;
+    v.time_limit = time_limit;
+    return v;
+}
+
+struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_read(void) {
+    struct mip_filter_adaptive_filter_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_save(void) {
+    struct mip_filter_adaptive_filter_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_load(void) {
+    struct mip_filter_adaptive_filter_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_default(void) {
+    struct mip_filter_adaptive_filter_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_adaptive_filter_control_response(struct mip_reader *r, void *value) {
+    struct mip_filter_adaptive_filter_control_response *v =
+        (struct mip_filter_adaptive_filter_control_response *)value;
+    mip_read_u8(r, &v->level, 1);
+    mip_read_u16(r, &v->time_limit, 1);
+}
+
+static void write_adaptive_filter_control_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_adaptive_filter_control_response *v =
+        (const struct mip_filter_adaptive_filter_control_response *)value;
+    mip_write_u8(w, &v->level, 1);
+    mip_write_u16(w, &v->time_limit, 1);
+}
+
+const struct mip_codec mip_filter_adaptive_filter_control_response_codec = {
+    0x0D,
+    MIP_FILTER_ADAPTIVE_FILTER_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_adaptive_filter_control_response),
+    0,
+    read_adaptive_filter_control_response,
+    write_adaptive_filter_control_response,
+    NULL,
+};
+
+mip_error mip_filter_adaptive_filter_control_response_decode(
+    struct mip_filter_adaptive_filter_control_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_adaptive_filter_control_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_adaptive_filter_control_response_encode(
+    const struct mip_filter_adaptive_filter_control_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_ADAPTIVE_FILTER_CONTROL_RESPONSE_DESCRIPTOR,
+                            write_adaptive_filter_control_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gnss_multi_antenna_offset_control[] = {0, 2, 1, 1, 1, 1};
+
+static void read_gnss_multi_antenna_offset_control(struct mip_reader *r, void *value) {
+    struct mip_filter_gnss_multi_antenna_offset_control *v =
+        (struct mip_filter_gnss_multi_antenna_offset_control *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gnss_multi_antenna_offset_control,
+                      sizeof(required_gnss_multi_antenna_offset_control));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->receiver_id, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, v->antenna_offset, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_gnss_multi_antenna_offset_control(struct mip_writer *w, const void *value) {
+    const struct mip_filter_gnss_multi_antenna_offset_control *v =
+        (const struct mip_filter_gnss_multi_antenna_offset_control *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gnss_multi_antenna_offset_control,
+                       sizeof(required_gnss_multi_antenna_offset_control), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->receiver_id, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, v->antenna_offset, 3);
+}
+
+const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_codec = {
+    0x0D,
+    MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_gnss_multi_antenna_offset_control),
+    0,
+    read_gnss_multi_antenna_offset_control,
+    write_gnss_multi_antenna_offset_control,
+    NULL,
+};
+
+mip_error mip_filter_gnss_multi_antenna_offset_control_decode(
+    struct mip_filter_gnss_multi_antenna_offset_control *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_multi_antenna_offset_control, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_gnss_multi_antenna_offset_control_encode(
+    const struct mip_filter_gnss_multi_antenna_offset_control *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
+                            write_gnss_multi_antenna_offset_control, value);
+}
+
+struct mip_filter_gnss_multi_antenna_offset_control
+mip_filter_gnss_multi_antenna_offset_control_write(uint8_t receiver_id,
+                                                   const float antenna_offset[3]) {
+    struct mip_filter_gnss_multi_antenna_offset_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.receiver_id = receiver_id;
+    memcpy(v.antenna_offset, antenna_offset, sizeof(v.antenna_offset));
+    return v;
+}
+
+struct mip_filter_gnss_multi_antenna_offset_control
+mip_filter_gnss_multi_antenna_offset_control_read(uint8_t receiver_id) {
+    struct mip_filter_gnss_multi_antenna_offset_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    v.receiver_id = receiver_id;
+    return v;
+}
+
+struct mip_filter_gnss_multi_antenna_offset_control
+mip_filter_gnss_multi_antenna_offset_control_save(uint8_t receiver_id) {
+    struct mip_filter_gnss_multi_antenna_offset_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    v.receiver_id = receiver_id;
+    return v;
+}
+
+struct mip_filter_gnss_multi_antenna_offset_control
+mip_filter_gnss_multi_antenna_offset_control_load(uint8_t receiver_id) {
+    struct mip_filter_gnss_multi_antenna_offset_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    v.receiver_id = receiver_id;
+    return v;
+}
+
+struct mip_filter_gnss_multi_antenna_offset_control
+mip_filter_gnss_multi_antenna_offset_control_default(uint8_t receiver_id) {
+    struct mip_filter_gnss_multi_antenna_offset_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    v.receiver_id = receiver_id;
+    return v;
+}
+
+static void read_gnss_multi_antenna_offset_control_response(struct mip_reader *r, void *value) {
+    struct mip_filter_gnss_multi_antenna_offset_control_response *v =
+        (struct mip_filter_gnss_multi_antenna_offset_control_response *)value;
+    mip_read_u8(r, &v->receiver_id, 1);
+    mip_read_float(r, v->antenna_offset, 3);
+}
+
+static void write_gnss_multi_antenna_offset_control_response(struct mip_writer *w,
+                                                             const void *value) {
+    const struct mip_filter_gnss_multi_antenna_offset_control_response *v =
+        (const struct mip_filter_gnss_multi_antenna_offset_control_response *)value;
+    mip_write_u8(w, &v->receiver_id, 1);
+    mip_write_float(w, v->antenna_offset, 3);
+}
+
+const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_response_codec = {
+    0x0D,
+    MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_gnss_multi_antenna_offset_control_response),
+    0,
+    read_gnss_multi_antenna_offset_control_response,
+    write_gnss_multi_antenna_offset_control_response,
+    NULL,
+};
+
+mip_error mip_filter_gnss_multi_antenna_offset_control_response_decode(
+    struct mip_filter_gnss_multi_antenna_offset_control_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_multi_antenna_offset_control_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_gnss_multi_antenna_offset_control_response_encode(
+    const struct mip_filter_gnss_multi_antenna_offset_control_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder,
+                            MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR,
+                            write_gnss_multi_antenna_offset_control_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_relative_position_configuration[] = {0, 3, 0, 0, 0, 0};
+
+static void read_relative_position_configuration(struct mip_reader *r, void *value) {
+    struct mip_filter_relative_position_configuration *v =
+        (struct mip_filter_relative_position_configuration *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_relative_position_configuration,
+                      sizeof(required_relative_position_configuration));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->source, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_u8(r, &v->reference_frame_selector, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_double(r, v->reference_coordinates, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_relative_position_configuration(struct mip_writer *w, const void *value) {
+    const struct mip_filter_relative_position_configuration *v =
+        (const struct mip_filter_relative_position_configuration *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_relative_position_configuration,
+                       sizeof(required_relative_position_configuration), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->source, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_u8(w, &v->reference_frame_selector, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_double(w, v->reference_coordinates, 3);
+}
+
+const struct mip_codec mip_filter_relative_position_configuration_codec = {
+    0x0D,
+    MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_relative_position_configuration),
+    0,
+    read_relative_position_configuration,
+    write_relative_position_configuration,
+    NULL,
+};
+
+mip_error mip_filter_relative_position_configuration_decode(
+    struct mip_filter_relative_position_configuration *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_relative_position_configuration, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_relative_position_configuration_encode(
+    const struct mip_filter_relative_position_configuration *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_DESCRIPTOR,
+                            write_relative_position_configuration, value);
+}
+
+struct mip_filter_relative_position_configuration mip_filter_relative_position_configuration_write(
+    mip_filter_relative_position_source source, mip_filter_reference_frame reference_frame_selector,
+    const double reference_coordinates[3]) {
+    struct mip_filter_relative_position_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.source = source;
+    v.reference_frame_selector = reference_frame_selector;
+    memcpy(v.reference_coordinates, reference_coordinates, sizeof(v.reference_coordinates));
+    return v;
+}
+
+struct mip_filter_relative_position_configuration
+mip_filter_relative_position_configuration_read(void) {
+    struct mip_filter_relative_position_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_relative_position_configuration
+mip_filter_relative_position_configuration_save(void) {
+    struct mip_filter_relative_position_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_relative_position_configuration
+mip_filter_relative_position_configuration_load(void) {
+    struct mip_filter_relative_position_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_relative_position_configuration
+mip_filter_relative_position_configuration_default(void) {
+    struct mip_filter_relative_position_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_relative_position_configuration_response(struct mip_reader *r, void *value) {
+    struct mip_filter_relative_position_configuration_response *v =
+        (struct mip_filter_relative_position_configuration_response *)value;
+    mip_read_u8(r, &v->source, 1);
+    mip_read_u8(r, &v->reference_frame_selector, 1);
+    mip_read_double(r, v->reference_coordinates, 3);
+}
+
+static void write_relative_position_configuration_response(struct mip_writer *w,
+                                                           const void *value) {
+    const struct mip_filter_relative_position_configuration_response *v =
+        (const struct mip_filter_relative_position_configuration_response *)value;
+    mip_write_u8(w, &v->source, 1);
+    mip_write_u8(w, &v->reference_frame_selector, 1);
+    mip_write_double(w, v->reference_coordinates, 3);
+}
+
+const struct mip_codec mip_filter_relative_position_configuration_response_codec = {
+    0x0D,
+    MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_relative_position_configuration_response),
+    0,
+    read_relative_position_configuration_response,
+    write_relative_position_configuration_response,
+    NULL,
+};
+
+mip_error mip_filter_relative_position_configuration_response_decode(
+    struct mip_filter_relative_position_configuration_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_relative_position_configuration_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_relative_position_configuration_response_encode(
+    const struct mip_filter_relative_position_configuration_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_RESPONSE_DESCRIPTOR,
+                            write_relative_position_configuration_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_reference_point_lever_arm[] = {0, 2, 0, 0, 0, 0};
+
+static void read_reference_point_lever_arm(struct mip_reader *r, void *value) {
+    struct mip_filter_reference_point_lever_arm *v =
+        (struct mip_filter_reference_point_lever_arm *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_reference_point_lever_arm,
+                      sizeof(required_reference_point_lever_arm));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->ref_point_sel, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, v->lever_arm_offset, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_reference_point_lever_arm(struct mip_writer *w, const void *value) {
+    const struct mip_filter_reference_point_lever_arm *v =
+        (const struct mip_filter_reference_point_lever_arm *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_reference_point_lever_arm,
+                       sizeof(required_reference_point_lever_arm), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->ref_point_sel, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, v->lever_arm_offset, 3);
+}
+
+const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
+    0x0D,
+    MIP_FILTER_REFERENCE_POINT_LEVER_ARM_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_reference_point_lever_arm),
+    0,
+    read_reference_point_lever_arm,
+    write_reference_point_lever_arm,
+    NULL,
+};
+
+mip_error mip_filter_reference_point_lever_arm_decode(
+    struct mip_filter_reference_point_lever_arm *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_reference_point_lever_arm, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_reference_point_lever_arm_encode(
+    const struct mip_filter_reference_point_lever_arm *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_REFERENCE_POINT_LEVER_ARM_DESCRIPTOR,
+                            write_reference_point_lever_arm, value);
+}
+
+struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm_write(
+    mip_filter_reference_point ref_point_sel, const float lever_arm_offset[3]) {
+    struct mip_filter_reference_point_lever_arm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.ref_point_sel = ref_point_sel;
+    memcpy(v.lever_arm_offset, lever_arm_offset, sizeof(v.lever_arm_offset));
+    return v;
+}
+
+struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm_read(void) {
+    struct mip_filter_reference_point_lever_arm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm_save(void) {
+    struct mip_filter_reference_point_lever_arm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm_load(void) {
+    struct mip_filter_reference_point_lever_arm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm_default(void) {
+    struct mip_filter_reference_point_lever_arm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_reference_point_lever_arm_response(struct mip_reader *r, void *value) {
+    struct mip_filter_reference_point_lever_arm_response *v =
+        (struct mip_filter_reference_point_lever_arm_response *)value;
+    mip_read_u8(r, &v->ref_point_sel, 1);
+    mip_read_float(r, v->lever_arm_offset, 3);
+}
+
+static void write_reference_point_lever_arm_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_reference_point_lever_arm_response *v =
+        (const struct mip_filter_reference_point_lever_arm_response *)value;
+    mip_write_u8(w, &v->ref_point_sel, 1);
+    mip_write_float(w, v->lever_arm_offset, 3);
+}
+
+const struct mip_codec mip_filter_reference_point_lever_arm_response_codec = {
+    0x0D,
+    MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_reference_point_lever_arm_response),
+    0,
+    read_reference_point_lever_arm_response,
+    write_reference_point_lever_arm_response,
+    NULL,
+};
+
+mip_error mip_filter_reference_point_lever_arm_response_decode(
+    struct mip_filter_reference_point_lever_arm_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_reference_point_lever_arm_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_reference_point_lever_arm_response_encode(
+    const struct mip_filter_reference_point_lever_arm_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_DESCRIPTOR,
+                            write_reference_point_lever_arm_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_measurement_speed_lever_arm[] = {0, 2, 1, 1, 1, 1};
+
+static void read_measurement_speed_lever_arm(struct mip_reader *r, void *value) {
+    struct mip_filter_measurement_speed_lever_arm *v =
+        (struct mip_filter_measurement_speed_lever_arm *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_measurement_speed_lever_arm,
+                      sizeof(required_measurement_speed_lever_arm));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->source, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, v->lever_arm_offset, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_measurement_speed_lever_arm(struct mip_writer *w, const void *value) {
+    const struct mip_filter_measurement_speed_lever_arm *v =
+        (const struct mip_filter_measurement_speed_lever_arm *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_measurement_speed_lever_arm,
+                       sizeof(required_measurement_speed_lever_arm), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->source, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, v->lever_arm_offset, 3);
+}
+
+const struct mip_codec mip_filter_measurement_speed_lever_arm_codec = {
+    0x0D,
+    MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_measurement_speed_lever_arm),
+    0,
+    read_measurement_speed_lever_arm,
+    write_measurement_speed_lever_arm,
+    NULL,
+};
+
+mip_error mip_filter_measurement_speed_lever_arm_decode(
+    struct mip_filter_measurement_speed_lever_arm *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_measurement_speed_lever_arm, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_measurement_speed_lever_arm_encode(
+    const struct mip_filter_measurement_speed_lever_arm *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_DESCRIPTOR,
+                            write_measurement_speed_lever_arm, value);
+}
+
+struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_write(
+    const float lever_arm_offset[3]) {
+    struct mip_filter_measurement_speed_lever_arm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.source = 1;
+    memcpy(v.lever_arm_offset, lever_arm_offset, sizeof(v.lever_arm_offset));
+    return v;
+}
+
+struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_read(void) {
+    struct mip_filter_measurement_speed_lever_arm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    v.source = 1;
+    return v;
+}
+
+struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_save(void) {
+    struct mip_filter_measurement_speed_lever_arm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    v.source = 1;
+    return v;
+}
+
+struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_load(void) {
+    struct mip_filter_measurement_speed_lever_arm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    v.source = 1;
+    return v;
+}
+
+struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_default(void) {
+    struct mip_filter_measurement_speed_lever_arm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    v.source = 1;
+    return v;
+}
+
+static void read_measurement_speed_lever_arm_response(struct mip_reader *r, void *value) {
+    struct mip_filter_measurement_speed_lever_arm_response *v =
+        (struct mip_filter_measurement_speed_lever_arm_response *)value;
+    mip_read_u8(r, &v->source, 1);
+    mip_read_float(r, v->lever_arm_offset, 3);
+}
+
+static void write_measurement_speed_lever_arm_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_measurement_speed_lever_arm_response *v =
+        (const struct mip_filter_measurement_speed_lever_arm_response *)value;
+    mip_write_u8(w, &v->source, 1);
+    mip_write_float(w, v->lever_arm_offset, 3);
+}
+
+const struct mip_codec mip_filter_measurement_speed_lever_arm_response_codec = {
+    0x0D,
+    MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_measurement_speed_lever_arm_response),
+    0,
+    read_measurement_speed_lever_arm_response,
+    write_measurement_speed_lever_arm_response,
+    NULL,
+};
+
+mip_error mip_filter_measurement_speed_lever_arm_response_decode(
+    struct mip_filter_measurement_speed_lever_arm_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_measurement_speed_lever_arm_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_measurement_speed_lever_arm_response_encode(
+    const struct mip_filter_measurement_speed_lever_arm_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR,
+                            write_measurement_speed_lever_arm_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_wheeled_vehicle_constraint_control[] = {0, 1, 0, 0, 0, 0};
+
+static void read_wheeled_vehicle_constraint_control(struct mip_reader *r, void *value) {
+    struct mip_filter_wheeled_vehicle_constraint_control *v =
+        (struct mip_filter_wheeled_vehicle_constraint_control *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_wheeled_vehicle_constraint_control,
+                      sizeof(required_wheeled_vehicle_constraint_control));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->enable, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_wheeled_vehicle_constraint_control(struct mip_writer *w, const void *value) {
+    const struct mip_filter_wheeled_vehicle_constraint_control *v =
+        (const struct mip_filter_wheeled_vehicle_constraint_control *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_wheeled_vehicle_constraint_control,
+                       sizeof(required_wheeled_vehicle_constraint_control), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->enable, 1);
+}
+
+const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec = {
+    0x0D,
+    MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_wheeled_vehicle_constraint_control),
+    0,
+    read_wheeled_vehicle_constraint_control,
+    write_wheeled_vehicle_constraint_control,
+    NULL,
+};
+
+mip_error mip_filter_wheeled_vehicle_constraint_control_decode(
+    struct mip_filter_wheeled_vehicle_constraint_control *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_wheeled_vehicle_constraint_control, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_wheeled_vehicle_constraint_control_encode(
+    const struct mip_filter_wheeled_vehicle_constraint_control *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR,
+                            write_wheeled_vehicle_constraint_control, value);
+}
+
+struct mip_filter_wheeled_vehicle_constraint_control
+mip_filter_wheeled_vehicle_constraint_control_write(uint8_t enable) {
+    struct mip_filter_wheeled_vehicle_constraint_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.enable = enable;
+    return v;
+}
+
+struct mip_filter_wheeled_vehicle_constraint_control
+mip_filter_wheeled_vehicle_constraint_control_read(void) {
+    struct mip_filter_wheeled_vehicle_constraint_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_wheeled_vehicle_constraint_control
+mip_filter_wheeled_vehicle_constraint_control_save(void) {
+    struct mip_filter_wheeled_vehicle_constraint_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_wheeled_vehicle_constraint_control
+mip_filter_wheeled_vehicle_constraint_control_load(void) {
+    struct mip_filter_wheeled_vehicle_constraint_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_wheeled_vehicle_constraint_control
+mip_filter_wheeled_vehicle_constraint_control_default(void) {
+    struct mip_filter_wheeled_vehicle_constraint_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_wheeled_vehicle_constraint_control_response(struct mip_reader *r, void *value) {
+    struct mip_filter_wheeled_vehicle_constraint_control_response *v =
+        (struct mip_filter_wheeled_vehicle_constraint_control_response *)value;
+    mip_read_u8(r, &v->enable, 1);
+}
+
+static void write_wheeled_vehicle_constraint_control_response(struct mip_writer *w,
+                                                              const void *value) {
+    const struct mip_filter_wheeled_vehicle_constraint_control_response *v =
+        (const struct mip_filter_wheeled_vehicle_constraint_control_response *)value;
+    mip_write_u8(w, &v->enable, 1);
+}
+
+const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_codec = {
+    0x0D,
+    MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_wheeled_vehicle_constraint_control_response),
+    0,
+    read_wheeled_vehicle_constraint_control_response,
+    write_wheeled_vehicle_constraint_control_response,
+    NULL,
+};
+
+mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode(
+    struct mip_filter_wheeled_vehicle_constraint_control_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_wheeled_vehicle_constraint_control_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
+    const struct mip_filter_wheeled_vehicle_constraint_control_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder,
+                            MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR,
+                            write_wheeled_vehicle_constraint_control_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gnss_antenna_offset_calibration_control[] = {0, 2, 0, 0, 0, 0};
+
+static void read_gnss_antenna_offset_calibration_control(struct mip_reader *r, void *value) {
+    struct mip_filter_gnss_antenna_offset_calibration_control *v =
+        (struct mip_filter_gnss_antenna_offset_calibration_control *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gnss_antenna_offset_calibration_control,
+                      sizeof(required_gnss_antenna_offset_calibration_control));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->enable, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, &v->max_offset, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_gnss_antenna_offset_calibration_control(struct mip_writer *w, const void *value) {
+    const struct mip_filter_gnss_antenna_offset_calibration_control *v =
+        (const struct mip_filter_gnss_antenna_offset_calibration_control *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gnss_antenna_offset_calibration_control,
+                       sizeof(required_gnss_antenna_offset_calibration_control), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->enable, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, &v->max_offset, 1);
+}
+
+const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_codec = {
+    0x0D,
+    MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_gnss_antenna_offset_calibration_control),
+    0,
+    read_gnss_antenna_offset_calibration_control,
+    write_gnss_antenna_offset_calibration_control,
+    NULL,
+};
+
+mip_error mip_filter_gnss_antenna_offset_calibration_control_decode(
+    struct mip_filter_gnss_antenna_offset_calibration_control *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_antenna_offset_calibration_control, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_gnss_antenna_offset_calibration_control_encode(
+    const struct mip_filter_gnss_antenna_offset_calibration_control *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_DESCRIPTOR,
+                            write_gnss_antenna_offset_calibration_control, value);
+}
+
+struct mip_filter_gnss_antenna_offset_calibration_control
+mip_filter_gnss_antenna_offset_calibration_control_write(uint8_t enable, float max_offset) {
+    struct mip_filter_gnss_antenna_offset_calibration_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.enable = enable;
+    v.max_offset = max_offset;
+    return v;
+}
+
+struct mip_filter_gnss_antenna_offset_calibration_control
+mip_filter_gnss_antenna_offset_calibration_control_read(void) {
+    struct mip_filter_gnss_antenna_offset_calibration_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_gnss_antenna_offset_calibration_control
+mip_filter_gnss_antenna_offset_calibration_control_save(void) {
+    struct mip_filter_gnss_antenna_offset_calibration_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_gnss_antenna_offset_calibration_control
+mip_filter_gnss_antenna_offset_calibration_control_load(void) {
+    struct mip_filter_gnss_antenna_offset_calibration_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_gnss_antenna_offset_calibration_control
+mip_filter_gnss_antenna_offset_calibration_control_default(void) {
+    struct mip_filter_gnss_antenna_offset_calibration_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_gnss_antenna_offset_calibration_control_response(struct mip_reader *r,
+                                                                  void *value) {
+    struct mip_filter_gnss_antenna_offset_calibration_control_response *v =
+        (struct mip_filter_gnss_antenna_offset_calibration_control_response *)value;
+    mip_read_u8(r, &v->enable, 1);
+    mip_read_float(r, &v->max_offset, 1);
+}
+
+static void write_gnss_antenna_offset_calibration_control_response(struct mip_writer *w,
+                                                                   const void *value) {
+    const struct mip_filter_gnss_antenna_offset_calibration_control_response *v =
+        (const struct mip_filter_gnss_antenna_offset_calibration_control_response *)value;
+    mip_write_u8(w, &v->enable, 1);
+    mip_write_float(w, &v->max_offset, 1);
+}
+
+const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_response_codec = {
+    0x0D,
+    MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_gnss_antenna_offset_calibration_control_response),
+    0,
+    read_gnss_antenna_offset_calibration_control_response,
+    write_gnss_antenna_offset_calibration_control_response,
+    NULL,
+};
+
+mip_error mip_filter_gnss_antenna_offset_calibration_control_response_decode(
+    struct mip_filter_gnss_antenna_offset_calibration_control_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_antenna_offset_calibration_control_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_gnss_antenna_offset_calibration_control_response_encode(
+    const struct mip_filter_gnss_antenna_offset_calibration_control_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder,
+                            MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR,
+                            write_gnss_antenna_offset_calibration_control_response, value);
+}

@@ -1,0 +1,521 @@
+/* Sensor data. */
+#include "mip/sensor.h"
+
+#include <string.h>
+
+static void read_scaled_accel(struct mip_reader *r, void *value) {
+    struct mip_sensor_scaled_accel *v = (struct mip_sensor_scaled_accel *)value;
+    mip_read_float(r, v->scaled_accel, 3);
+}
+
+static void write_scaled_accel(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_scaled_accel *v = (const struct mip_sensor_scaled_accel *)value;
+    mip_write_float(w, v->scaled_accel, 3);
+}
+
+const struct mip_codec mip_sensor_scaled_accel_codec = {
+    0x80,
+    MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_scaled_accel),
+    0,
+    read_scaled_accel,
+    write_scaled_accel,
+    NULL,
+};
+
+mip_error mip_sensor_scaled_accel_decode(struct mip_sensor_scaled_accel *value,
+                                         const struct mip_field *field) {
+    return mip_decode_field(field, read_scaled_accel, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_scaled_accel_encode(const struct mip_sensor_scaled_accel *value,
+                                         struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR, write_scaled_accel, value);
+}
+
+static void read_scaled_gyro(struct mip_reader *r, void *value) {
+    struct mip_sensor_scaled_gyro *v = (struct mip_sensor_scaled_gyro *)value;
+    mip_read_float(r, v->scaled_gyro, 3);
+}
+
+static void write_scaled_gyro(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_scaled_gyro *v = (const struct mip_sensor_scaled_gyro *)value;
+    mip_write_float(w, v->scaled_gyro, 3);
+}
+
+const struct mip_codec mip_sensor_scaled_gyro_codec = {
+    0x80,
+    MIP_SENSOR_SCALED_GYRO_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_scaled_gyro),
+    0,
+    read_scaled_gyro,
+    write_scaled_gyro,
+    NULL,
+};
+
+mip_error mip_sensor_scaled_gyro_decode(struct mip_sensor_scaled_gyro *value,
+                                        const struct mip_field *field) {
+    return mip_decode_field(field, read_scaled_gyro, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_scaled_gyro_encode(const struct mip_sensor_scaled_gyro *value,
+                                        struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_SENSOR_SCALED_GYRO_DESCRIPTOR, write_scaled_gyro, value);
+}
+
+static void read_scaled_mag(struct mip_reader *r, void *value) {
+    struct mip_sensor_scaled_mag *v = (struct mip_sensor_scaled_mag *)value;
+    mip_read_float(r, v->scaled_mag, 3);
+}
+
+static void write_scaled_mag(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_scaled_mag *v = (const struct mip_sensor_scaled_mag *)value;
+    mip_write_float(w, v->scaled_mag, 3);
+}
+
+const struct mip_codec mip_sensor_scaled_mag_codec = {
+    0x80,
+    MIP_SENSOR_SCALED_MAG_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_scaled_mag),
+    0,
+    read_scaled_mag,
+    write_scaled_mag,
+    NULL,
+};
+
+mip_error mip_sensor_scaled_mag_decode(struct mip_sensor_scaled_mag *value,
+                                       const struct mip_field *field) {
+    return mip_decode_field(field, read_scaled_mag, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_scaled_mag_encode(const struct mip_sensor_scaled_mag *value,
+                                       struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_SENSOR_SCALED_MAG_DESCRIPTOR, write_scaled_mag, value);
+}
+
+static void read_delta_theta(struct mip_reader *r, void *value) {
+    struct mip_sensor_delta_theta *v = (struct mip_sensor_delta_theta *)value;
+    mip_read_float(r, v->delta_theta, 3);
+}
+
+static void write_delta_theta(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_delta_theta *v = (const struct mip_sensor_delta_theta *)value;
+    mip_write_float(w, v->delta_theta, 3);
+}
+
+const struct mip_codec mip_sensor_delta_theta_codec = {
+    0x80,
+    MIP_SENSOR_DELTA_THETA_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_delta_theta),
+    0,
+    read_delta_theta,
+    write_delta_theta,
+    NULL,
+};
+
+mip_error mip_sensor_delta_theta_decode(struct mip_sensor_delta_theta *value,
+                                        const struct mip_field *field) {
+    return mip_decode_field(field, read_delta_theta, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_delta_theta_encode(const struct mip_sensor_delta_theta *value,
+                                        struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_SENSOR_DELTA_THETA_DESCRIPTOR, write_delta_theta, value);
+}
+
+static void read_delta_velocity(struct mip_reader *r, void *value) {
+    struct mip_sensor_delta_velocity *v = (struct mip_sensor_delta_velocity *)value;
+    mip_read_float(r, v->delta_velocity, 3);
+}
+
+static void write_delta_velocity(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_delta_velocity *v = (const struct mip_sensor_delta_velocity *)value;
+    mip_write_float(w, v->delta_velocity, 3);
+}
+
+const struct mip_codec mip_sensor_delta_velocity_codec = {
+    0x80,
+    MIP_SENSOR_DELTA_VELOCITY_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_delta_velocity),
+    0,
+    read_delta_velocity,
+    write_delta_velocity,
+    NULL,
+};
+
+mip_error mip_sensor_delta_velocity_decode(struct mip_sensor_delta_velocity *value,
+                                           const struct mip_field *field) {
+    return mip_decode_field(field, read_delta_velocity, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_delta_velocity_encode(const struct mip_sensor_delta_velocity *value,
+                                           struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_SENSOR_DELTA_VELOCITY_DESCRIPTOR, write_delta_velocity,
+                            value);
+}
+
+static void read_complementary_filter_orientation_matrix(struct mip_reader *r, void *value) {
+    struct mip_sensor_complementary_filter_orientation_matrix *v =
+        (struct mip_sensor_complementary_filter_orientation_matrix *)value;
+    mip_read_float(r, v->m, 9);
+}
+
+static void write_complementary_filter_orientation_matrix(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_complementary_filter_orientation_matrix *v =
+        (const struct mip_sensor_complementary_filter_orientation_matrix *)value;
+    mip_write_float(w, v->m, 9);
+}
+
+const struct mip_codec mip_sensor_complementary_filter_orientation_matrix_codec = {
+    0x80,
+    MIP_SENSOR_COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_complementary_filter_orientation_matrix),
+    0,
+    read_complementary_filter_orientation_matrix,
+    write_complementary_filter_orientation_matrix,
+    NULL,
+};
+
+mip_error mip_sensor_complementary_filter_orientation_matrix_decode(
+    struct mip_sensor_complementary_filter_orientation_matrix *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_complementary_filter_orientation_matrix, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_complementary_filter_orientation_matrix_encode(
+    const struct mip_sensor_complementary_filter_orientation_matrix *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_SENSOR_COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_DESCRIPTOR,
+                            write_complementary_filter_orientation_matrix, value);
+}
+
+static void read_complementary_filter_quaternion(struct mip_reader *r, void *value) {
+    struct mip_sensor_complementary_filter_quaternion *v =
+        (struct mip_sensor_complementary_filter_quaternion *)value;
+    mip_read_float(r, v->q, 4);
+}
+
+static void write_complementary_filter_quaternion(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_complementary_filter_quaternion *v =
+        (const struct mip_sensor_complementary_filter_quaternion *)value;
+    mip_write_float(w, v->q, 4);
+}
+
+const struct mip_codec mip_sensor_complementary_filter_quaternion_codec = {
+    0x80,
+    MIP_SENSOR_COMPLEMENTARY_FILTER_QUATERNION_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_complementary_filter_quaternion),
+    0,
+    read_complementary_filter_quaternion,
+    write_complementary_filter_quaternion,
+    NULL,
+};
+
+mip_error mip_sensor_complementary_filter_quaternion_decode(
+    struct mip_sensor_complementary_filter_quaternion *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_complementary_filter_quaternion, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_sensor_complementary_filter_quaternion_encode(
+    const struct mip_sensor_complementary_filter_quaternion *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_SENSOR_COMPLEMENTARY_FILTER_QUATERNION_DESCRIPTOR,
+                            write_complementary_filter_quaternion, value);
+}
+
+static void read_complementary_filter_euler_angles(struct mip_reader *r, void *value) {
+    struct mip_sensor_complementary_filter_euler_angles *v =
+        (struct mip_sensor_complementary_filter_euler_angles *)value;
+    mip_read_float(r, &v->roll, 1);
+    mip_read_float(r, &v->pitch, 1);
+    mip_read_float(r, &v->yaw, 1);
+}
+
+static void write_complementary_filter_euler_angles(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_complementary_filter_euler_angles *v =
+        (const struct mip_sensor_complementary_filter_euler_angles *)value;
+    mip_write_float(w, &v->roll, 1);
+    mip_write_float(w, &v->pitch, 1);
+    mip_write_float(w, &v->yaw, 1);
+}
+
+const struct mip_codec mip_sensor_complementary_filter_euler_angles_codec = {
+    0x80,
+    MIP_SENSOR_COMPLEMENTARY_FILTER_EULER_ANGLES_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_complementary_filter_euler_angles),
+    0,
+    read_complementary_filter_euler_angles,
+    write_complementary_filter_euler_angles,
+    NULL,
+};
+
+mip_error mip_sensor_complementary_filter_euler_angles_decode(
+    struct mip_sensor_complementary_filter_euler_angles *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_complementary_filter_euler_angles, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_sensor_complementary_filter_euler_angles_encode(
+    const struct mip_sensor_complementary_filter_euler_angles *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_SENSOR_COMPLEMENTARY_FILTER_EULER_ANGLES_DESCRIPTOR,
+                            write_complementary_filter_euler_angles, value);
+}
+
+static void read_complementary_filter_stabilized_north_vector(struct mip_reader *r, void *value) {
+    struct mip_sensor_complementary_filter_stabilized_north_vector *v =
+        (struct mip_sensor_complementary_filter_stabilized_north_vector *)value;
+    mip_read_float(r, v->stabilized_mag, 3);
+}
+
+static void write_complementary_filter_stabilized_north_vector(struct mip_writer *w,
+                                                               const void *value) {
+    const struct mip_sensor_complementary_filter_stabilized_north_vector *v =
+        (const struct mip_sensor_complementary_filter_stabilized_north_vector *)value;
+    mip_write_float(w, v->stabilized_mag, 3);
+}
+
+const struct mip_codec mip_sensor_complementary_filter_stabilized_north_vector_codec = {
+    0x80,
+    MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_complementary_filter_stabilized_north_vector),
+    0,
+    read_complementary_filter_stabilized_north_vector,
+    write_complementary_filter_stabilized_north_vector,
+    NULL,
+};
+
+mip_error mip_sensor_complementary_filter_stabilized_north_vector_decode(
+    struct mip_sensor_complementary_filter_stabilized_north_vector *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_complementary_filter_stabilized_north_vector, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_complementary_filter_stabilized_north_vector_encode(
+    const struct mip_sensor_complementary_filter_stabilized_north_vector *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder,
+                            MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_DESCRIPTOR,
+                            write_complementary_filter_stabilized_north_vector, value);
+}
+
+static void read_complementary_filter_stabilized_up_vector(struct mip_reader *r, void *value) {
+    struct mip_sensor_complementary_filter_stabilized_up_vector *v =
+        (struct mip_sensor_complementary_filter_stabilized_up_vector *)value;
+    mip_read_float(r, v->stabilized_accel, 3);
+}
+
+static void write_complementary_filter_stabilized_up_vector(struct mip_writer *w,
+                                                            const void *value) {
+    const struct mip_sensor_complementary_filter_stabilized_up_vector *v =
+        (const struct mip_sensor_complementary_filter_stabilized_up_vector *)value;
+    mip_write_float(w, v->stabilized_accel, 3);
+}
+
+const struct mip_codec mip_sensor_complementary_filter_stabilized_up_vector_codec = {
+    0x80,
+    MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_complementary_filter_stabilized_up_vector),
+    0,
+    read_complementary_filter_stabilized_up_vector,
+    write_complementary_filter_stabilized_up_vector,
+    NULL,
+};
+
+mip_error mip_sensor_complementary_filter_stabilized_up_vector_decode(
+    struct mip_sensor_complementary_filter_stabilized_up_vector *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_complementary_filter_stabilized_up_vector, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_complementary_filter_stabilized_up_vector_encode(
+    const struct mip_sensor_complementary_filter_stabilized_up_vector *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder,
+                            MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_DESCRIPTOR,
+                            write_complementary_filter_stabilized_up_vector, value);
+}
+
+static void read_gps_timestamp(struct mip_reader *r, void *value) {
+    struct mip_sensor_gps_timestamp *v = (struct mip_sensor_gps_timestamp *)value;
+    mip_read_double(r, &v->tow, 1);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_gps_timestamp(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_gps_timestamp *v = (const struct mip_sensor_gps_timestamp *)value;
+    mip_write_double(w, &v->tow, 1);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_sensor_gps_timestamp_codec = {
+    0x80,
+    MIP_SENSOR_GPS_TIMESTAMP_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_gps_timestamp),
+    0,
+    read_gps_timestamp,
+    write_gps_timestamp,
+    NULL,
+};
+
+mip_error mip_sensor_gps_timestamp_decode(struct mip_sensor_gps_timestamp *value,
+                                          const struct mip_field *field) {
+    return mip_decode_field(field, read_gps_timestamp, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_gps_timestamp_encode(const struct mip_sensor_gps_timestamp *value,
+                                          struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_SENSOR_GPS_TIMESTAMP_DESCRIPTOR, write_gps_timestamp,
+                            value);
+}
+
+static void read_temperature_statistics(struct mip_reader *r, void *value) {
+    struct mip_sensor_temperature_statistics *v = (struct mip_sensor_temperature_statistics *)value;
+    mip_read_float(r, &v->min_temp, 1);
+    mip_read_float(r, &v->max_temp, 1);
+    mip_read_float(r, &v->mean_temp, 1);
+}
+
+static void write_temperature_statistics(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_temperature_statistics *v =
+        (const struct mip_sensor_temperature_statistics *)value;
+    mip_write_float(w, &v->min_temp, 1);
+    mip_write_float(w, &v->max_temp, 1);
+    mip_write_float(w, &v->mean_temp, 1);
+}
+
+const struct mip_codec mip_sensor_temperature_statistics_codec = {
+    0x80,
+    MIP_SENSOR_TEMPERATURE_STATISTICS_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_temperature_statistics),
+    0,
+    read_temperature_statistics,
+    write_temperature_statistics,
+    NULL,
+};
+
+mip_error mip_sensor_temperature_statistics_decode(struct mip_sensor_temperature_statistics *value,
+                                                   const struct mip_field *field) {
+    return mip_decode_field(field, read_temperature_statistics, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_temperature_statistics_encode(
+    const struct mip_sensor_temperature_statistics *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_SENSOR_TEMPERATURE_STATISTICS_DESCRIPTOR,
+                            write_temperature_statistics, value);
+}
+
+static void read_scaled_pressure(struct mip_reader *r, void *value) {
+    struct mip_sensor_scaled_pressure *v = (struct mip_sensor_scaled_pressure *)value;
+    mip_read_float(r, &v->scaled_pressure, 1);
+}
+
+static void write_scaled_pressure(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_scaled_pressure *v = (const struct mip_sensor_scaled_pressure *)value;
+    mip_write_float(w, &v->scaled_pressure, 1);
+}
+
+const struct mip_codec mip_sensor_scaled_pressure_codec = {
+    0x80,
+    MIP_SENSOR_SCALED_PRESSURE_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_scaled_pressure),
+    0,
+    read_scaled_pressure,
+    write_scaled_pressure,
+    NULL,
+};
+
+mip_error mip_sensor_scaled_pressure_decode(struct mip_sensor_scaled_pressure *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_scaled_pressure, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_scaled_pressure_encode(const struct mip_sensor_scaled_pressure *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_SENSOR_SCALED_PRESSURE_DESCRIPTOR, write_scaled_pressure,
+                            value);
+}
+
+static void read_overrange_status(struct mip_reader *r, void *value) {
+    struct mip_sensor_overrange_status *v = (struct mip_sensor_overrange_status *)value;
+    mip_read_u16(r, &v->status, 1);
+}
+
+static void write_overrange_status(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_overrange_status *v = (const struct mip_sensor_overrange_status *)value;
+    mip_write_u16(w, &v->status, 1);
+}
+
+const struct mip_codec mip_sensor_overrange_status_codec = {
+    0x80,
+    MIP_SENSOR_OVERRANGE_STATUS_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_overrange_status),
+    0,
+    read_overrange_status,
+    write_overrange_status,
+    NULL,
+};
+
+mip_error mip_sensor_overrange_status_decode(struct mip_sensor_overrange_status *value,
+                                             const struct mip_field *field) {
+    return mip_decode_field(field, read_overrange_status, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_overrange_status_encode(const struct mip_sensor_overrange_status *value,
+                                             struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_SENSOR_OVERRANGE_STATUS_DESCRIPTOR, write_overrange_status,
+                            value);
+}
+
+static void read_odometer(struct mip_reader *r, void *value) {
+    struct mip_sensor_odometer *v = (struct mip_sensor_odometer *)value;
+    mip_read_float(r, &v->speed, 1);
+    mip_read_float(r, &v->uncertainty, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_odometer(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_odometer *v = (const struct mip_sensor_odometer *)value;
+    mip_write_float(w, &v->speed, 1);
+    mip_write_float(w, &v->uncertainty, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_sensor_odometer_codec = {
+    0x80,
+    MIP_SENSOR_ODOMETER_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_odometer),
+    0,
+    read_odometer,
+    write_odometer,
+    NULL,
+};
+
+mip_error mip_sensor_odometer_decode(struct mip_sensor_odometer *value,
+                                     const struct mip_field *field) {
+    return mip_decode_field(field, read_odometer, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_odometer_encode(const struct mip_sensor_odometer *value,
+                                     struct mip_builder *builder) {
+    return mip_encode_field(builder, MIP_SENSOR_ODOMETER_DESCRIPTOR, write_odometer, value);
+}

@@ -1,0 +1,462 @@
+"""The C library as its users see it: compilers, constructors, accessors, client, linking, packaging."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from mipgen import codec
+from mipgen import model as m
+from mipgen.targets import c as target
+from support import ROOT, SPECS, model, need
+
+HERE = Path(__file__).parent
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
+SANITIZE = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+COMPILERS = ("gcc", "clang")
+
+both = pytest.mark.parametrize("spec", sorted(SPECS))
+compilers = pytest.mark.parametrize("compiler", COMPILERS)
+
+
+def folder(spec: str) -> Path:
+    return SPECS[spec][1] / "c"
+
+
+def sources(spec: str) -> list[str]:
+    return [str(p) for p in sorted((folder(spec) / "src").glob("*.c"))]
+
+
+def run(*command: str | Path, **environment: str) -> str:
+    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, env={**os.environ, **environment})
+    assert done.returncode == 0, f"{' '.join(map(str, command))[:400]}\n{done.stdout[-3000:]}{done.stderr[-6000:]}"
+    return done.stdout
+
+
+def written(path: Path, of: m.Model, checks: list[str]) -> Path:
+    """A program that makes these checks, with the headers of all sets."""
+    includes = "".join(f'#include "mip/{target.module(s.name)}.h"\n' for s in of.sets)
+    body = "\n    ".join(checks)
+    path.write_text(f'#include "check.h"\n{includes}int main(void) {{\n    {body}\n    return 0;\n}}\n')
+    return path
+
+
+def include(spec: str) -> str:
+    return f"-I{folder(spec)}/include"
+
+
+def build(tmp: Path, compiler: str, spec: str, program: Path, *flags: str) -> Path:
+    """A program with the whole library, under all warnings."""
+    out = tmp / program.stem
+    run(need(compiler), "-std=c99", *WARNINGS, *flags, include(spec), f"-I{HERE}/unit", program,
+        *sources(spec), "-o", out)  # fmt: skip
+    return out
+
+
+# --------------------------------------------------------------------------- compilers
+
+
+@both
+@compilers
+def test_c99_without_a_warning(compiler: str, spec: str, tmp_path: Path) -> None:
+    for level in ("-O0", "-O2"):  # some warnings come with optimization only
+        for source in sources(spec):
+            run(
+                need(compiler),
+                "-std=c99",
+                *WARNINGS,
+                level,
+                include(spec),
+                "-c",
+                source,
+                "-o",
+                tmp_path / "o",
+            )
+
+
+@both
+@pytest.mark.parametrize("compiler", ["g++", "clang++"])
+def test_the_sources_are_cpp_too(compiler: str, spec: str) -> None:
+    for source in sources(spec):
+        run(need(compiler), "-std=c++11", "-x", "c++", *WARNINGS, include(spec), "-fsyntax-only", source)
+
+
+@both
+def test_each_header_stands_alone(spec: str, tmp_path: Path) -> None:
+    for header in sorted((folder(spec) / "include/mip").glob("*.h")):
+        for compiler, suffix in (("gcc", "c"), ("g++", "cpp")):
+            program = tmp_path / f"{header.stem}.{suffix}"
+            program.write_text(f'#include "mip/{header.name}"\n#include "mip/{header.name}"\nint unused;\n')
+            run(need(compiler), *WARNINGS, include(spec), "-fsyntax-only", program)
+
+
+@both
+@pytest.mark.parametrize("machine", ["thumbv7m-none-eabi", "powerpc-none-eabi", "msp430-none-elf", "avr"])
+def test_freestanding_on_small_machines(machine: str, spec: str, tmp_path: Path) -> None:
+    """32 and 16 bits, both byte orders, no C library but five functions of <string.h>."""
+    flags = ["-std=c99", "-Os", "-ffreestanding", "-nostdlibinc", *WARNINGS, "-Wno-avr-rtlib-linking-quirks"]
+    for source in sources(spec):
+        run(need("clang"), f"--target={machine}", *flags, "-isystem", HERE / "freestanding", include(spec),
+            "-fsyntax-only", source)  # fmt: skip
+
+
+@both
+def test_only_the_promised_headers(spec: str) -> None:
+    allowed = {"<stdbool.h>", "<stddef.h>", "<stdint.h>", "<string.h>"}
+    for path in [*folder(spec).glob("include/mip/*.h"), *folder(spec).glob("src/*.c")]:
+        text = path.read_text("utf-8")
+        assert set(re.findall(r"#include (<.*>)", text)) <= allowed, path
+        assert not re.search(r"\b(malloc|calloc|realloc|free|printf|abort|assert)\(|__attribute__|#pragma", text), path
+        assert not re.search(r"^ +enum ", text, re.M), path
+
+
+@both
+def test_formatted(spec: str) -> None:
+    files = [str(p) for p in sorted(folder(spec).rglob("*.[ch]"))]
+    beside = Path(sys.executable).parent / "clang-format"
+    run(
+        beside if beside.is_file() else need("clang-format"),
+        f"--style=file:{ROOT / '.clang-format'}",
+        "--dry-run",
+        "-Werror",
+        *files,
+    )
+
+
+@both
+def test_lines_are_short(spec: str) -> None:
+    """100 columns, but for lines that hold one name of more than half of that."""
+    for path in sorted(folder(spec).rglob("*.[ch]")):
+        for number, line in enumerate(path.read_text("utf-8").splitlines(), 1):
+            assert len(line) <= 100 or max(map(len, re.findall(r"\w+", line))) > 50, f"{path}:{number}: {line}"
+
+
+def test_files_of_two_versions_do_not_mix(tmp_path: Path) -> None:
+    shutil.copytree(folder("invented") / "include", tmp_path / "include")
+    core = tmp_path / "include/mip/core.h"
+    core.write_text(re.sub(r"(#define MIP_VERSION_NUMBER) \d+", r"\1 1", core.read_text()))
+    (tmp_path / "user.c").write_text('#include "mip/tools.h"\n')
+    done = subprocess.run(
+        [need("gcc"), f"-I{tmp_path}/include", "-fsyntax-only", str(tmp_path / "user.c")],
+        capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.returncode != 0 and "are not of one version" in done.stderr
+
+
+# --------------------------------------------------------------------------- programs
+
+
+@compilers
+@pytest.mark.parametrize("program", ["packets", "fields", "client", "tables"])
+def test_unit(program: str, compiler: str, tmp_path: Path) -> None:
+    run(build(tmp_path, compiler, "invented", HERE / f"unit/{program}.c", *SANITIZE))
+
+
+@both
+def test_garbage(spec: str, tmp_path: Path) -> None:
+    run(build(tmp_path, "gcc", spec, HERE / "unit/garbage.c", *SANITIZE))
+
+
+@pytest.mark.parametrize("pair", ["gcc g++", "clang clang++"])
+def test_a_cpp_program(pair: str, tmp_path: Path) -> None:
+    c, cpp = pair.split()
+    objects = []
+    for source in sources("invented"):
+        objects.append(str(tmp_path / f"{Path(source).stem}.o"))
+        run(need(c), "-std=c99", include("invented"), "-c", source, "-o", objects[-1])
+    program = tmp_path / "use"
+    run(
+        need(cpp),
+        "-std=c++11",
+        *WARNINGS,
+        include("invented"),
+        HERE / "unit/use.cpp",
+        *objects,
+        "-o",
+        program,
+    )
+    run(program)
+
+
+# --------------------------------------------------------------------------- constructors
+
+
+def sample(op: m.Operation, values: dict[str, Any], case: int) -> Any:
+    """A value that is unlike zero; `case`: which alternative of unions and enumerations."""
+    match op:
+        case m.ScalarOp(type=m.Enum() as e):
+            return e.values[case % len(e.values)].value
+        case m.ScalarOp(scalar=scalar):
+            return {4: "0x3fc00000", 8: "0x3ff8000000000000"}[scalar.size] if scalar.kind == "float" else 1 + case
+        case m.BitsOp():
+            return list(range(1, op.size + 1))
+        case m.TextOp():
+            return "Text of a device"[: op.count or 5].ljust(op.count or 5, "x")
+        case m.ArrayOp():
+            return [sample(op.item, {}, case + i) for i in range(op.count or 2)]
+        case m.StructOp():
+            return record(op.struct.operations, op.struct.parameters, case)
+        case m.SwitchOp():
+            chosen = next((c for c in op.cases if c.tag.value == values[op.tag]), None)
+            if chosen is None or chosen.operation is None:
+                return {}
+            return {chosen.operation.member: sample(chosen.operation, {}, case)}  # type: ignore[union-attr]
+    raise AssertionError(op)
+
+
+def record(operations: tuple[m.Operation, ...], parameters: tuple[m.Parameter, ...], case: int) -> dict[str, Any]:
+    values: dict[str, Any] = {}
+    for op in operations:
+        if not isinstance(op, (m.ConstantOp, m.GroupOp)):
+            counted = isinstance(op, m.CounterOp)
+            values[op.member] = 2 if counted else sample(op, values, case)
+    for p in parameters:
+        if p.name in values and isinstance(p.element, m.Scalar) and p.element.kind == "char" and p.counts is None:
+            for q in parameters:
+                if q.counts == p.name:
+                    values[q.name] = len(values[p.name])
+        if p.name in values and p.reserved is not None:
+            values[p.name] = p.reserved if p.length is None else [p.reserved] * len(values[p.name])
+    return values
+
+
+def constructed(of: m.Model) -> Iterator[tuple[m.Field, Any, dict[str, Any]]]:
+    """Every constructor with values that it can be given."""
+    for f in of.fields:
+        for made in target.constructors(f):
+            required = dict(f.required).get(made.function.value, 0) if made.function else f.required_count
+            groups = [g for g in f.operations if isinstance(g, m.GroupOp) and g.last <= required]
+            plain = [o for o in f.operations if not isinstance(o, m.GroupOp)]
+            operations = (*plain, *(o for g in groups for o in g.body))
+            cases = max([len(p.cases) for p in f.parameters] + [1])
+            for case in range(cases):
+                values = record(operations, f.parameters, case)
+                if made.function:
+                    values["function"] = made.function.value
+                yield f, made, values
+
+
+def given(p: m.Parameter) -> str:
+    """A member of the structure `x` as an argument of a constructor."""
+    name = target._member(p.name)
+    if p.length == "rest":
+        return f"x.{name}_count, x.{name}"
+    pointer = p.element is None or (p.length is None and target.spelled(p.element).startswith("struct "))
+    return f"&x.{name}" if pointer else f"x.{name}"
+
+
+@both
+def test_every_constructor(spec: str, tmp_path: Path) -> None:
+    """Builds the shortest form that the reference builds from the same values."""
+    of, body = model(spec), []
+    for f, made, values in constructed(of):
+        name, data = target.field_name(f), codec.encode(f, values).hex()
+        arguments = ", ".join(given(p) for p in made.asked)
+        body.append(f"""{{
+        struct {name} x;
+        struct mip_field field = field_of(0x{f.set:02X}, {target.macro(name)}_DESCRIPTOR, "{data}");
+        CHECK({name}_decode(&x, &field) == MIP_OK);
+        struct {name} v = {name}_{made.name}({arguments});
+        CHECK(mip_builder_start(&b, buffer, sizeof(buffer), 0x{f.set:02X}) == MIP_OK);
+        CHECK({name}_encode(&v, &b) == MIP_OK && strcmp(only_field(&b), "{data}") == 0);
+    }}
+""")
+    commands = [f for f in of.fields if f.role == m.COMMAND]
+    wanted = sum(len(f.functions) or any(p.constant is None for p in f.parameters) for f in commands)
+    assert len(body) >= wanted > len(commands) / 2
+    checks = ["uint8_t buffer[MIP_MAX_PACKET];", "struct mip_builder b;", *body]
+    run(build(tmp_path, "gcc", spec, written(tmp_path / "constructors.c", of, checks), *SANITIZE))
+
+
+# --------------------------------------------------------------------------- bitfields
+
+
+def bitfields(of: m.Model) -> list[m.Bitfield]:
+    types = [*of.types, *(t for s in of.sets for t in s.types)]
+    return [t for t in types if isinstance(t, m.Bitfield)]
+
+
+def accessor_checks(t: m.Bitfield) -> Iterator[str]:
+    """Sets, clears and reads every bit, from all zeros and from all ones."""
+    name, ones = target.type_name(t), (1 << 8 * t.size) - 1
+    for b in t.bits:
+        if t.scalar:
+            c = target.constant(t, b)
+            start = f"{name} f = ({name})UINT64_C"
+            for end, before, after in (("set", 0, b.mask), ("set", ones, ones), ("clear", ones, ones & ~b.mask)):
+                has = "" if after & b.mask else "!"
+                yield (
+                    f"{{ {start}({before}); {name}_{end}(&f, {c}); "
+                    f"CHECK(f == UINT64_C({after}) && {has}{name}_has(f, {c})); }}"
+                )
+            if b.width > 1:  # all of the bits, not any
+                yield f"{{ {start}({ones & ~(1 << b.last)}); CHECK(!{name}_has(f, {c}) && (f & {c}) != 0); }}"
+        if not target.has_accessor(t, b):
+            continue
+        most = (1 << b.width) - 1
+        for start in (0, ones):
+            for value in {0, 1, most, most >> 1}:
+                result = start & ~b.mask | value << b.first
+                shown = f"UINT64_C({value})" if b.width > 1 else ("true" if value else "false")
+                if t.scalar:
+                    kind = target.bits_type(b)
+                    yield (
+                        f"{{ {name} f = (({name})UINT64_C({start})); {name}_set_{b.name}(&f, ({kind}){shown}); "
+                        f"CHECK(f == UINT64_C({result}) && {name}_get_{b.name}(f) == {shown}); }}"
+                    )
+                else:
+                    expected = ", ".join(str(x) for x in result.to_bytes(t.size, "little"))
+                    yield (
+                        f"{{ struct {name} f; static const uint8_t e[] = {{{expected}}}; memset(&f, {start & 255}, "
+                        f"sizeof(f)); {name}_set_{b.name}(&f, {shown}); "
+                        f"CHECK(memcmp(f.bytes, e, sizeof(e)) == 0 && {name}_get_{b.name}(&f) == {shown}); }}"
+                    )
+
+
+@both
+@compilers
+def test_every_bit(compiler: str, spec: str, tmp_path: Path) -> None:
+    of = model(spec)
+    checks = [check for t in bitfields(of) for check in accessor_checks(t)]
+    assert len(checks) > 2 * sum(len(t.bits) for t in bitfields(of)) - 1
+    includes = [f'#include "mip/{target.module(s.name)}.h"\n' for s in of.sets]
+    program = tmp_path / "bits.c"
+    program.write_text(
+        '#include "check.h"\n'
+        + "".join(includes)
+        + "int main(void) {\n    "
+        + "\n    ".join(checks)
+        + "\n    return 0;\n}\n"
+    )
+    run(build(tmp_path, compiler, spec, program))
+
+
+@both
+def test_every_constant(spec: str, tmp_path: Path) -> None:
+    of = model(spec)
+    types = [*of.types, of.protocol.function_selector, *(t for s in of.sets for t in s.types)]
+    checks = [
+        f"{{ {target.type_name(t)} e = {target.constant(t, v)}; CHECK(e == UINT64_C({v.value})); }}"
+        for t in types if isinstance(t, m.Enum) for v in t.values
+    ]  # fmt: skip
+    for f in of.fields:
+        name = target.macro(target.field_name(f))
+        checks.append(f'CHECK({name}_DESCRIPTOR == {f.descriptor} && strcmp({name}_NAME, "{f.full_name}") == 0);')
+    checks += [f"CHECK({target.macro(f'mip_{s.name}')}_SET == {s.number});" for s in of.sets]
+    includes = [f'#include "mip/{target.module(s.name)}.h"\n' for s in of.sets]
+    program = tmp_path / "constants.c"
+    program.write_text(
+        '#include "check.h"\n'
+        + "".join(includes)
+        + "int main(void) {\n    "
+        + "\n    ".join(checks)
+        + "\n    return 0;\n}\n"
+    )
+    run(build(tmp_path, "gcc", spec, program))
+
+
+# --------------------------------------------------------------------------- linking and packaging
+
+
+def library(tmp: Path, *flags: str) -> Path:
+    objects = []
+    for source in sources("real"):
+        objects.append(str(tmp / f"{Path(source).stem}.o"))
+        run(need("gcc"), "-std=c99", "-Os", *flags, include("real"), "-c", source, "-o", objects[-1])
+    archive = tmp / "libmip.a"
+    run(need("ar"), "rcs", archive, *objects)
+    return archive
+
+
+def symbols(program: Path) -> set[str]:
+    return {line.split()[-1] for line in run(need("nm"), "--defined-only", program).splitlines()}
+
+
+def test_a_small_program_stays_small(tmp_path: Path) -> None:
+    program, archive = tmp_path / "small", library(tmp_path, "-ffunction-sections", "-fdata-sections")
+    command = [need("gcc"), "-std=c99", "-Os", include("real"), HERE / "unit/small.c", archive, "-o", program]
+    # Any linker takes only the objects that are needed: no registry, no tables, no client, no other sets.
+    run(*command)
+    found = {name for name in symbols(program) if "mip" in name}
+    objects = {"mip_sensor_", "mip_parser_", "mip_walk_", "mip_packet_", "mip_builder_", "mip_checksum", "mip_read_",
+               "mip_write_", "mip_decode", "mip_encode", "mip_copy", "mip_get_bits", "mip_set_bits"}  # fmt: skip
+    assert {n for n in found if not n.startswith(tuple(objects))} == set()
+    # One that leaves out what is not called takes the functions alone.
+    run(*command, "-Wl,--gc-sections")
+    assert {n for n in symbols(program) if n.startswith("mip_")} == {
+        "mip_checksum", "mip_decode_field", "mip_packet_check", "mip_parser_init", "mip_parser_next", "mip_read_32",
+        "mip_sensor_scaled_accel_decode", "mip_walk_next", "mip_walk_packet",
+    }  # fmt: skip
+
+
+def taste(output: str) -> None:
+    assert output == "8 bytes to send\n0.2445 g along x\n"
+
+
+@pytest.fixture
+def vendored(tmp_path: Path) -> Path:
+    """The folder alone, somewhere else."""
+    return Path(shutil.copytree(folder("real"), tmp_path / "vendored"))
+
+
+def test_folder_alone_builds(vendored: Path, tmp_path: Path) -> None:
+    for name in ("README.md", "LICENSE", "CMakeLists.txt"):
+        assert (vendored / name).is_file()
+    run("sh", "-c", f"cd {vendored} && {need('cc')} -Iinclude taste.c src/*.c -o {tmp_path}/taste")
+    taste(run(tmp_path / "taste"))
+
+
+def test_cmake_subdirectory(vendored: Path, tmp_path: Path) -> None:
+    where = tmp_path / "build"
+    run(need("cmake"), "-S", HERE / "cmake", "-B", where, f"-DMIP_FOLDER={vendored}", f"-DTASTE={vendored}/taste.c")
+    run(need("cmake"), "--build", where)
+    taste(run(where / "taste"))
+
+
+def test_cmake_package_and_pkg_config(vendored: Path, tmp_path: Path) -> None:
+    where, prefix = tmp_path / "build", tmp_path / "prefix"
+    run(need("cmake"), "-S", vendored, "-B", where, f"-DCMAKE_INSTALL_PREFIX={prefix}", "-DCMAKE_INSTALL_LIBDIR=lib")
+    run(need("cmake"), "--build", where)
+    run(need("cmake"), "--install", where)
+    example = shutil.copy(vendored / "taste.c", tmp_path)
+    shutil.rmtree(vendored)
+    run(
+        need("cmake"),
+        "-S",
+        HERE / "cmake",
+        "-B",
+        tmp_path / "user",
+        f"-DCMAKE_PREFIX_PATH={prefix}",
+        f"-DTASTE={example}",
+    )
+    run(need("cmake"), "--build", tmp_path / "user")
+    taste(run(tmp_path / "user/taste"))
+    package = {"PKG_CONFIG_PATH": f"{prefix}/lib/pkgconfig"}
+    version = run(need("pkg-config"), "--modversion", "mip", **package).strip()
+    assert version == model("real").protocol.version
+    flags = run(need("pkg-config"), "--cflags", "--libs", "mip", **package).split()
+    run(need("cc"), example, *flags, "-o", tmp_path / "linked")
+    taste(run(tmp_path / "linked"))
+
+
+def test_readme_shows_programs_that_run(tmp_path: Path) -> None:
+    blocks = re.findall(r"```c\n(.*?)```", (folder("real") / "README.md").read_text("utf-8"), re.S)
+    example = (folder("real") / "taste.c").read_text("utf-8").partition("*/\n")[2].rstrip()
+    assert blocks[0].rstrip() == example and len(blocks) == 2
+    program = tmp_path / "client.c"
+    outside = (
+        "uint32_t milliseconds(void);\nvoid transmit(struct mip_packet packet);\n"
+        "bool receive(struct mip_packet *packet);\n"
+    )
+    includes, _, code = blocks[1].rpartition("#include")
+    header, _, rest = code.partition("\n")
+    prototype = "bool set_pps_source(struct mip_client *client, mip_3dm_pps_source source);\n"
+    program.write_text(f"{includes}#include{header}\n{outside}{prototype}{rest}")
+    run(need("gcc"), "-std=c99", *WARNINGS, include("real"), "-fsyntax-only", program)

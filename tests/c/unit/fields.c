@@ -1,0 +1,187 @@
+/* Presence, constructors, strings, unions, and what a failed decode or encode leaves behind. */
+#include "check.h"
+
+#include "mip/3d.h"
+#include "mip/measurements.h"
+#include "mip/more.h"
+#include "mip/tools.h"
+
+static uint8_t buffer[MIP_MAX_PACKET];
+static struct mip_builder packet;
+
+static struct mip_builder *fresh(uint8_t set) {
+    CHECK(mip_builder_start(&packet, buffer, sizeof(buffer), set) == MIP_OK);
+    return &packet;
+}
+
+#define ENCODES(name, value, hex) \
+    (mip_##name##_encode(value, fresh(MIP_TOOLS_SET)) == MIP_OK && strcmp(only_field(&packet), hex) == 0)
+
+static void presence(void) {
+    /* Constructors build the shortest form. */
+    struct mip_tools_settings v = mip_tools_settings_write(1, MIP_MODE_SLOW, 9600);
+    CHECK(v.present == 0 && ENCODES(tools_settings, &v, "01010200002580"));
+    v = mip_tools_settings_read(1, MIP_MODE_SLOW);
+    CHECK(ENCODES(tools_settings, &v, "020102"));
+    v = mip_tools_settings_save(7);
+    CHECK(ENCODES(tools_settings, &v, "0307"));
+    v = mip_tools_settings_load(7);
+    CHECK(ENCODES(tools_settings, &v, "0407"));
+    v = mip_tools_settings_default(7);
+    CHECK(ENCODES(tools_settings, &v, "0507"));
+    v = mip_tools_settings_apply(1, MIP_MODE_FAST, 1);
+    CHECK(ENCODES(tools_settings, &v, "06010100000001"));
+
+    /* Optional parameters are settable; reserved ones have the value to send. */
+    v = mip_tools_settings_write(1, MIP_MODE_SLOW, 9600);
+    v.limit = 0x1234;
+    v.present = MIP_TOOLS_SETTINGS_WITH_LIMIT;
+    CHECK(ENCODES(tools_settings, &v, "010102000025801234"));
+    v.present = MIP_TOOLS_SETTINGS_WITH_RESERVED;
+    CHECK(ENCODES(tools_settings, &v, "01010200002580123401"));
+
+    /* Dummy values after what a function requires come back byte for byte. */
+    struct mip_field field = field_of(1, 2, "03070200");
+    size_t trailing;
+    CHECK(mip_decode(&mip_tools_settings_codec, &v, &field, &trailing) == MIP_OK);
+    CHECK(v.present == 2 && v.mode == MIP_MODE_SLOW && v.baud == 0 && trailing == 1);
+    CHECK(ENCODES(tools_settings, &v, "030702"));
+    /* A function that is changed then requires what it requires. */
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.baud = 5;
+    CHECK(ENCODES(tools_settings, &v, "01070200000005"));
+    /* More parameters than there are. */
+    v.present = 6;
+    CHECK(mip_tools_settings_encode(&v, fresh(1)) == MIP_ERROR_MISSING && packet.length == MIP_HEADER_SIZE);
+    /* A selector that nobody knows requires nothing. */
+    field = field_of(1, 2, "77");
+    CHECK(mip_tools_settings_decode(&v, &field) == MIP_OK && v.function == 0x77 && v.present == 0);
+    CHECK(ENCODES(tools_settings, &v, "77"));
+
+    /* Without a selector. */
+    struct mip_measurements_growing g;
+    field = field_of(0x80, 6, "00010002");
+    CHECK(mip_measurements_growing_decode(&g, &field) == MIP_OK);
+    CHECK(g.present == MIP_MEASUREMENTS_GROWING_WITH_SECOND && g.first == 1 && g.second == 2);
+    CHECK(ENCODES(measurements_growing, &g, "00010002"));
+    g.present = 0;
+    CHECK(ENCODES(measurements_growing, &g, "0001"));
+    g.present = 3;
+    CHECK(ENCODES(measurements_growing, &g, "0001000200000000"));
+    /* Half a parameter is left over, and its member is untouched. */
+    field = field_of(0x80, 6, "000100027fe5bf");
+    CHECK(mip_decode(&mip_measurements_growing_codec, &g, &field, &trailing) == MIP_OK);
+    uint32_t bits;
+    memcpy(&bits, &g.third, 4);
+    CHECK(g.present == 2 && trailing == 3 && bits == 0);
+
+    /* A counter and its array come and go together. */
+    static const uint16_t items[] = {0x0102, 0x0304};
+    struct mip_tools_list l = mip_tools_list_write(2, items);
+    CHECK(ENCODES(tools_list, &l, "010201020304"));
+    l = mip_tools_list_read();
+    CHECK(ENCODES(tools_list, &l, "02"));
+    l.present = 1;
+    CHECK(mip_tools_list_encode(&l, fresh(1)) == MIP_ERROR_MISSING);
+    l.present = 2;
+    CHECK(ENCODES(tools_list, &l, "0200"));
+    field = field_of(1, 9, "0200");
+    CHECK(mip_tools_list_decode(&l, &field) == MIP_OK && l.present == 2 && l.count == 0);
+}
+
+static void counts(void) {
+    static const uint16_t items[125] = {0};
+    struct mip_tools_list l = mip_tools_list_write(125, items);
+    CHECK(mip_tools_list_encode(&l, fresh(1)) == MIP_OK);
+    /* A constructor copies no more than there is room for, and encode refuses the count. */
+    l = mip_tools_list_write(126, items);
+    CHECK(l.count == 126 && mip_tools_list_encode(&l, fresh(1)) == MIP_ERROR_COUNT);
+    CHECK(packet.length == MIP_HEADER_SIZE && mip_builder_finish(&packet).size == 6);
+    struct mip_field field = field_of(1, 9, "01030102");
+    memset(&l, 0xAA, sizeof(l));
+    CHECK(mip_tools_list_decode(&l, &field) == MIP_ERROR_COUNT);
+    for (size_t i = 0; i < sizeof(l); i++) {
+        CHECK(((const uint8_t *)&l)[i] == 0);
+    }
+    l = mip_tools_list_write(0, NULL);
+    CHECK(ENCODES(tools_list, &l, "0100"));
+}
+
+static void refused(void) {
+    /* What does not fit behind others leaves them as they are. */
+    struct mip_measurements_accel accel;
+    memset(&accel, 0, sizeof(accel));
+    struct mip_builder *b = fresh(MIP_MEASUREMENTS_SET);
+    size_t count = 0;
+    while (mip_measurements_accel_encode(&accel, b) == MIP_OK) {
+        count++;
+    }
+    CHECK(count == 15 && b->length == MIP_HEADER_SIZE + 15 * 16);
+    struct mip_packet done = mip_builder_finish(b);
+    CHECK(mip_packet_check(done.bytes, done.size, &done) == MIP_OK);
+    /* A smaller field still fits. */
+    struct mip_more_own own = {MIP_MODE_FAST};
+    CHECK(mip_more_own_encode(&own, b) == MIP_OK);
+}
+
+static void unions(void) {
+    union mip_tools_choice_parameters u;
+    memset(&u, 0, sizeof(u));
+    u.circle.center.x = 1;
+    u.circle.center.y = -2;
+    u.circle.fill = MIP_TOOLS_FILL_SOLID;
+    u.circle.filling.solid = 255;
+    struct mip_tools_choice v = mip_tools_choice_write(1, MIP_TOOLS_SHAPE_CIRCLE, &u);
+    CHECK(ENCODES(tools_choice, &v, "0101010001fffe01000000ff"));
+    v = mip_tools_choice_write(1, MIP_TOOLS_SHAPE_NONE, NULL);
+    CHECK(ENCODES(tools_choice, &v, "010100"));
+    v.shape = 0x99; /* nobody knows it: the union is empty */
+    CHECK(ENCODES(tools_choice, &v, "010199"));
+    struct mip_field field = field_of(1, 8, "010104414243444546474821");
+    size_t trailing;
+    CHECK(mip_decode(&mip_tools_choice_codec, &v, &field, &trailing) == MIP_OK && trailing == 1);
+    CHECK(strcmp(v.parameters.label, "ABCDEFGH") == 0 && v.present == 3);
+}
+
+static void strings(void) {
+    struct mip_measurements_strings s;
+    memset(&s, 0, sizeof(s));
+    mip_copy_text(s.model, sizeof(s.model), "CV7");
+    CHECK(strcmp(s.model, "CV7             ") == 0);
+    mip_copy_text(s.model, sizeof(s.model), "longer than sixteen bytes");
+    CHECK(strcmp(s.model, "longer than sixt") == 0);
+    s.length = 2;
+    memcpy(s.name, "ab", 2);
+    s.rest_count = 3;
+    memcpy(s.rest, "xyz", 3);
+    CHECK(ENCODES(measurements_strings, &s, "6c6f6e676572207468616e2073697874026162"
+                                            "78797a"));
+    struct mip_more_strings t; /* the same structure by its other name */
+    struct mip_field field = field_of(0x81, MIP_MORE_STRINGS_DESCRIPTOR, "30313233343536373839616263646566016a6b");
+    CHECK(mip_more_strings_decode(&t, &field) == MIP_OK);
+    CHECK(strcmp(t.model, "0123456789abcdef") == 0 && strcmp(t.name, "j") == 0);
+    CHECK(t.rest_count == 1 && strcmp(t.rest, "k") == 0);
+}
+
+static void constants(void) {
+    struct mip_tools_status command = mip_tools_status_make(2);
+    CHECK(ENCODES(tools_status, &command, "126702"));
+    struct mip_tools_status_long status;
+    struct mip_field field = field_of(1, 0x90, "1267010000000100000000000000ff");
+    CHECK(mip_tools_status_long_decode(&status, &field) == MIP_ERROR_CONSTANT && status.uptime == 0);
+    CHECK(sizeof(MIP_TOOLS_STATUS_NAME) == sizeof("tools.status") && mip_tools_status_codec.timeout == 2500);
+    /* Keywords, and a parameter with the name of a member that generated code uses itself. */
+    struct mip_3d_default d = mip_3d_default_make(1, 2, 3, 4, 5);
+    CHECK(d.class_ == 1 && d.register_ == 3 && d.present_ == 5);
+    CHECK(mip_tools_ping_encode(NULL, fresh(1)) == MIP_OK && strcmp(only_field(&packet), "") == 0);
+}
+
+int main(void) {
+    presence();
+    counts();
+    refused();
+    unions();
+    strings();
+    constants();
+    return 0;
+}

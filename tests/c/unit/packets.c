@@ -1,0 +1,126 @@
+/* Checksum, packets, builder, field walk, and the parser as far as its drivers do not reach. */
+#include "check.h"
+
+static const char PING[] = "\x75\x65\x01\x02\x02\x01\xE0\xC6";
+
+static void packets(void) {
+    const uint8_t *ping = (const uint8_t *)PING;
+    uint8_t changed[8];
+    struct mip_packet packet;
+    CHECK(mip_checksum(ping, 6) == 0xE0C6);
+    CHECK(mip_packet_check(ping, 8, &packet) == MIP_OK);
+    CHECK(packet.bytes == ping && packet.size == 8 && packet.descriptor_set == 1);
+    CHECK(mip_packet_check(ping, 0, &packet) == MIP_ERROR_SYNC);
+    CHECK(mip_packet_check(ping, 1, &packet) == MIP_ERROR_SYNC);
+    CHECK(mip_packet_check(ping, 2, &packet) == MIP_ERROR_LENGTH);
+    CHECK(mip_packet_check(ping, 7, &packet) == MIP_ERROR_LENGTH);
+    memcpy(changed, ping, 8);
+    changed[7] ^= 1;
+    CHECK(mip_packet_check(changed, 8, &packet) == MIP_ERROR_CHECKSUM);
+    changed[2] = 0;
+    CHECK(mip_packet_check(changed, 8, &packet) == MIP_ERROR_LENGTH);
+    changed[1] = 0;
+    CHECK(mip_packet_check(changed, 8, &packet) == MIP_ERROR_SYNC);
+}
+
+static void builder(void) {
+    uint8_t buffer[MIP_MAX_PACKET + 8];
+    uint8_t data[MIP_MAX_FIELD_DATA + 1];
+    struct mip_builder b;
+    struct mip_packet packet;
+    memset(data, 0xA5, sizeof(data));
+
+    CHECK(mip_builder_start(&b, buffer, sizeof(buffer), 1) == MIP_OK);
+    CHECK(is_packet(mip_builder_finish(&b), "\x75\x65\x01\x00\xDB\x05", 6)); /* an empty payload */
+    CHECK(mip_builder_add(&b, 1, NULL, 0) == MIP_OK);
+    CHECK(is_packet(mip_builder_finish(&b), PING, 8));
+
+    /* What does not fit is refused, and the packet stays as it was. */
+    CHECK(mip_builder_add(&b, 2, data, MIP_MAX_FIELD_DATA) == MIP_ERROR_LENGTH);
+    CHECK(is_packet(mip_builder_finish(&b), PING, 8));
+    CHECK(mip_builder_add(&b, 2, data, MIP_MAX_FIELD_DATA - 2) == MIP_OK);
+    packet = mip_builder_finish(&b);
+    CHECK(packet.size == MIP_MAX_PACKET && mip_packet_check(packet.bytes, packet.size, &packet) == MIP_OK);
+    CHECK(mip_builder_add(&b, 3, NULL, 0) == MIP_ERROR_LENGTH);
+
+    CHECK(mip_builder_start(&b, buffer, sizeof(buffer), 1) == MIP_OK);
+    CHECK(mip_builder_add(&b, 2, data, MIP_MAX_FIELD_DATA + 1) == MIP_ERROR_LENGTH);
+    CHECK(mip_builder_add(&b, 2, data, MIP_MAX_FIELD_DATA) == MIP_OK);
+
+    /* A buffer of the caller that is just large enough, or too small. */
+    memset(buffer, 0xEE, sizeof(buffer));
+    CHECK(mip_builder_start(&b, buffer, 8, 1) == MIP_OK);
+    CHECK(mip_builder_add(&b, 1, data, 1) == MIP_ERROR_LENGTH);
+    CHECK(mip_builder_add(&b, 1, NULL, 0) == MIP_OK);
+    CHECK(mip_builder_add(&b, 1, NULL, 0) == MIP_ERROR_LENGTH);
+    CHECK(is_packet(mip_builder_finish(&b), PING, 8) && buffer[8] == 0xEE);
+
+    CHECK(mip_builder_start(&b, buffer, 5, 1) == MIP_ERROR_LENGTH);
+    CHECK(mip_builder_add(&b, 1, NULL, 0) == MIP_ERROR_LENGTH && mip_builder_finish(&b).size == 0);
+    CHECK(mip_builder_start(&b, buffer, sizeof(buffer), 0) == MIP_ERROR_LENGTH);
+    CHECK(mip_builder_add(&b, 1, NULL, 0) == MIP_ERROR_LENGTH && mip_builder_finish(&b).size == 0);
+}
+
+static void walk(void) {
+    static const uint8_t bad[] = {0x75, 0x65, 0x80, 0x06, 0x03, 0x07, 0x11, 0x02, 0x08, 0x01, 0, 0};
+    const struct mip_packet packet = {bad, sizeof(bad), 0x80};
+    struct mip_walk w = mip_walk_packet(&packet);
+    struct mip_field field;
+    CHECK(mip_walk_next(&w, &field) && field.descriptor_set == 0x80 && field.descriptor == 7);
+    CHECK(field.size == 1 && field.data == bad + 6 && !w.malformed);
+    CHECK(mip_walk_next(&w, &field) && field.descriptor == 8 && field.size == 0);
+    CHECK(!mip_walk_next(&w, &field) && w.malformed);
+    CHECK(!mip_walk_next(&w, &field) && w.malformed);
+}
+
+static void parser(void) {
+    uint8_t stream[32];
+    const uint8_t *data = stream;
+    size_t size = 4;
+    struct mip_parser p;
+    struct mip_packet packet;
+
+    /* A header that promises 200 bytes hides a ping until the caller's time-out has passed. */
+    memcpy(stream, "\x75\x65\x01\xC8", 4);
+    memcpy(stream + 4, PING, 8);
+    memcpy(stream + 12, PING, 8);
+    memcpy(stream + 20, PING, 3);
+    mip_parser_init(&p);
+    size = 23;
+    CHECK(!mip_parser_next(&p, &data, &size, &packet) && size == 0 && data == stream + 23);
+    CHECK(p.skipped == 0);
+    CHECK(mip_parser_flush(&p, &packet) && is_packet(packet, PING, 8) && p.skipped == 4);
+    CHECK(mip_parser_flush(&p, &packet) && is_packet(packet, PING, 8));
+    CHECK(!mip_parser_flush(&p, &packet) && p.skipped == 7);
+    CHECK(!mip_parser_flush(&p, &packet) && p.skipped == 7);
+
+    /* After a flush, and after a flush that gave a packet, the stream goes on. */
+    data = stream;
+    size = 12;
+    CHECK(!mip_parser_next(&p, &data, &size, &packet));
+    CHECK(mip_parser_flush(&p, &packet) && is_packet(packet, PING, 8));
+    data = stream + 4;
+    size = 8;
+    CHECK(mip_parser_next(&p, &data, &size, &packet) && is_packet(packet, PING, 8));
+    CHECK(!mip_parser_next(&p, &data, &size, &packet) && p.skipped == 11);
+
+    /* Nothing at all. */
+    data = NULL;
+    size = 0;
+    CHECK(!mip_parser_next(&p, &data, &size, &packet));
+}
+
+static void names(void) {
+    CHECK(strcmp(mip_error_name(MIP_OK), "ok") == 0);
+    CHECK(strcmp(mip_error_name(MIP_ERROR_FIELD_LENGTH), "field_length") == 0);
+    CHECK(strcmp(mip_error_name(MIP_ERROR_MISSING), "missing") == 0);
+}
+
+int main(void) {
+    packets();
+    builder();
+    walk();
+    parser();
+    names();
+    return 0;
+}

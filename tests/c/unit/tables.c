@@ -1,0 +1,94 @@
+/* Registry, reflection and device profiles. */
+#include "check.h"
+
+#include "mip/devices.h"
+#include "mip/measurements.h"
+#include "mip/protocol.h"
+#include "mip/reflect.h"
+#include "mip/registry.h"
+#include "mip/tools.h"
+
+static bool is(const char *a, const char *b) {
+    return a != NULL && strcmp(a, b) == 0;
+}
+
+static void registry(void) {
+    size_t count;
+    struct mip_field field = field_of(1, 0x90, "126702");
+    CHECK(is(mip_registry_find(&field)->name, "tools.status_long"));
+    field = field_of(1, 0x90, "1267");
+    CHECK(mip_registry_find(&field) == NULL);
+    CHECK(mip_registry_candidates(1, 0x90, &count) != NULL && count == 2);
+    CHECK(mip_registry_candidates(1, 0x7F, &count) == NULL && count == 0);
+    field = field_of(0x55, 0xF1, "");
+    CHECK(mip_registry_find(&field)->codec == &mip_protocol_acknowledge_codec);
+    field = field_of(0x99, 0xD3, "");
+    CHECK(is(mip_registry_find(&field)->name, "shared.timestamp"));
+    field = field_of(0x81, 0x01, "");
+    CHECK(is(mip_registry_find(&field)->name, "more.accel"));
+    CHECK(mip_registry_find(&field)->codec == &mip_measurements_accel_codec);
+    CHECK(mip_registry_by_name("no.such_field") == NULL);
+
+    /* Commands and responses, both ways. */
+    const struct mip_entry *bias = mip_registry_by_name("tools.bias");
+    const struct mip_entry *vector = mip_registry_link(bias, 0);
+    CHECK(vector->codec == &mip_tools_bias_vector_codec && mip_registry_link(bias, 1) == NULL);
+    CHECK(mip_registry_link(vector, 0) == bias);
+    CHECK(mip_registry_link(vector, 1)->codec == &mip_tools_capture_bias_codec);
+    CHECK(mip_registry_link(vector, 2) == NULL);
+    CHECK(is(mip_registry_link(mip_registry_by_name("tools.set_time"), 1)->name, "tools.set_time_slow_response"));
+    for (size_t i = 0; i < mip_registry_size; i++) {
+        const struct mip_entry *e = &mip_registry[i];
+        CHECK(mip_reflect(e->codec) != NULL && mip_reflect(e->codec)->record->size == e->codec->size);
+        CHECK(mip_registry_by_name(e->name) == e);
+        for (size_t k = 0; k < e->link_count; k++) {
+            CHECK(mip_registry_link(e, k)->role == (e->role == MIP_COMMAND ? MIP_RESPONSE : MIP_COMMAND));
+        }
+    }
+}
+
+static void reflection(void) {
+    const struct mip_reflection *r = mip_reflect(&mip_tools_pin_codec);
+    const struct mip_parameter *use = &r->record->parameters[2];
+    CHECK(r->selector && r->optional && r->record->count == 3 && is(use->name, "use"));
+    CHECK(use->count == 2 && use->readings[1].by == 1 && use->readings[1].value == MIP_TOOLS_DRIVE_SERIAL);
+    CHECK(is(mip_value_name(use->readings[1].names, MIP_TOOLS_SERIAL_USE_TRANSMIT), "transmit"));
+    CHECK(mip_value_name(use->readings[1].names, 99) == NULL);
+    r = mip_reflect(&mip_measurements_accel_codec);
+    CHECK(is(r->record->parameters[0].unit, "g") && r->record->parameters[0].elements == 3);
+    const struct mip_names *flags = r->record->parameters[1].names;
+    CHECK(flags == mip_names_find("state_flags") && flags->bits[2].first == 4 && flags->bits[2].width == 3);
+    CHECK(flags->bits[3].names == mip_names_find("mode") && mip_value_name(flags, 1) == NULL);
+    CHECK(mip_names_find("tools.shape")->count == 5 && mip_names_find("nothing") == NULL);
+    r = mip_reflect(&mip_tools_status_short_codec);
+    CHECK(is(r->record->parameters[2].readings[1].device, "model-b"));
+    static const struct mip_codec other = {0, 0, 0, 0, 0, NULL, NULL, NULL};
+    CHECK(mip_reflect(&other) == NULL);
+}
+
+static void devices(void) {
+    const struct mip_device *a = mip_device_find("model-a");
+    const struct mip_device *b = mip_device_find("model-b");
+    CHECK(mip_device_count == 2 && a == &mip_device_model_a && b == &mip_device_model_b);
+    CHECK(mip_device_find("model-c") == NULL);
+    CHECK(a->model_number == 4711 && b->model_number == 0);
+    CHECK(is(mip_device_supports(a, MIP_TOOLS_SET, MIP_TOOLS_SETTINGS_DESCRIPTOR)->functions, "WRSLDA"));
+    CHECK(is(mip_device_supports(b, MIP_TOOLS_SET, MIP_TOOLS_SETTINGS_DESCRIPTOR)->functions, "WR"));
+    CHECK(is(mip_device_supports(b, MIP_TOOLS_SET, MIP_TOOLS_PING_DESCRIPTOR)->functions, ""));
+    CHECK(mip_device_supports(b, MIP_TOOLS_SET, MIP_TOOLS_CHOICE_DESCRIPTOR) == NULL);
+    CHECK(mip_device_base_rate(a, 0x80) > 999 && mip_device_base_rate(a, 0x80) < 1001);
+    CHECK(mip_device_base_rate(b, 0x81) < 0);
+    CHECK(is(mip_device_reading_of(b, "ack_code"), "mode") && mip_device_reading_of(a, "ack_code") == NULL);
+    CHECK(is(mip_device_reading_of(a, "tools.status_short.flags"), "tools.model_a_faults"));
+    CHECK(a->port_count == 2 && a->ports[0].id == 0x11 && a->ports[0].baud_rates[1] == 115200);
+    CHECK(is(a->ports[0].protocols, "MIP, NMEA") && a->ports[1].baud_rate_count == 0);
+    CHECK(a->note_count == 1 && a->notes[0].rows == 3 && a->notes[0].columns == 2);
+    CHECK(is(a->notes[0].cells[3], "pulse") && is(a->limits[1].unit, "g") && a->ack_codes[2] == 3);
+}
+
+int main(void) {
+    registry();
+    reflection();
+    devices();
+    return 0;
+}

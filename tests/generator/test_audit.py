@@ -1,0 +1,67 @@
+"""The audit on a manual that is written here."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from mipgen import cli
+from mipgen.audit import audit
+from support import ROOT, model
+
+GOOD = """\
+# A guide
+
+See (0x01,0x02) and (0x80, 0xD3).
+
+Copy-Paste version: "7565 0102 0201 E0C6"
+The reply is 7565 0104 04F1 0200 D56A.
+
+Command: Ping\t0x75\t0x65\t0x01\t0x02\t0x02\t0x01\tN/A\t0xE0\t0xC6
+"""
+
+
+def findings(tmp_path: Path, text: str, manual: str = "guide") -> list[str]:
+    path = tmp_path / "manual.txt"
+    path.write_text(text, "utf-8")
+    return [str(f) for f in audit(model("invented"), manual, path)]
+
+
+def test_what_the_specification_has_is_no_finding(tmp_path: Path) -> None:
+    assert findings(tmp_path, GOOD) == []
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("See (0x01,0x55).", "(0x01,0x55) is neither defined nor called undefined by an erratum"),
+        ("See (0x01.0x55).", "(0x01,0x55) is neither defined nor called undefined by an erratum"),
+        ("## Reset (0x01,0x7E)", "no field cites the heading Reset (0x01,0x7E)"),
+        ("4.1.1 Ping again (0x01, 0x01)", "no field cites the heading Ping again (0x01, 0x01)"),
+        ('"7565 0102 0203 E2C8"', "no example has the string 7565 0102 0203 E2C8"),
+        ("75650c03 030E80 7A7E", "no example has the string 75650c03 030E80 7A7E"),
+        ("Twice: 7565 0102 0201 E0C6", "no example has the string 7565 0102 0201 E0C6"),
+        ("X\t0x75\t0x65\t0x0C\t0x02\t0x02\t0x06", "no example has a table that begins 75 65 0C 02 02 06"),
+    ],
+)
+def test_what_it_has_not_is_found(tmp_path: Path, line: str, message: str) -> None:
+    found = findings(tmp_path, GOOD + line + "\n")
+    assert f"manual.txt:{len(GOOD.splitlines()) + 1}: {message}" in found
+
+
+def test_an_erratum_explains_an_undefined_reference(tmp_path: Path) -> None:
+    assert findings(tmp_path, "See (0x01,0x7F).\n", "leaflet") == []
+    assert len(findings(tmp_path, "See (0x01,0x7F).\n", "guide")) == 1
+
+
+def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    spec, path = str(ROOT / "tests/invented/spec"), tmp_path / "manual.txt"
+    path.write_text(GOOD, "utf-8")
+    assert cli.main(["audit", "--spec", spec, "--manual", f"guide={path}"]) == 0
+    assert capsys.readouterr().out == "0 findings\n"
+    path.write_text("(0x01,0x55)\n", "utf-8")
+    assert cli.main(["audit", "--spec", spec, "--manual", f"guide={path}"]) == 1
+    assert cli.main(["audit", "--spec", spec, "--manual", f"giude={path}"]) == 2
+    assert "did you mean 'guide'?" in capsys.readouterr().err
+    assert cli.main(["audit", "--spec", spec, "--manual", "guide=/no/such"]) == 2
+    assert "no such file" in capsys.readouterr().err

@@ -1,0 +1,55 @@
+/**
+ * @file
+ *
+ * Awkward names (0x0C). Names that are keywords or begin with a digit.
+ */
+#ifndef MIP_3D_H
+#define MIP_3D_H
+
+#include "mip/protocol.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/3d.h and mip/core.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define MIP_3D_SET 0x0C
+
+/**
+ * Default: command (0x0C,0x10).
+ *
+ * Its parameters are keywords here and there.
+ *
+ * - guide: Default
+ */
+struct mip_3d_default {
+    /** A keyword. */
+    uint8_t class_;
+    /** A keyword. */
+    uint8_t type;
+    /** A keyword. */
+    uint8_t register_;
+    /** A keyword. */
+    uint8_t self;
+    /** Used by generated code elsewhere. */
+    uint8_t present_;
+};
+
+#define MIP_3D_DEFAULT_DESCRIPTOR 0x10
+#define MIP_3D_DEFAULT_NAME "3d.default"
+
+extern const struct mip_codec mip_3d_default_codec;
+mip_error mip_3d_default_decode(struct mip_3d_default *value, const struct mip_field *field);
+mip_error mip_3d_default_encode(const struct mip_3d_default *value, struct mip_builder *builder);
+/** Default. */
+struct mip_3d_default mip_3d_default_make(uint8_t class_, uint8_t type, uint8_t register_,
+                                          uint8_t self, uint8_t present_);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,213 @@
+/**
+ * @file
+ *
+ * Measurements (0x80). Data of every type.
+ */
+#ifndef MIP_MEASUREMENTS_H
+#define MIP_MEASUREMENTS_H
+
+#include "mip/protocol.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/measurements.h and mip/core.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define MIP_MEASUREMENTS_SET 0x80
+
+/**
+ * Acceleration: data (0x80,0x01).
+ *
+ * A vector whose elements are valid together.
+ *
+ * Sent at 100 Hz at most.
+ *
+ * - guide: Acceleration
+ * - leaflet: Acceleration
+ */
+struct mip_measurements_accel {
+    /**
+     * Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each valid by its bit:
+     * MIP_STATE_FLAGS_READY and MIP_STATE_FLAGS_HOT in valid_flags. On model-b: unit m, m, s, frame
+     * ned; Turned by the device.
+     */
+    float scaled_accel[3];
+    /** What is valid. */
+    mip_state_flags valid_flags;
+};
+
+#define MIP_MEASUREMENTS_ACCEL_DESCRIPTOR 0x01
+#define MIP_MEASUREMENTS_ACCEL_NAME "measurements.accel"
+
+extern const struct mip_codec mip_measurements_accel_codec;
+mip_error mip_measurements_accel_decode(struct mip_measurements_accel *value,
+                                        const struct mip_field *field);
+mip_error mip_measurements_accel_encode(const struct mip_measurements_accel *value,
+                                        struct mip_builder *builder);
+
+/**
+ * Numbers: data (0x80,0x02).
+ *
+ * One of each.
+ *
+ * - guide: Numbers
+ */
+struct mip_measurements_numbers {
+    /** Unsigned. */
+    uint8_t u8;
+    /** Unsigned. */
+    uint16_t u16;
+    /** Unsigned. */
+    uint32_t u32;
+    /** Unsigned. */
+    uint64_t u64;
+    /** Signed. */
+    int8_t s8;
+    /** Signed. */
+    int16_t s16;
+    /** Signed. */
+    int32_t s32;
+    /** Signed. */
+    int64_t s64;
+    /** Four bytes. */
+    float float_;
+    /** Eight bytes. */
+    double double_;
+    /** True or false. */
+    mip_bool bool_;
+    /** One character. */
+    char char_;
+};
+
+#define MIP_MEASUREMENTS_NUMBERS_DESCRIPTOR 0x02
+#define MIP_MEASUREMENTS_NUMBERS_NAME "measurements.numbers"
+
+extern const struct mip_codec mip_measurements_numbers_codec;
+mip_error mip_measurements_numbers_decode(struct mip_measurements_numbers *value,
+                                          const struct mip_field *field);
+mip_error mip_measurements_numbers_encode(const struct mip_measurements_numbers *value,
+                                          struct mip_builder *builder);
+
+/**
+ * Strings: data (0x80,0x03).
+ *
+ * Fixed, counted, and to the end.
+ *
+ * - guide: Strings
+ */
+struct mip_measurements_strings {
+    /** Padded with spaces. */
+    char model[17];
+    /** Of the name. */
+    uint8_t length;
+    /** The name. */
+    char name[237];
+    /** All that follows. */
+    uint8_t rest_count;
+    char rest[237];
+};
+
+#define MIP_MEASUREMENTS_STRINGS_DESCRIPTOR 0x03
+#define MIP_MEASUREMENTS_STRINGS_NAME "measurements.strings"
+
+extern const struct mip_codec mip_measurements_strings_codec;
+mip_error mip_measurements_strings_decode(struct mip_measurements_strings *value,
+                                          const struct mip_field *field);
+mip_error mip_measurements_strings_encode(const struct mip_measurements_strings *value,
+                                          struct mip_builder *builder);
+
+/**
+ * Health: data (0x80,0x04).
+ *
+ * The wide bitfield.
+ *
+ * Deprecated: use measurements.numbers instead.
+ *
+ * - guide: Health
+ */
+struct mip_measurements_health {
+    /** The bits. */
+    struct mip_health result;
+    /** An enumeration over four bytes. */
+    mip_wide_code code;
+};
+
+#define MIP_MEASUREMENTS_HEALTH_DESCRIPTOR 0x04
+#define MIP_MEASUREMENTS_HEALTH_NAME "measurements.health"
+
+extern const struct mip_codec mip_measurements_health_codec;
+mip_error mip_measurements_health_decode(struct mip_measurements_health *value,
+                                         const struct mip_field *field);
+mip_error mip_measurements_health_encode(const struct mip_measurements_health *value,
+                                         struct mip_builder *builder);
+
+/**
+ * Arrays: data (0x80,0x05).
+ *
+ * Arrays of all that can stand in one.
+ *
+ * - guide: Arrays
+ */
+struct mip_measurements_arrays {
+    /** Enumerations. */
+    mip_mode modes[3];
+    /** Bitfields. */
+    mip_state_flags flags[2];
+    /** Vectors. Elements: x, y, z. */
+    float vectors[2][3];
+    /** Structures. Unit: m. */
+    struct mip_point points[2];
+    /** A nested structure. */
+    struct mip_segment track;
+    /** Reserved. */
+    int8_t offsets[4];
+};
+
+#define MIP_MEASUREMENTS_ARRAYS_DESCRIPTOR 0x05
+#define MIP_MEASUREMENTS_ARRAYS_NAME "measurements.arrays"
+
+extern const struct mip_codec mip_measurements_arrays_codec;
+mip_error mip_measurements_arrays_decode(struct mip_measurements_arrays *value,
+                                         const struct mip_field *field);
+mip_error mip_measurements_arrays_encode(const struct mip_measurements_arrays *value,
+                                         struct mip_builder *builder);
+
+/**
+ * Growing: data (0x80,0x06).
+ *
+ * Newer devices send more of it.
+ *
+ * - guide: Growing
+ */
+struct mip_measurements_growing {
+    /** Parameters that are there; 0: those that must be. */
+    uint8_t present;
+    /** Always there. */
+    uint16_t first;
+    /** From version 2 on. May be absent. */
+    uint16_t second;
+    /** From version 3 on. May be absent. */
+    float third;
+};
+
+#define MIP_MEASUREMENTS_GROWING_DESCRIPTOR 0x06
+#define MIP_MEASUREMENTS_GROWING_NAME "measurements.growing"
+/** The value of `present` if second is the last parameter that is there. */
+#define MIP_MEASUREMENTS_GROWING_WITH_SECOND 2
+/** The value of `present` if third is the last parameter that is there. */
+#define MIP_MEASUREMENTS_GROWING_WITH_THIRD 3
+
+extern const struct mip_codec mip_measurements_growing_codec;
+mip_error mip_measurements_growing_decode(struct mip_measurements_growing *value,
+                                          const struct mip_field *field);
+mip_error mip_measurements_growing_encode(const struct mip_measurements_growing *value,
+                                          struct mip_builder *builder);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

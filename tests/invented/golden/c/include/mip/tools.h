@@ -1,0 +1,775 @@
+/**
+ * @file
+ *
+ * Tools (0x01). Commands of every shape.
+ */
+#ifndef MIP_TOOLS_H
+#define MIP_TOOLS_H
+
+#include "mip/protocol.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/tools.h and mip/core.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define MIP_TOOLS_SET 0x01
+
+/** Of the model A. */
+typedef uint32_t mip_tools_model_a_faults;
+/** Bit 0. */
+#define MIP_TOOLS_MODEL_A_FAULTS_CLOCK UINT32_C(0x00000001)
+/** Bit 8. */
+#define MIP_TOOLS_MODEL_A_FAULTS_SENSOR UINT32_C(0x00000100)
+/** Bit 24. */
+#define MIP_TOOLS_MODEL_A_FAULTS_SOLUTION UINT32_C(0x01000000)
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_tools_model_a_faults_set(mip_tools_model_a_faults *flags,
+                                                mip_tools_model_a_faults bits) {
+    *flags = (mip_tools_model_a_faults)(*flags | bits);
+}
+static inline void mip_tools_model_a_faults_clear(mip_tools_model_a_faults *flags,
+                                                  mip_tools_model_a_faults bits) {
+    *flags = (mip_tools_model_a_faults)(*flags & ~bits);
+}
+static inline bool mip_tools_model_a_faults_has(mip_tools_model_a_faults flags,
+                                                mip_tools_model_a_faults bits) {
+    return (flags & bits) == bits;
+}
+
+/** Of the model B. */
+typedef uint32_t mip_tools_model_b_faults;
+/** Bit 0. */
+#define MIP_TOOLS_MODEL_B_FAULTS_GENERAL UINT32_C(0x00000001)
+/** Bit 1. */
+#define MIP_TOOLS_MODEL_B_FAULTS_OVERLOAD UINT32_C(0x00000002)
+/** Bit 12. */
+#define MIP_TOOLS_MODEL_B_FAULTS_ACCEL UINT32_C(0x00001000)
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_tools_model_b_faults_set(mip_tools_model_b_faults *flags,
+                                                mip_tools_model_b_faults bits) {
+    *flags = (mip_tools_model_b_faults)(*flags | bits);
+}
+static inline void mip_tools_model_b_faults_clear(mip_tools_model_b_faults *flags,
+                                                  mip_tools_model_b_faults bits) {
+    *flags = (mip_tools_model_b_faults)(*flags & ~bits);
+}
+static inline bool mip_tools_model_b_faults_has(mip_tools_model_b_faults flags,
+                                                mip_tools_model_b_faults bits) {
+    return (flags & bits) == bits;
+}
+
+/** Which member the union has. */
+typedef uint8_t mip_tools_shape;
+#define MIP_TOOLS_SHAPE_NONE 0
+#define MIP_TOOLS_SHAPE_CIRCLE 1
+#define MIP_TOOLS_SHAPE_PATH 2
+#define MIP_TOOLS_SHAPE_TURN 3
+#define MIP_TOOLS_SHAPE_LABEL 4
+
+/** How a circle is filled. */
+typedef uint8_t mip_tools_fill;
+#define MIP_TOOLS_FILL_EMPTY 0
+#define MIP_TOOLS_FILL_SOLID 1
+#define MIP_TOOLS_FILL_STRIPED 2
+
+/** Two numbers. */
+struct mip_tools_stripes {
+    /** Of a stripe. Unit: m. */
+    double width;
+    /** Of all stripes. Unit: deg. Range: -180 to 180. */
+    float angle;
+};
+
+void mip_tools_stripes_read(struct mip_reader *r, struct mip_tools_stripes *v);
+void mip_tools_stripes_write(struct mip_writer *w, const struct mip_tools_stripes *v);
+
+/** The member of mip_tools_circle that `fill` selects. */
+union mip_tools_circle_filling {
+    /** If fill is solid: A colour. */
+    uint32_t solid;
+    /** If fill is striped. */
+    struct mip_tools_stripes striped;
+};
+
+/** Ends in a union of its own. */
+struct mip_tools_circle {
+    /** The middle. */
+    struct mip_point center;
+    /** Which member follows. */
+    mip_tools_fill fill;
+    /** How it is filled. */
+    union mip_tools_circle_filling filling;
+};
+
+void mip_tools_circle_read(struct mip_reader *r, struct mip_tools_circle *v);
+void mip_tools_circle_write(struct mip_writer *w, const struct mip_tools_circle *v);
+
+/** A counted array at its end. */
+struct mip_tools_path {
+    /** Does it return to its start? */
+    mip_bool closed;
+    /** Number of points. */
+    uint8_t num_points;
+    /** The points. */
+    struct mip_point points[62];
+};
+
+void mip_tools_path_read(struct mip_reader *r, struct mip_tools_path *v);
+void mip_tools_path_write(struct mip_writer *w, const struct mip_tools_path *v);
+
+/** What drives a pin. */
+typedef uint8_t mip_tools_drive;
+#define MIP_TOOLS_DRIVE_OFF 0
+#define MIP_TOOLS_DRIVE_PULSE 1
+#define MIP_TOOLS_DRIVE_SERIAL 2
+
+/** Of a pulse. */
+typedef uint8_t mip_tools_pulse_use;
+#define MIP_TOOLS_PULSE_USE_INPUT 1
+#define MIP_TOOLS_PULSE_USE_OUTPUT 2
+
+/** Of a serial line. */
+typedef uint8_t mip_tools_serial_use;
+#define MIP_TOOLS_SERIAL_USE_RECEIVE 1
+#define MIP_TOOLS_SERIAL_USE_TRANSMIT 33
+
+/**
+ * Ping: command (0x01,0x01).
+ *
+ * Tests the line.
+ *
+ * - guide: Ping
+ * - leaflet: Ping
+ */
+struct mip_tools_ping {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_TOOLS_PING_DESCRIPTOR 0x01
+#define MIP_TOOLS_PING_NAME "tools.ping"
+
+extern const struct mip_codec mip_tools_ping_codec;
+mip_error mip_tools_ping_decode(struct mip_tools_ping *value, const struct mip_field *field);
+mip_error mip_tools_ping_encode(const struct mip_tools_ping *value, struct mip_builder *builder);
+
+/**
+ * Settings: command (0x01,0x02).
+ *
+ * Every function, and a prefix of parameters for each.
+ *
+ * Functions: write, read, save, load, default and apply. Answered by mip_tools_settings_response.
+ *
+ * - guide: Settings
+ * - leaflet: Settings
+ */
+struct mip_tools_settings {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Number of the port, 0 for all. Range: 0 to 8. */
+    uint8_t port;
+    /** What to do. Default: fast. For write, read and apply. */
+    mip_mode mode;
+    /** Speed. Unit: Bd. Default: 115200. For write and apply. */
+    uint32_t baud;
+    /**
+     * Required by no function, not even by write. Optional. If mode is fast: unit s, range 1 to 10,
+     * factory default 5. If mode is slow: unit m.
+     */
+    uint16_t limit;
+    /** Reserved. Send 1. Optional. */
+    uint8_t reserved;
+};
+
+#define MIP_TOOLS_SETTINGS_DESCRIPTOR 0x02
+#define MIP_TOOLS_SETTINGS_NAME "tools.settings"
+/** The value of `present` if limit is the last parameter that is there. */
+#define MIP_TOOLS_SETTINGS_WITH_LIMIT 4
+/** The value of `present` if reserved is the last parameter that is there. */
+#define MIP_TOOLS_SETTINGS_WITH_RESERVED 5
+
+extern const struct mip_codec mip_tools_settings_codec;
+mip_error mip_tools_settings_decode(struct mip_tools_settings *value,
+                                    const struct mip_field *field);
+mip_error mip_tools_settings_encode(const struct mip_tools_settings *value,
+                                    struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_tools_settings mip_tools_settings_write(uint8_t port, mip_mode mode, uint32_t baud);
+/** Send the current setting back in a response. */
+struct mip_tools_settings mip_tools_settings_read(uint8_t port, mip_mode mode);
+/** Save the current setting to non-volatile memory. */
+struct mip_tools_settings mip_tools_settings_save(uint8_t port);
+/** Load the saved setting. */
+struct mip_tools_settings mip_tools_settings_load(uint8_t port);
+/** Load the factory default setting. */
+struct mip_tools_settings mip_tools_settings_default(uint8_t port);
+/** Apply the new setting and send no acknowledge (5-series devices). */
+struct mip_tools_settings mip_tools_settings_apply(uint8_t port, mip_mode mode, uint32_t baud);
+
+/**
+ * Settings response: response (0x01,0x82).
+ *
+ * Answers Settings (0x01,0x02).
+ *
+ * - guide: Settings
+ * - leaflet: Settings
+ */
+struct mip_tools_settings_response {
+    /** Number of the port, 0 for all. Range: 0 to 8. */
+    uint8_t port;
+    /** What to do. Default: fast. */
+    mip_mode mode;
+    /** Speed. Unit: Bd. Default: 115200. */
+    uint32_t baud;
+    /**
+     * Required by no function, not even by write. If mode is fast: unit s, range 1 to 10, factory
+     * default 5. If mode is slow: unit m.
+     */
+    uint16_t limit;
+    /** Reserved. Send 1. */
+    uint8_t reserved;
+};
+
+#define MIP_TOOLS_SETTINGS_RESPONSE_DESCRIPTOR 0x82
+#define MIP_TOOLS_SETTINGS_RESPONSE_NAME "tools.settings_response"
+
+extern const struct mip_codec mip_tools_settings_response_codec;
+mip_error mip_tools_settings_response_decode(struct mip_tools_settings_response *value,
+                                             const struct mip_field *field);
+mip_error mip_tools_settings_response_encode(const struct mip_tools_settings_response *value,
+                                             struct mip_builder *builder);
+
+/**
+ * Set time: command (0x01,0x03).
+ *
+ * Two responses for one command.
+ *
+ * Send it once a second.
+ *
+ * Functions: write, read and apply. Answered by mip_tools_set_time_fast_response or
+ * mip_tools_set_time_slow_response.
+ *
+ * - guide: Set time
+ */
+struct mip_tools_set_time {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Which half of the time. */
+    mip_mode part;
+    /** The new value. Unit: s. For write and apply. */
+    uint32_t value;
+};
+
+#define MIP_TOOLS_SET_TIME_DESCRIPTOR 0x03
+#define MIP_TOOLS_SET_TIME_NAME "tools.set_time"
+
+extern const struct mip_codec mip_tools_set_time_codec;
+mip_error mip_tools_set_time_decode(struct mip_tools_set_time *value,
+                                    const struct mip_field *field);
+mip_error mip_tools_set_time_encode(const struct mip_tools_set_time *value,
+                                    struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_tools_set_time mip_tools_set_time_write(mip_mode part, uint32_t value);
+/** Send the current setting back in a response. */
+struct mip_tools_set_time mip_tools_set_time_read(mip_mode part);
+/** Apply the new setting and send no acknowledge (5-series devices). */
+struct mip_tools_set_time mip_tools_set_time_apply(mip_mode part, uint32_t value);
+
+/**
+ * Set time response: response (0x01,0x83).
+ *
+ * Answers Set time (0x01,0x03).
+ *
+ * Sent if part is fast.
+ *
+ * - guide: Set time
+ */
+struct mip_tools_set_time_fast_response {
+    /** The fast half. Unit: s. */
+    uint32_t value;
+};
+
+#define MIP_TOOLS_SET_TIME_FAST_RESPONSE_DESCRIPTOR 0x83
+#define MIP_TOOLS_SET_TIME_FAST_RESPONSE_NAME "tools.set_time_fast_response"
+
+extern const struct mip_codec mip_tools_set_time_fast_response_codec;
+mip_error mip_tools_set_time_fast_response_decode(struct mip_tools_set_time_fast_response *value,
+                                                  const struct mip_field *field);
+mip_error mip_tools_set_time_fast_response_encode(
+    const struct mip_tools_set_time_fast_response *value, struct mip_builder *builder);
+
+/**
+ * Set time response: response (0x01,0x84).
+ *
+ * Answers Set time (0x01,0x03).
+ *
+ * Sent if part is slow.
+ *
+ * - guide: Set time
+ */
+struct mip_tools_set_time_slow_response {
+    /** The slow half. Unit: s. */
+    uint32_t value;
+};
+
+#define MIP_TOOLS_SET_TIME_SLOW_RESPONSE_DESCRIPTOR 0x84
+#define MIP_TOOLS_SET_TIME_SLOW_RESPONSE_NAME "tools.set_time_slow_response"
+
+extern const struct mip_codec mip_tools_set_time_slow_response_codec;
+mip_error mip_tools_set_time_slow_response_decode(struct mip_tools_set_time_slow_response *value,
+                                                  const struct mip_field *field);
+mip_error mip_tools_set_time_slow_response_encode(
+    const struct mip_tools_set_time_slow_response *value, struct mip_builder *builder);
+
+/**
+ * Status: command (0x01,0x04).
+ *
+ * Two layouts of one response, told apart by constants.
+ *
+ * For advanced use. Answered by mip_tools_status_short or mip_tools_status_long. The device may
+ * take 2.5 s to answer.
+ *
+ * - guide: Status
+ */
+struct mip_tools_status {
+    /** Which layout. Range: 1 to 2. */
+    uint8_t selector;
+};
+
+#define MIP_TOOLS_STATUS_DESCRIPTOR 0x04
+#define MIP_TOOLS_STATUS_NAME "tools.status"
+
+extern const struct mip_codec mip_tools_status_codec;
+mip_error mip_tools_status_decode(struct mip_tools_status *value, const struct mip_field *field);
+mip_error mip_tools_status_encode(const struct mip_tools_status *value,
+                                  struct mip_builder *builder);
+/** Status. */
+struct mip_tools_status mip_tools_status_make(uint8_t selector);
+
+/**
+ * Status response: response (0x01,0x90).
+ *
+ * Answers Status (0x01,0x04).
+ *
+ * Sent if selector is 1.
+ *
+ * - guide: Status
+ */
+struct mip_tools_status_short {
+    /**
+     * Faults. On the model-a: mip_tools_model_a_faults. On the model-b: mip_tools_model_b_faults.
+     */
+    uint32_t flags;
+};
+
+#define MIP_TOOLS_STATUS_SHORT_DESCRIPTOR 0x90
+#define MIP_TOOLS_STATUS_SHORT_NAME "tools.status_short"
+
+extern const struct mip_codec mip_tools_status_short_codec;
+mip_error mip_tools_status_short_decode(struct mip_tools_status_short *value,
+                                        const struct mip_field *field);
+mip_error mip_tools_status_short_encode(const struct mip_tools_status_short *value,
+                                        struct mip_builder *builder);
+
+/**
+ * Status response: response (0x01,0x90).
+ *
+ * Answers Status (0x01,0x04).
+ *
+ * Sent if selector is 2.
+ *
+ * - guide: Status
+ */
+struct mip_tools_status_long {
+    /**
+     * Faults. On the model-a: mip_tools_model_a_faults. On the model-b: mip_tools_model_b_faults.
+     */
+    uint32_t flags;
+    /** Since start. Unit: s. */
+    uint64_t uptime;
+};
+
+#define MIP_TOOLS_STATUS_LONG_DESCRIPTOR 0x90
+#define MIP_TOOLS_STATUS_LONG_NAME "tools.status_long"
+
+extern const struct mip_codec mip_tools_status_long_codec;
+mip_error mip_tools_status_long_decode(struct mip_tools_status_long *value,
+                                       const struct mip_field *field);
+mip_error mip_tools_status_long_encode(const struct mip_tools_status_long *value,
+                                       struct mip_builder *builder);
+
+/**
+ * Bias: command (0x01,0x05).
+ *
+ * Its response serves another command too.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_tools_bias_vector.
+ *
+ * - guide: Bias
+ * - leaflet: Bias
+ */
+struct mip_tools_bias {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Taken off the measurement. Elements: x, y, z. Unit: g. Frame: sensor. For write. */
+    float bias[3];
+};
+
+#define MIP_TOOLS_BIAS_DESCRIPTOR 0x05
+#define MIP_TOOLS_BIAS_NAME "tools.bias"
+
+extern const struct mip_codec mip_tools_bias_codec;
+mip_error mip_tools_bias_decode(struct mip_tools_bias *value, const struct mip_field *field);
+mip_error mip_tools_bias_encode(const struct mip_tools_bias *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_tools_bias mip_tools_bias_write(const float bias[3]);
+/** Send the current setting back in a response. */
+struct mip_tools_bias mip_tools_bias_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_tools_bias mip_tools_bias_save(void);
+/** Load the saved setting. */
+struct mip_tools_bias mip_tools_bias_load(void);
+/** Load the factory default setting. */
+struct mip_tools_bias mip_tools_bias_default(void);
+
+/**
+ * Bias response: response (0x01,0x9B).
+ *
+ * Answers Bias (0x01,0x05).
+ *
+ * - guide: Bias
+ * - leaflet: Bias
+ */
+struct mip_tools_bias_vector {
+    /** Taken off the measurement. Elements: x, y, z. Unit: g. Frame: sensor. */
+    float bias[3];
+};
+
+#define MIP_TOOLS_BIAS_VECTOR_DESCRIPTOR 0x9B
+#define MIP_TOOLS_BIAS_VECTOR_NAME "tools.bias_vector"
+
+extern const struct mip_codec mip_tools_bias_vector_codec;
+mip_error mip_tools_bias_vector_decode(struct mip_tools_bias_vector *value,
+                                       const struct mip_field *field);
+mip_error mip_tools_bias_vector_encode(const struct mip_tools_bias_vector *value,
+                                       struct mip_builder *builder);
+
+/**
+ * Capture bias: command (0x01,0x06).
+ *
+ * Measures the bias.
+ *
+ * Answered by mip_tools_bias_vector.
+ *
+ * - guide: Capture bias
+ */
+struct mip_tools_capture_bias {
+    /** How long. Unit: s. Range: 1 to 30. */
+    uint16_t time;
+};
+
+#define MIP_TOOLS_CAPTURE_BIAS_DESCRIPTOR 0x06
+#define MIP_TOOLS_CAPTURE_BIAS_NAME "tools.capture_bias"
+
+extern const struct mip_codec mip_tools_capture_bias_codec;
+mip_error mip_tools_capture_bias_decode(struct mip_tools_capture_bias *value,
+                                        const struct mip_field *field);
+mip_error mip_tools_capture_bias_encode(const struct mip_tools_capture_bias *value,
+                                        struct mip_builder *builder);
+/** Capture bias. */
+struct mip_tools_capture_bias mip_tools_capture_bias_make(uint16_t time);
+
+/**
+ * Formats: command (0x01,0x07).
+ *
+ * Counted arrays of structures and of numbers; not answered if told so.
+ *
+ * Not acknowledged if suppress_ack is true.
+ *
+ * - guide: Formats
+ */
+struct mip_tools_formats {
+    /** Send no acknowledge. */
+    mip_bool suppress_ack;
+    /** Number of segments. */
+    uint8_t num_segments;
+    /** Between a counter and its array. */
+    uint8_t checkpoint;
+    /** The segments. */
+    struct mip_segment segments[25];
+};
+
+#define MIP_TOOLS_FORMATS_DESCRIPTOR 0x07
+#define MIP_TOOLS_FORMATS_NAME "tools.formats"
+
+extern const struct mip_codec mip_tools_formats_codec;
+mip_error mip_tools_formats_decode(struct mip_tools_formats *value, const struct mip_field *field);
+mip_error mip_tools_formats_encode(const struct mip_tools_formats *value,
+                                   struct mip_builder *builder);
+/** Formats. */
+struct mip_tools_formats mip_tools_formats_make(mip_bool suppress_ack, uint8_t num_segments,
+                                                uint8_t checkpoint,
+                                                const struct mip_segment segments[]);
+
+/** The member of mip_tools_choice that `shape` selects. */
+union mip_tools_choice_parameters {
+    /** If shape is circle. */
+    struct mip_tools_circle circle;
+    /** If shape is path. */
+    struct mip_tools_path path;
+    /** If shape is turn: A rotation. Elements: w, x, y, z. */
+    float rotation[4];
+    /** If shape is label: A name. */
+    char label[9];
+};
+
+/**
+ * Choice: command (0x01,0x08).
+ *
+ * A tagged union with an empty variant, nested unions, arrays and strings in it.
+ *
+ * Functions: write and read. Answered by mip_tools_choice_response.
+ *
+ * - guide: Choice
+ */
+struct mip_tools_choice {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Which one. */
+    uint8_t instance;
+    /** Which member follows. For write. */
+    mip_tools_shape shape;
+    /** The member. For write. */
+    union mip_tools_choice_parameters parameters;
+};
+
+#define MIP_TOOLS_CHOICE_DESCRIPTOR 0x08
+#define MIP_TOOLS_CHOICE_NAME "tools.choice"
+
+extern const struct mip_codec mip_tools_choice_codec;
+mip_error mip_tools_choice_decode(struct mip_tools_choice *value, const struct mip_field *field);
+mip_error mip_tools_choice_encode(const struct mip_tools_choice *value,
+                                  struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_tools_choice mip_tools_choice_write(uint8_t instance, mip_tools_shape shape,
+                                               const union mip_tools_choice_parameters *parameters);
+/** Send the current setting back in a response. */
+struct mip_tools_choice mip_tools_choice_read(uint8_t instance);
+
+/** The member of mip_tools_choice_response that `shape` selects. */
+union mip_tools_choice_response_parameters {
+    /** If shape is circle. */
+    struct mip_tools_circle circle;
+    /** If shape is path. */
+    struct mip_tools_path path;
+    /** If shape is turn: A rotation. Elements: w, x, y, z. */
+    float rotation[4];
+    /** If shape is label: A name. */
+    char label[9];
+};
+
+/**
+ * Choice response: response (0x01,0x88).
+ *
+ * Answers Choice (0x01,0x08).
+ *
+ * - guide: Choice
+ */
+struct mip_tools_choice_response {
+    /** Which one. */
+    uint8_t instance;
+    /** Which member follows. */
+    mip_tools_shape shape;
+    /** The member. */
+    union mip_tools_choice_response_parameters parameters;
+};
+
+#define MIP_TOOLS_CHOICE_RESPONSE_DESCRIPTOR 0x88
+#define MIP_TOOLS_CHOICE_RESPONSE_NAME "tools.choice_response"
+
+extern const struct mip_codec mip_tools_choice_response_codec;
+mip_error mip_tools_choice_response_decode(struct mip_tools_choice_response *value,
+                                           const struct mip_field *field);
+mip_error mip_tools_choice_response_encode(const struct mip_tools_choice_response *value,
+                                           struct mip_builder *builder);
+
+/**
+ * List: command (0x01,0x09).
+ *
+ * Optional counted array; a read may carry a zero count.
+ *
+ * Functions: write, read and save. Answered by mip_tools_list_response.
+ *
+ * - guide: List
+ */
+struct mip_tools_list {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Number of items. For write. */
+    uint8_t count;
+    /** The items. For write. */
+    uint16_t items[125];
+};
+
+#define MIP_TOOLS_LIST_DESCRIPTOR 0x09
+#define MIP_TOOLS_LIST_NAME "tools.list"
+
+extern const struct mip_codec mip_tools_list_codec;
+mip_error mip_tools_list_decode(struct mip_tools_list *value, const struct mip_field *field);
+mip_error mip_tools_list_encode(const struct mip_tools_list *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_tools_list mip_tools_list_write(uint8_t count, const uint16_t items[]);
+/** Send the current setting back in a response. */
+struct mip_tools_list mip_tools_list_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_tools_list mip_tools_list_save(void);
+
+/**
+ * List response: response (0x01,0x89).
+ *
+ * Answers List (0x01,0x09).
+ *
+ * - guide: List
+ */
+struct mip_tools_list_response {
+    /** Number of items. */
+    uint8_t count;
+    /** The items. */
+    uint16_t items[126];
+};
+
+#define MIP_TOOLS_LIST_RESPONSE_DESCRIPTOR 0x89
+#define MIP_TOOLS_LIST_RESPONSE_NAME "tools.list_response"
+
+extern const struct mip_codec mip_tools_list_response_codec;
+mip_error mip_tools_list_response_decode(struct mip_tools_list_response *value,
+                                         const struct mip_field *field);
+mip_error mip_tools_list_response_encode(const struct mip_tools_list_response *value,
+                                         struct mip_builder *builder);
+
+/**
+ * Inventory: command (0x01,0x0A).
+ *
+ * Answers with an array to the end of the field.
+ *
+ * Answered by mip_tools_inventory_response.
+ *
+ * - guide: Inventory
+ */
+struct mip_tools_inventory {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_TOOLS_INVENTORY_DESCRIPTOR 0x0A
+#define MIP_TOOLS_INVENTORY_NAME "tools.inventory"
+
+extern const struct mip_codec mip_tools_inventory_codec;
+mip_error mip_tools_inventory_decode(struct mip_tools_inventory *value,
+                                     const struct mip_field *field);
+mip_error mip_tools_inventory_encode(const struct mip_tools_inventory *value,
+                                     struct mip_builder *builder);
+
+/**
+ * Inventory response: response (0x01,0x8A).
+ *
+ * Answers Inventory (0x01,0x0A).
+ *
+ * - guide: Inventory
+ */
+struct mip_tools_inventory_response {
+    /** As many as there are. */
+    uint8_t descriptors_count;
+    uint16_t descriptors[126];
+};
+
+#define MIP_TOOLS_INVENTORY_RESPONSE_DESCRIPTOR 0x8A
+#define MIP_TOOLS_INVENTORY_RESPONSE_NAME "tools.inventory_response"
+
+extern const struct mip_codec mip_tools_inventory_response_codec;
+mip_error mip_tools_inventory_response_decode(struct mip_tools_inventory_response *value,
+                                              const struct mip_field *field);
+mip_error mip_tools_inventory_response_encode(const struct mip_tools_inventory_response *value,
+                                              struct mip_builder *builder);
+
+/**
+ * Pin: command (0x01,0x0B).
+ *
+ * The names of one number depend on another.
+ *
+ * Functions: write and read. Answered by mip_tools_pin_response.
+ *
+ * - guide: Pin
+ */
+struct mip_tools_pin {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** What drives it. */
+    mip_tools_drive drive;
+    /**
+     * How it is used. If drive is pulse: mip_tools_pulse_use. If drive is serial:
+     * mip_tools_serial_use. For write.
+     */
+    uint8_t use;
+};
+
+#define MIP_TOOLS_PIN_DESCRIPTOR 0x0B
+#define MIP_TOOLS_PIN_NAME "tools.pin"
+
+extern const struct mip_codec mip_tools_pin_codec;
+mip_error mip_tools_pin_decode(struct mip_tools_pin *value, const struct mip_field *field);
+mip_error mip_tools_pin_encode(const struct mip_tools_pin *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_tools_pin mip_tools_pin_write(mip_tools_drive drive, uint8_t use);
+/** Send the current setting back in a response. */
+struct mip_tools_pin mip_tools_pin_read(mip_tools_drive drive);
+
+/**
+ * Pin response: response (0x01,0x8B).
+ *
+ * Answers Pin (0x01,0x0B).
+ *
+ * - guide: Pin
+ */
+struct mip_tools_pin_response {
+    /** What drives it. */
+    mip_tools_drive drive;
+    /**
+     * How it is used. If drive is pulse: mip_tools_pulse_use. If drive is serial:
+     * mip_tools_serial_use.
+     */
+    uint8_t use;
+};
+
+#define MIP_TOOLS_PIN_RESPONSE_DESCRIPTOR 0x8B
+#define MIP_TOOLS_PIN_RESPONSE_NAME "tools.pin_response"
+
+extern const struct mip_codec mip_tools_pin_response_codec;
+mip_error mip_tools_pin_response_decode(struct mip_tools_pin_response *value,
+                                        const struct mip_field *field);
+mip_error mip_tools_pin_response_encode(const struct mip_tools_pin_response *value,
+                                        struct mip_builder *builder);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,153 @@
+/**
+ * @file
+ * Types that more than one descriptor set uses.
+ */
+#ifndef MIP_TYPES_H
+#define MIP_TYPES_H
+
+#include "mip/core.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/types.h and mip/core.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The result of a command. */
+typedef uint8_t mip_ack_code;
+/** Done. */
+#define MIP_ACK_CODE_OK 0
+/** No such command. */
+#define MIP_ACK_CODE_UNKNOWN_COMMAND 1
+/** A parameter is out of range. */
+#define MIP_ACK_CODE_INVALID_PARAMETER 3
+
+/** What the device does. */
+typedef uint8_t mip_mode;
+/** A keyword in three languages. */
+#define MIP_MODE_DEFAULT 0
+/** Quick. */
+#define MIP_MODE_FAST 1
+/** Careful. Deprecated. */
+#define MIP_MODE_SLOW 2
+
+/** An enumeration over four bytes. */
+typedef uint32_t mip_wide_code;
+#define MIP_WIDE_CODE_LOW 1
+#define MIP_WIDE_CODE_HIGH UINT32_C(0xFFFF0000)
+
+/** Bits of all kinds. */
+typedef uint16_t mip_state_flags;
+/** Bit 0: Ready to measure. */
+#define MIP_STATE_FLAGS_READY 0x0001U
+/** Bit 1: Too hot. */
+#define MIP_STATE_FLAGS_HOT 0x0002U
+/** Bits 4 to 6: A number from 0 to 7. */
+#define MIP_STATE_FLAGS_LEVEL 0x0070U
+/** Bits 8 to 9: An enumeration inside the bitfield. */
+#define MIP_STATE_FLAGS_MODE 0x0300U
+/** Bits 0 to 1: Ready or hot. */
+#define MIP_STATE_FLAGS_ANY 0x0003U
+
+/** Sets bits, clears them, and tells whether all of them are set. */
+static inline void mip_state_flags_set(mip_state_flags *flags, mip_state_flags bits) {
+    *flags = (mip_state_flags)(*flags | bits);
+}
+static inline void mip_state_flags_clear(mip_state_flags *flags, mip_state_flags bits) {
+    *flags = (mip_state_flags)(*flags & ~(uint32_t)bits);
+}
+static inline bool mip_state_flags_has(mip_state_flags flags, mip_state_flags bits) {
+    return (flags & bits) == bits;
+}
+
+/** Bits 4 to 6: A number from 0 to 7. */
+static inline uint8_t mip_state_flags_get_level(mip_state_flags flags) {
+    const uint32_t bits = flags & MIP_STATE_FLAGS_LEVEL;
+    return (uint8_t)(bits >> 4);
+}
+static inline void mip_state_flags_set_level(mip_state_flags *flags, uint8_t value) {
+    const uint32_t mask = MIP_STATE_FLAGS_LEVEL;
+    const uint32_t bits = (uint32_t)value << 4;
+    *flags = (mip_state_flags)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 8 to 9: An enumeration inside the bitfield. */
+static inline mip_mode mip_state_flags_get_mode(mip_state_flags flags) {
+    const uint32_t bits = flags & MIP_STATE_FLAGS_MODE;
+    return (mip_mode)(bits >> 8);
+}
+static inline void mip_state_flags_set_mode(mip_state_flags *flags, mip_mode value) {
+    const uint32_t mask = MIP_STATE_FLAGS_MODE;
+    const uint32_t bits = (uint32_t)value << 8;
+    *flags = (mip_state_flags)((*flags & ~mask) | (bits & mask));
+}
+
+/** One hundred and twenty-eight bits, least significant byte first. */
+struct mip_health {
+    /** Least significant byte first. */
+    uint8_t bytes[16];
+};
+
+/** Bit 0: The clock has failed. */
+static inline bool mip_health_get_clock(const struct mip_health *flags) {
+    return (bool)mip_get_bits(flags->bytes, 0, 1);
+}
+static inline void mip_health_set_clock(struct mip_health *flags, bool value) {
+    mip_set_bits(flags->bytes, 0, 1, value);
+}
+
+/** Bit 9: The supply is out of range. */
+static inline bool mip_health_get_power(const struct mip_health *flags) {
+    return (bool)mip_get_bits(flags->bytes, 9, 1);
+}
+static inline void mip_health_set_power(struct mip_health *flags, bool value) {
+    mip_set_bits(flags->bytes, 9, 1, value);
+}
+
+/** Bits 30 to 33: A number across two bytes. */
+static inline uint8_t mip_health_get_count(const struct mip_health *flags) {
+    return (uint8_t)mip_get_bits(flags->bytes, 30, 4);
+}
+static inline void mip_health_set_count(struct mip_health *flags, uint8_t value) {
+    mip_set_bits(flags->bytes, 30, 4, value);
+}
+
+/** Bit 127: The very last bit. */
+static inline bool mip_health_get_last(const struct mip_health *flags) {
+    return (bool)mip_get_bits(flags->bytes, 127, 1);
+}
+static inline void mip_health_set_last(struct mip_health *flags, bool value) {
+    mip_set_bits(flags->bytes, 127, 1, value);
+}
+
+/** A place in a plane. */
+struct mip_point {
+    /** Eastward. Unit: m. */
+    int16_t x;
+    /** Northward. Unit: m. */
+    int16_t y;
+};
+
+void mip_point_read(struct mip_reader *r, struct mip_point *v);
+void mip_point_write(struct mip_writer *w, const struct mip_point *v);
+
+/** Two places, nested. */
+struct mip_segment {
+    /** Begins here. */
+    struct mip_point from;
+    /** Ends here. */
+    struct mip_point to;
+    /** Of its ends. */
+    uint8_t weights[2];
+};
+
+void mip_segment_read(struct mip_reader *r, struct mip_segment *v);
+void mip_segment_write(struct mip_writer *w, const struct mip_segment *v);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

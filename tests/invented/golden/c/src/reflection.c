@@ -1,0 +1,648 @@
+/* The parameters, types and names of all fields. */
+#include "mip/reflect.h"
+
+#include "mip/protocol.h"
+#include "mip/tools.h"
+#include "mip/3d.h"
+#include "mip/measurements.h"
+#include "mip/more.h"
+#include "mip/shared.h"
+
+/* A member's place and the bytes of one item of it. */
+#define ONE(record, member) offsetof(record, member), sizeof(((record *)0)->member)
+#define MANY(record, member) offsetof(record, member), sizeof(((record *)0)->member[0])
+
+/* ---------------------------------------------------------------------------------------- names */
+
+static const struct mip_named_value values_function_selector[] = {
+    {"write", 1},
+    {"read", 2},
+    {"save", 3},
+    {"load", 4},
+    {"default", 5},
+    {"apply", 6},
+};
+static const struct mip_names names_function_selector = {
+    "function_selector", values_function_selector, NULL, 6, 1};
+
+static const struct mip_named_value values_ack_code[] = {
+    {"ok", 0},
+    {"unknown_command", 1},
+    {"invalid_parameter", 3},
+};
+static const struct mip_names names_ack_code = {
+    "ack_code", values_ack_code, NULL, 3, 1};
+
+static const struct mip_named_value values_mode[] = {
+    {"default", 0},
+    {"fast", 1},
+    {"slow", 2},
+};
+static const struct mip_names names_mode = {
+    "mode", values_mode, NULL, 3, 1};
+
+static const struct mip_named_value values_wide_code[] = {
+    {"low", 1},
+    {"high", UINT32_C(0xFFFF0000)},
+};
+static const struct mip_names names_wide_code = {
+    "wide_code", values_wide_code, NULL, 2, 4};
+
+static const struct mip_named_bits bits_state_flags[] = {
+    {"ready", 0, 1, NULL},
+    {"hot", 1, 1, NULL},
+    {"level", 4, 3, NULL},
+    {"mode", 8, 2, &names_mode},
+    {"any", 0, 2, NULL},
+};
+static const struct mip_names names_state_flags = {
+    "state_flags", NULL, bits_state_flags, 5, 2};
+
+static const struct mip_named_bits bits_health[] = {
+    {"clock", 0, 1, NULL},
+    {"power", 9, 1, NULL},
+    {"count", 30, 4, NULL},
+    {"last", 127, 1, NULL},
+};
+static const struct mip_names names_health = {
+    "health", NULL, bits_health, 4, 16};
+
+static const struct mip_named_bits bits_tools_model_a_faults[] = {
+    {"clock", 0, 1, NULL},
+    {"sensor", 8, 1, NULL},
+    {"solution", 24, 1, NULL},
+};
+static const struct mip_names names_tools_model_a_faults = {
+    "tools.model_a_faults", NULL, bits_tools_model_a_faults, 3, 4};
+
+static const struct mip_named_bits bits_tools_model_b_faults[] = {
+    {"general", 0, 1, NULL},
+    {"overload", 1, 1, NULL},
+    {"accel", 12, 1, NULL},
+};
+static const struct mip_names names_tools_model_b_faults = {
+    "tools.model_b_faults", NULL, bits_tools_model_b_faults, 3, 4};
+
+static const struct mip_named_value values_tools_shape[] = {
+    {"none", 0},
+    {"circle", 1},
+    {"path", 2},
+    {"turn", 3},
+    {"label", 4},
+};
+static const struct mip_names names_tools_shape = {
+    "tools.shape", values_tools_shape, NULL, 5, 1};
+
+static const struct mip_named_value values_tools_fill[] = {
+    {"empty", 0},
+    {"solid", 1},
+    {"striped", 2},
+};
+static const struct mip_names names_tools_fill = {
+    "tools.fill", values_tools_fill, NULL, 3, 1};
+
+static const struct mip_named_value values_tools_drive[] = {
+    {"off", 0},
+    {"pulse", 1},
+    {"serial", 2},
+};
+static const struct mip_names names_tools_drive = {
+    "tools.drive", values_tools_drive, NULL, 3, 1};
+
+static const struct mip_named_value values_tools_pulse_use[] = {
+    {"input", 1},
+    {"output", 2},
+};
+static const struct mip_names names_tools_pulse_use = {
+    "tools.pulse_use", values_tools_pulse_use, NULL, 2, 1};
+
+static const struct mip_named_value values_tools_serial_use[] = {
+    {"receive", 1},
+    {"transmit", 33},
+};
+static const struct mip_names names_tools_serial_use = {
+    "tools.serial_use", values_tools_serial_use, NULL, 2, 1};
+
+const struct mip_names *const mip_all_names[] = {
+    &names_function_selector,
+    &names_ack_code,
+    &names_mode,
+    &names_wide_code,
+    &names_state_flags,
+    &names_health,
+    &names_tools_model_a_faults,
+    &names_tools_model_b_faults,
+    &names_tools_shape,
+    &names_tools_fill,
+    &names_tools_drive,
+    &names_tools_pulse_use,
+    &names_tools_serial_use,
+};
+const size_t mip_all_names_count = sizeof(mip_all_names) / sizeof(mip_all_names[0]);
+
+/* ----------------------------------------------------------------------------------- parameters */
+
+static const struct mip_parameter parameters_point[] = {
+    {"x", "m", MIP_KIND_NUMBER, MIP_SCALAR_S16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_point, x), 0, NULL, NULL, NULL, NULL, 0},
+    {"y", "m", MIP_KIND_NUMBER, MIP_SCALAR_S16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_point, y), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_point = {
+    parameters_point, 2, sizeof(struct mip_point)};
+
+static const struct mip_parameter parameters_segment[] = {
+    {"from", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_segment, from), 0, NULL, NULL, &record_point, NULL, 0},
+    {"to", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_segment, to), 0, NULL, NULL, &record_point, NULL, 0},
+    {"weights", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 2, 1, 0, 0, 0,
+     MANY(struct mip_segment, weights), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_segment = {
+    parameters_segment, 3, sizeof(struct mip_segment)};
+
+static const struct mip_parameter parameters_tools_stripes[] = {
+    {"width", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_stripes, width), 0, NULL, NULL, NULL, NULL, 0},
+    {"angle", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_stripes, angle), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_stripes = {
+    parameters_tools_stripes, 2, sizeof(struct mip_tools_stripes)};
+
+static const struct mip_parameter members_tools_circle_filling[] = {
+    {"solid", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(union mip_tools_circle_filling, solid), 0, NULL, NULL, NULL, NULL, 0},
+    {"striped", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(union mip_tools_circle_filling, striped), 0, NULL, NULL, &record_tools_stripes, NULL, 0},
+};
+static const struct mip_case cases_tools_circle_filling[] = {
+    {0, NULL},
+    {1, &members_tools_circle_filling[0]},
+    {2, &members_tools_circle_filling[1]},
+};
+static const struct mip_parameter parameters_tools_circle[] = {
+    {"center", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_circle, center), 0, NULL, NULL, &record_point, NULL, 0},
+    {"fill", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_circle, fill), 0, &names_tools_fill, NULL, NULL, NULL, 0},
+    {"filling", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
+     ONE(struct mip_tools_circle, filling), 0, NULL, NULL, NULL, cases_tools_circle_filling, 3},
+};
+static const struct mip_record record_tools_circle = {
+    parameters_tools_circle, 3, sizeof(struct mip_tools_circle)};
+
+static const struct mip_parameter parameters_tools_path[] = {
+    {"closed", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_path, closed), 0, NULL, NULL, NULL, NULL, 0},
+    {"num_points", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 0, 0,
+     ONE(struct mip_tools_path, num_points), 0, NULL, NULL, NULL, NULL, 0},
+    {"points", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 62, 1, 1, 0, 0,
+     MANY(struct mip_tools_path, points), 0, NULL, NULL, &record_point, NULL, 0},
+};
+static const struct mip_record record_tools_path = {
+    parameters_tools_path, 3, sizeof(struct mip_tools_path)};
+
+static const struct mip_parameter parameters_protocol_acknowledge[] = {
+    {"command", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_protocol_acknowledge, command), 0, NULL, NULL, NULL, NULL, 0},
+    {"code", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_protocol_acknowledge, code), 0, &names_ack_code, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_protocol_acknowledge = {
+    parameters_protocol_acknowledge, 2, sizeof(struct mip_protocol_acknowledge)};
+
+static const struct mip_record record_tools_ping = {
+    NULL, 0, sizeof(struct mip_tools_ping)};
+
+static const struct mip_parameter parameters_tools_settings[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_settings, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+    {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_tools_settings, port), 0, NULL, NULL, NULL, NULL, 0},
+    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_tools_settings, mode), 0, &names_mode, NULL, NULL, NULL, 0},
+    {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_tools_settings, baud), 0, NULL, NULL, NULL, NULL, 0},
+    {"limit", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
+     ONE(struct mip_tools_settings, limit), 0, NULL, NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 5, 0,
+     ONE(struct mip_tools_settings, reserved), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_settings = {
+    parameters_tools_settings, 6, sizeof(struct mip_tools_settings)};
+static const uint8_t required_tools_settings[] = {0, 3, 2, 1, 1, 1, 3};
+
+static const struct mip_parameter parameters_tools_set_time[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_set_time, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+    {"part", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_tools_set_time, part), 0, &names_mode, NULL, NULL, NULL, 0},
+    {"value", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_tools_set_time, value), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_set_time = {
+    parameters_tools_set_time, 3, sizeof(struct mip_tools_set_time)};
+static const uint8_t required_tools_set_time[] = {0, 2, 1, 0, 0, 0, 2};
+
+static const struct mip_parameter parameters_tools_status[] = {
+    {"model", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 4711, 0, 0, 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_status, selector), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_status = {
+    parameters_tools_status, 2, sizeof(struct mip_tools_status)};
+
+static const struct mip_parameter parameters_tools_bias[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_bias, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+    {"bias", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
+     ONE(struct mip_tools_bias, bias), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_bias = {
+    parameters_tools_bias, 2, sizeof(struct mip_tools_bias)};
+static const uint8_t required_tools_bias[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_tools_capture_bias[] = {
+    {"time", "s", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_capture_bias, time), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_capture_bias = {
+    parameters_tools_capture_bias, 1, sizeof(struct mip_tools_capture_bias)};
+
+static const struct mip_parameter parameters_tools_formats[] = {
+    {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_formats, suppress_ack), 0, NULL, NULL, NULL, NULL, 0},
+    {"num_segments", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 0, 0,
+     ONE(struct mip_tools_formats, num_segments), 0, NULL, NULL, NULL, NULL, 0},
+    {"checkpoint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_formats, checkpoint), 0, NULL, NULL, NULL, NULL, 0},
+    {"segments", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 25, 1, 1, 0, 0,
+     MANY(struct mip_tools_formats, segments), 0, NULL, NULL, &record_segment, NULL, 0},
+};
+static const struct mip_record record_tools_formats = {
+    parameters_tools_formats, 4, sizeof(struct mip_tools_formats)};
+
+static const struct mip_parameter members_tools_choice_parameters[] = {
+    {"circle", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(union mip_tools_choice_parameters, circle), 0, NULL, NULL, &record_tools_circle, NULL, 0},
+    {"path", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(union mip_tools_choice_parameters, path), 0, NULL, NULL, &record_tools_path, NULL, 0},
+    {"rotation", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
+     ONE(union mip_tools_choice_parameters, rotation), 0, NULL, NULL, NULL, NULL, 0},
+    {"label", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 8, 1, 0, 0, 0,
+     MANY(union mip_tools_choice_parameters, label), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_case cases_tools_choice_parameters[] = {
+    {0, NULL},
+    {1, &members_tools_choice_parameters[0]},
+    {2, &members_tools_choice_parameters[1]},
+    {3, &members_tools_choice_parameters[2]},
+    {4, &members_tools_choice_parameters[3]},
+};
+static const struct mip_parameter parameters_tools_choice[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_choice, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+    {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_tools_choice, instance), 0, NULL, NULL, NULL, NULL, 0},
+    {"shape", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_tools_choice, shape), 0, &names_tools_shape, NULL, NULL, NULL, 0},
+    {"parameters", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 3, 0,
+     ONE(struct mip_tools_choice, parameters), 0, NULL, NULL, NULL, cases_tools_choice_parameters,
+     5},
+};
+static const struct mip_record record_tools_choice = {
+    parameters_tools_choice, 4, sizeof(struct mip_tools_choice)};
+static const uint8_t required_tools_choice[] = {0, 3, 1};
+
+static const struct mip_parameter parameters_tools_list[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_list, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+    {"count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 2, 0,
+     ONE(struct mip_tools_list, count), 0, NULL, NULL, NULL, NULL, 0},
+    {"items", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_COUNTED, 125, 1, 1, 2, 0,
+     MANY(struct mip_tools_list, items), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_list = {
+    parameters_tools_list, 3, sizeof(struct mip_tools_list)};
+static const uint8_t required_tools_list[] = {0, 2, 0, 0};
+
+static const struct mip_record record_tools_inventory = {
+    NULL, 0, sizeof(struct mip_tools_inventory)};
+
+static const struct mip_reading readings_tools_pin_use[] = {
+    {NULL, 1, 1, &names_tools_pulse_use},
+    {NULL, 1, 2, &names_tools_serial_use},
+};
+static const struct mip_parameter parameters_tools_pin[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_pin, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+    {"drive", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_tools_pin, drive), 0, &names_tools_drive, NULL, NULL, NULL, 0},
+    {"use", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_tools_pin, use), 0, NULL, readings_tools_pin_use, NULL, NULL, 2},
+};
+static const struct mip_record record_tools_pin = {
+    parameters_tools_pin, 3, sizeof(struct mip_tools_pin)};
+static const uint8_t required_tools_pin[] = {0, 2, 1};
+
+static const struct mip_parameter parameters_tools_settings_response[] = {
+    {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_settings_response, port), 0, NULL, NULL, NULL, NULL, 0},
+    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_settings_response, mode), 0, &names_mode, NULL, NULL, NULL, 0},
+    {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_settings_response, baud), 0, NULL, NULL, NULL, NULL, 0},
+    {"limit", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_settings_response, limit), 0, NULL, NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_settings_response, reserved), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_settings_response = {
+    parameters_tools_settings_response, 5, sizeof(struct mip_tools_settings_response)};
+
+static const struct mip_parameter parameters_tools_set_time_fast_response[] = {
+    {"value", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_set_time_fast_response, value), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_set_time_fast_response = {
+    parameters_tools_set_time_fast_response, 1, sizeof(struct mip_tools_set_time_fast_response)};
+
+static const struct mip_parameter parameters_tools_set_time_slow_response[] = {
+    {"value", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_set_time_slow_response, value), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_set_time_slow_response = {
+    parameters_tools_set_time_slow_response, 1, sizeof(struct mip_tools_set_time_slow_response)};
+
+static const struct mip_parameter members_tools_choice_response_parameters[] = {
+    {"circle", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(union mip_tools_choice_response_parameters, circle), 0, NULL, NULL, &record_tools_circle,
+     NULL, 0},
+    {"path", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(union mip_tools_choice_response_parameters, path), 0, NULL, NULL, &record_tools_path, NULL,
+     0},
+    {"rotation", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
+     ONE(union mip_tools_choice_response_parameters, rotation), 0, NULL, NULL, NULL, NULL, 0},
+    {"label", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 8, 1, 0, 0, 0,
+     MANY(union mip_tools_choice_response_parameters, label), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_case cases_tools_choice_response_parameters[] = {
+    {0, NULL},
+    {1, &members_tools_choice_response_parameters[0]},
+    {2, &members_tools_choice_response_parameters[1]},
+    {3, &members_tools_choice_response_parameters[2]},
+    {4, &members_tools_choice_response_parameters[3]},
+};
+static const struct mip_parameter parameters_tools_choice_response[] = {
+    {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_choice_response, instance), 0, NULL, NULL, NULL, NULL, 0},
+    {"shape", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_choice_response, shape), 0, &names_tools_shape, NULL, NULL, NULL, 0},
+    {"parameters", "", MIP_KIND_UNION, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
+     ONE(struct mip_tools_choice_response, parameters), 0, NULL, NULL, NULL,
+     cases_tools_choice_response_parameters, 5},
+};
+static const struct mip_record record_tools_choice_response = {
+    parameters_tools_choice_response, 3, sizeof(struct mip_tools_choice_response)};
+
+static const struct mip_parameter parameters_tools_list_response[] = {
+    {"count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
+     ONE(struct mip_tools_list_response, count), 0, NULL, NULL, NULL, NULL, 0},
+    {"items", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_COUNTED, 126, 1, 0, 0, 0,
+     MANY(struct mip_tools_list_response, items), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_list_response = {
+    parameters_tools_list_response, 2, sizeof(struct mip_tools_list_response)};
+
+static const struct mip_parameter parameters_tools_inventory_response[] = {
+    {"descriptors", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_REST, 126, 1, 0, 0, 0,
+     MANY(struct mip_tools_inventory_response, descriptors),
+     offsetof(struct mip_tools_inventory_response, descriptors_count), NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_inventory_response = {
+    parameters_tools_inventory_response, 1, sizeof(struct mip_tools_inventory_response)};
+
+static const struct mip_reading readings_tools_pin_response_use[] = {
+    {NULL, 0, 1, &names_tools_pulse_use},
+    {NULL, 0, 2, &names_tools_serial_use},
+};
+static const struct mip_parameter parameters_tools_pin_response[] = {
+    {"drive", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_pin_response, drive), 0, &names_tools_drive, NULL, NULL, NULL, 0},
+    {"use", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_pin_response, use), 0, NULL, readings_tools_pin_response_use, NULL, NULL,
+     2},
+};
+static const struct mip_record record_tools_pin_response = {
+    parameters_tools_pin_response, 2, sizeof(struct mip_tools_pin_response)};
+
+static const struct mip_reading readings_tools_status_short_flags[] = {
+    {"model-a", 0, 0, &names_tools_model_a_faults},
+    {"model-b", 0, 0, &names_tools_model_b_faults},
+};
+static const struct mip_parameter parameters_tools_status_short[] = {
+    {"model", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 4711, 0, 0, 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"selector", "", MIP_KIND_CONSTANT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 1, 0, 0, 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_status_short, flags), 0, NULL, readings_tools_status_short_flags, NULL,
+     NULL, 2},
+};
+static const struct mip_record record_tools_status_short = {
+    parameters_tools_status_short, 3, sizeof(struct mip_tools_status_short)};
+
+static const struct mip_reading readings_tools_status_long_flags[] = {
+    {"model-a", 0, 0, &names_tools_model_a_faults},
+    {"model-b", 0, 0, &names_tools_model_b_faults},
+};
+static const struct mip_parameter parameters_tools_status_long[] = {
+    {"model", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 4711, 0, 0, 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"selector", "", MIP_KIND_CONSTANT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 2, 0, 0, 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_status_long, flags), 0, NULL, readings_tools_status_long_flags, NULL,
+     NULL, 2},
+    {"uptime", "s", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_status_long, uptime), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_status_long = {
+    parameters_tools_status_long, 4, sizeof(struct mip_tools_status_long)};
+
+static const struct mip_parameter parameters_tools_bias_vector[] = {
+    {"bias", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_tools_bias_vector, bias), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_bias_vector = {
+    parameters_tools_bias_vector, 1, sizeof(struct mip_tools_bias_vector)};
+
+static const struct mip_parameter parameters_3d_default[] = {
+    {"class", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3d_default, class_), 0, NULL, NULL, NULL, NULL, 0},
+    {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3d_default, type), 0, NULL, NULL, NULL, NULL, 0},
+    {"register", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3d_default, register_), 0, NULL, NULL, NULL, NULL, 0},
+    {"self", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3d_default, self), 0, NULL, NULL, NULL, NULL, 0},
+    {"present", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3d_default, present_), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3d_default = {
+    parameters_3d_default, 5, sizeof(struct mip_3d_default)};
+
+static const struct mip_parameter parameters_measurements_accel[] = {
+    {"scaled_accel", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_measurements_accel, scaled_accel), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_accel, valid_flags), 0, &names_state_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_measurements_accel = {
+    parameters_measurements_accel, 2, sizeof(struct mip_measurements_accel)};
+
+static const struct mip_parameter parameters_measurements_numbers[] = {
+    {"u8", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_numbers, u8), 0, NULL, NULL, NULL, NULL, 0},
+    {"u16", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_numbers, u16), 0, NULL, NULL, NULL, NULL, 0},
+    {"u32", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_numbers, u32), 0, NULL, NULL, NULL, NULL, 0},
+    {"u64", "", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_numbers, u64), 0, NULL, NULL, NULL, NULL, 0},
+    {"s8", "", MIP_KIND_NUMBER, MIP_SCALAR_S8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_numbers, s8), 0, NULL, NULL, NULL, NULL, 0},
+    {"s16", "", MIP_KIND_NUMBER, MIP_SCALAR_S16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_numbers, s16), 0, NULL, NULL, NULL, NULL, 0},
+    {"s32", "", MIP_KIND_NUMBER, MIP_SCALAR_S32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_numbers, s32), 0, NULL, NULL, NULL, NULL, 0},
+    {"s64", "", MIP_KIND_NUMBER, MIP_SCALAR_S64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_numbers, s64), 0, NULL, NULL, NULL, NULL, 0},
+    {"float", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_numbers, float_), 0, NULL, NULL, NULL, NULL, 0},
+    {"double", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_numbers, double_), 0, NULL, NULL, NULL, NULL, 0},
+    {"bool", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_numbers, bool_), 0, NULL, NULL, NULL, NULL, 0},
+    {"char", "", MIP_KIND_NUMBER, MIP_SCALAR_CHAR, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_numbers, char_), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_measurements_numbers = {
+    parameters_measurements_numbers, 12, sizeof(struct mip_measurements_numbers)};
+
+static const struct mip_parameter parameters_measurements_strings[] = {
+    {"model", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 16, 1, 0, 0, 0,
+     MANY(struct mip_measurements_strings, model), 0, NULL, NULL, NULL, NULL, 0},
+    {"length", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 0, 0,
+     ONE(struct mip_measurements_strings, length), 0, NULL, NULL, NULL, NULL, 0},
+    {"name", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 236, 1, 1, 0, 0,
+     MANY(struct mip_measurements_strings, name), 0, NULL, NULL, NULL, NULL, 0},
+    {"rest", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_REST, 236, 1, 3, 0, 0,
+     MANY(struct mip_measurements_strings, rest),
+     offsetof(struct mip_measurements_strings, rest_count), NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_measurements_strings = {
+    parameters_measurements_strings, 4, sizeof(struct mip_measurements_strings)};
+
+static const struct mip_parameter parameters_measurements_health[] = {
+    {"result", "", MIP_KIND_BITS, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_health, result), 0, &names_health, NULL, NULL, NULL, 0},
+    {"code", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_health, code), 0, &names_wide_code, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_measurements_health = {
+    parameters_measurements_health, 2, sizeof(struct mip_measurements_health)};
+
+static const struct mip_parameter parameters_measurements_arrays[] = {
+    {"modes", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 3, 1, 0, 0, 0,
+     MANY(struct mip_measurements_arrays, modes), 0, &names_mode, NULL, NULL, NULL, 0},
+    {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_FIXED, 2, 1, 0, 0, 0,
+     MANY(struct mip_measurements_arrays, flags), 0, &names_state_flags, NULL, NULL, NULL, 0},
+    {"vectors", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_FIXED, 2, 3, 0, 0, 0,
+     MANY(struct mip_measurements_arrays, vectors), 0, NULL, NULL, NULL, NULL, 0},
+    {"points", "m", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 2, 1, 0, 0, 0,
+     MANY(struct mip_measurements_arrays, points), 0, NULL, NULL, &record_point, NULL, 0},
+    {"track", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_arrays, track), 0, NULL, NULL, &record_segment, NULL, 0},
+    {"offsets", "", MIP_KIND_NUMBER, MIP_SCALAR_S8, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_measurements_arrays, offsets), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_measurements_arrays = {
+    parameters_measurements_arrays, 6, sizeof(struct mip_measurements_arrays)};
+
+static const struct mip_parameter parameters_measurements_growing[] = {
+    {"first", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_growing, first), 0, NULL, NULL, NULL, NULL, 0},
+    {"second", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_measurements_growing, second), 0, NULL, NULL, NULL, NULL, 0},
+    {"third", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_measurements_growing, third), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_measurements_growing = {
+    parameters_measurements_growing, 3, sizeof(struct mip_measurements_growing)};
+
+static const struct mip_parameter parameters_more_own[] = {
+    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_more_own, mode), 0, &names_mode, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_more_own = {
+    parameters_more_own, 1, sizeof(struct mip_more_own)};
+
+static const struct mip_parameter parameters_shared_timestamp[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_shared_timestamp, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_shared_timestamp, valid_flags), 0, &names_state_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_shared_timestamp = {
+    parameters_shared_timestamp, 2, sizeof(struct mip_shared_timestamp)};
+
+/* --------------------------------------------------------------------------------------- fields */
+
+const struct mip_reflection mip_reflections[] = {
+    {&mip_protocol_acknowledge_codec, &record_protocol_acknowledge, false, false, NULL, 0, 0},
+    {&mip_tools_ping_codec, &record_tools_ping, false, false, NULL, 0, 0},
+    {&mip_tools_settings_codec, &record_tools_settings, true, true, required_tools_settings,
+     sizeof(required_tools_settings), offsetof(struct mip_tools_settings, present)},
+    {&mip_tools_set_time_codec, &record_tools_set_time, true, true, required_tools_set_time,
+     sizeof(required_tools_set_time), offsetof(struct mip_tools_set_time, present)},
+    {&mip_tools_status_codec, &record_tools_status, false, false, NULL, 0, 0},
+    {&mip_tools_bias_codec, &record_tools_bias, true, true, required_tools_bias,
+     sizeof(required_tools_bias), offsetof(struct mip_tools_bias, present)},
+    {&mip_tools_capture_bias_codec, &record_tools_capture_bias, false, false, NULL, 0, 0},
+    {&mip_tools_formats_codec, &record_tools_formats, false, false, NULL, 0, 0},
+    {&mip_tools_choice_codec, &record_tools_choice, true, true, required_tools_choice,
+     sizeof(required_tools_choice), offsetof(struct mip_tools_choice, present)},
+    {&mip_tools_list_codec, &record_tools_list, true, true, required_tools_list,
+     sizeof(required_tools_list), offsetof(struct mip_tools_list, present)},
+    {&mip_tools_inventory_codec, &record_tools_inventory, false, false, NULL, 0, 0},
+    {&mip_tools_pin_codec, &record_tools_pin, true, true, required_tools_pin,
+     sizeof(required_tools_pin), offsetof(struct mip_tools_pin, present)},
+    {&mip_tools_settings_response_codec, &record_tools_settings_response, false, false, NULL, 0, 0},
+    {&mip_tools_set_time_fast_response_codec, &record_tools_set_time_fast_response, false, false,
+     NULL, 0, 0},
+    {&mip_tools_set_time_slow_response_codec, &record_tools_set_time_slow_response, false, false,
+     NULL, 0, 0},
+    {&mip_tools_choice_response_codec, &record_tools_choice_response, false, false, NULL, 0, 0},
+    {&mip_tools_list_response_codec, &record_tools_list_response, false, false, NULL, 0, 0},
+    {&mip_tools_inventory_response_codec, &record_tools_inventory_response, false, false, NULL, 0,
+     0},
+    {&mip_tools_pin_response_codec, &record_tools_pin_response, false, false, NULL, 0, 0},
+    {&mip_tools_status_short_codec, &record_tools_status_short, false, false, NULL, 0, 0},
+    {&mip_tools_status_long_codec, &record_tools_status_long, false, false, NULL, 0, 0},
+    {&mip_tools_bias_vector_codec, &record_tools_bias_vector, false, false, NULL, 0, 0},
+    {&mip_3d_default_codec, &record_3d_default, false, false, NULL, 0, 0},
+    {&mip_measurements_accel_codec, &record_measurements_accel, false, false, NULL, 0, 0},
+    {&mip_measurements_numbers_codec, &record_measurements_numbers, false, false, NULL, 0, 0},
+    {&mip_measurements_strings_codec, &record_measurements_strings, false, false, NULL, 0, 0},
+    {&mip_measurements_health_codec, &record_measurements_health, false, false, NULL, 0, 0},
+    {&mip_measurements_arrays_codec, &record_measurements_arrays, false, false, NULL, 0, 0},
+    {&mip_measurements_growing_codec, &record_measurements_growing, false, true, NULL, 0,
+     offsetof(struct mip_measurements_growing, present)},
+    {&mip_more_own_codec, &record_more_own, false, false, NULL, 0, 0},
+    {&mip_shared_timestamp_codec, &record_shared_timestamp, false, false, NULL, 0, 0},
+};
+const size_t mip_reflection_count = sizeof(mip_reflections) / sizeof(mip_reflections[0]);

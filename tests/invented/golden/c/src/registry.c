@@ -1,0 +1,101 @@
+/* All fields of all descriptor sets. */
+#include "mip/registry.h"
+
+#include "mip/protocol.h"
+#include "mip/tools.h"
+#include "mip/3d.h"
+#include "mip/measurements.h"
+#include "mip/more.h"
+#include "mip/shared.h"
+
+static const struct mip_constant constants_tools_status[] = {
+    {0, 2, 4711},
+};
+
+static const struct mip_constant constants_tools_status_short[] = {
+    {0, 2, 4711},
+    {2, 1, 1},
+};
+
+static const struct mip_constant constants_tools_status_long[] = {
+    {0, 2, 4711},
+    {2, 1, 2},
+};
+
+const struct mip_entry mip_registry[] = {
+    {0x00, 0xF1, MIP_RESPONSE, 0, 0, 0, NULL, MIP_PROTOCOL_ACKNOWLEDGE_NAME,
+     &mip_protocol_acknowledge_codec},
+    {0x01, 0x01, MIP_COMMAND, 0, 0, 0, NULL, MIP_TOOLS_PING_NAME, &mip_tools_ping_codec},
+    {0x01, 0x02, MIP_COMMAND, 0, 1, 0, NULL, MIP_TOOLS_SETTINGS_NAME, &mip_tools_settings_codec},
+    {0x01, 0x03, MIP_COMMAND, 0, 2, 1, NULL, MIP_TOOLS_SET_TIME_NAME, &mip_tools_set_time_codec},
+    {0x01, 0x04, MIP_COMMAND, 1, 2, 3, constants_tools_status, MIP_TOOLS_STATUS_NAME,
+     &mip_tools_status_codec},
+    {0x01, 0x05, MIP_COMMAND, 0, 1, 5, NULL, MIP_TOOLS_BIAS_NAME, &mip_tools_bias_codec},
+    {0x01, 0x06, MIP_COMMAND, 0, 1, 6, NULL, MIP_TOOLS_CAPTURE_BIAS_NAME,
+     &mip_tools_capture_bias_codec},
+    {0x01, 0x07, MIP_COMMAND, 0, 0, 7, NULL, MIP_TOOLS_FORMATS_NAME, &mip_tools_formats_codec},
+    {0x01, 0x08, MIP_COMMAND, 0, 1, 7, NULL, MIP_TOOLS_CHOICE_NAME, &mip_tools_choice_codec},
+    {0x01, 0x09, MIP_COMMAND, 0, 1, 8, NULL, MIP_TOOLS_LIST_NAME, &mip_tools_list_codec},
+    {0x01, 0x0A, MIP_COMMAND, 0, 1, 9, NULL, MIP_TOOLS_INVENTORY_NAME, &mip_tools_inventory_codec},
+    {0x01, 0x0B, MIP_COMMAND, 0, 1, 10, NULL, MIP_TOOLS_PIN_NAME, &mip_tools_pin_codec},
+    {0x01, 0x82, MIP_RESPONSE, 0, 1, 11, NULL, MIP_TOOLS_SETTINGS_RESPONSE_NAME,
+     &mip_tools_settings_response_codec},
+    {0x01, 0x83, MIP_RESPONSE, 0, 1, 12, NULL, MIP_TOOLS_SET_TIME_FAST_RESPONSE_NAME,
+     &mip_tools_set_time_fast_response_codec},
+    {0x01, 0x84, MIP_RESPONSE, 0, 1, 13, NULL, MIP_TOOLS_SET_TIME_SLOW_RESPONSE_NAME,
+     &mip_tools_set_time_slow_response_codec},
+    {0x01, 0x88, MIP_RESPONSE, 0, 1, 14, NULL, MIP_TOOLS_CHOICE_RESPONSE_NAME,
+     &mip_tools_choice_response_codec},
+    {0x01, 0x89, MIP_RESPONSE, 0, 1, 15, NULL, MIP_TOOLS_LIST_RESPONSE_NAME,
+     &mip_tools_list_response_codec},
+    {0x01, 0x8A, MIP_RESPONSE, 0, 1, 16, NULL, MIP_TOOLS_INVENTORY_RESPONSE_NAME,
+     &mip_tools_inventory_response_codec},
+    {0x01, 0x8B, MIP_RESPONSE, 0, 1, 17, NULL, MIP_TOOLS_PIN_RESPONSE_NAME,
+     &mip_tools_pin_response_codec},
+    {0x01, 0x90, MIP_RESPONSE, 2, 1, 18, constants_tools_status_short, MIP_TOOLS_STATUS_SHORT_NAME,
+     &mip_tools_status_short_codec},
+    {0x01, 0x90, MIP_RESPONSE, 2, 1, 19, constants_tools_status_long, MIP_TOOLS_STATUS_LONG_NAME,
+     &mip_tools_status_long_codec},
+    {0x01, 0x9B, MIP_RESPONSE, 0, 2, 20, NULL, MIP_TOOLS_BIAS_VECTOR_NAME,
+     &mip_tools_bias_vector_codec},
+    {0x0C, 0x10, MIP_COMMAND, 0, 0, 22, NULL, MIP_3D_DEFAULT_NAME, &mip_3d_default_codec},
+    {0x80, 0x01, MIP_DATA, 0, 0, 22, NULL, MIP_MEASUREMENTS_ACCEL_NAME,
+     &mip_measurements_accel_codec},
+    {0x80, 0x02, MIP_DATA, 0, 0, 22, NULL, MIP_MEASUREMENTS_NUMBERS_NAME,
+     &mip_measurements_numbers_codec},
+    {0x80, 0x03, MIP_DATA, 0, 0, 22, NULL, MIP_MEASUREMENTS_STRINGS_NAME,
+     &mip_measurements_strings_codec},
+    {0x80, 0x04, MIP_DATA, 0, 0, 22, NULL, MIP_MEASUREMENTS_HEALTH_NAME,
+     &mip_measurements_health_codec},
+    {0x80, 0x05, MIP_DATA, 0, 0, 22, NULL, MIP_MEASUREMENTS_ARRAYS_NAME,
+     &mip_measurements_arrays_codec},
+    {0x80, 0x06, MIP_DATA, 0, 0, 22, NULL, MIP_MEASUREMENTS_GROWING_NAME,
+     &mip_measurements_growing_codec},
+    {0x81, 0x01, MIP_DATA, 0, 0, 22, NULL, MIP_MORE_ACCEL_NAME, &mip_more_accel_codec},
+    {0x81, 0x03, MIP_DATA, 0, 0, 22, NULL, MIP_MORE_STRINGS_NAME, &mip_more_strings_codec},
+    {0x81, 0x07, MIP_DATA, 0, 0, 22, NULL, MIP_MORE_OWN_NAME, &mip_more_own_codec},
+    {0xFF, 0xD3, MIP_DATA, 0, 0, 22, NULL, MIP_SHARED_TIMESTAMP_NAME, &mip_shared_timestamp_codec},
+};
+const size_t mip_registry_size = sizeof(mip_registry) / sizeof(mip_registry[0]);
+
+const uint16_t mip_registry_links[] = {
+    12,
+    13, 14,
+    19, 20,
+    21,
+    21,
+    15,
+    16,
+    17,
+    18,
+    2,
+    3,
+    3,
+    8,
+    9,
+    10,
+    11,
+    4,
+    4,
+    5, 6,
+    0};

@@ -1,0 +1,239 @@
+//! The command client.
+
+use mip_protocol::types::{Mode, Vector3f};
+use mip_protocol::{
+    measurements, protocol, tools, Answer, Client, Command, DecodeError, EncodeError, Event, Field,
+    PacketBuilder, RequestError, Ticket,
+};
+use protocol::{AckCode, Acknowledge};
+
+/// A reply packet that the device would send.
+struct Reply(PacketBuilder);
+
+impl Reply {
+    fn new() -> Self {
+        Self(PacketBuilder::new(tools::SET))
+    }
+
+    fn ack(self, command: u8, code: AckCode) -> Self {
+        self.field(&Acknowledge { command, code })
+    }
+
+    fn field<T: Field>(mut self, field: &T) -> Self {
+        self.0.push(field).unwrap();
+        self
+    }
+}
+
+fn only<'a, const N: usize>(client: &mut Client<N>, reply: &'a Reply) -> Event<'a> {
+    let events: Vec<_> = client.receive(&reply.0.packet()).collect();
+    assert_eq!(events.len(), 1);
+    events[0]
+}
+
+fn sent<C: Command>(client: &mut Client, command: &C, now: u64) -> Ticket<C> {
+    let (ticket, packet) = client.send(command, now).unwrap();
+    assert_eq!(packet.packet().find::<C>().unwrap().to_vec(), command.to_vec());
+    ticket
+}
+
+#[test]
+fn acknowledged() {
+    let mut client: Client = Client::new();
+    let ticket = sent(&mut client, &tools::Ping, 0);
+    assert_eq!(client.pending(), 1);
+    let reply = Reply::new().ack(1, AckCode::OK);
+    assert_eq!(only(&mut client, &reply).answer(&ticket), Some(Answer::Acknowledged(None)));
+    assert_eq!(client.pending(), 0);
+    // The same reply once more concerns nobody.
+    assert_eq!(client.receive(&reply.0.packet()).count(), 0);
+}
+
+#[test]
+fn acknowledged_with_a_response() {
+    let mut client: Client = Client::new();
+    let ticket = sent(&mut client, &tools::Bias::read(), 0);
+    let response = tools::BiasVector { bias: Vector3f::from([1.0, 2.0, 3.0]) };
+    let reply = Reply::new().ack(5, AckCode::OK).field(&response);
+    let event = only(&mut client, &reply);
+    assert_eq!(event.answer(&ticket), Some(Answer::Acknowledged(Some(response))));
+    assert_eq!((event.id, event.set, event.descriptor), (ticket.id(), 1, 5));
+}
+
+#[test]
+fn refused_with_the_named_code() {
+    let mut client: Client = Client::new();
+    let ticket = sent(&mut client, &tools::Bias::read(), 0);
+    let reply = Reply::new().ack(5, AckCode::INVALID_PARAMETER);
+    let answer = only(&mut client, &reply).answer(&ticket).unwrap();
+    assert_eq!(answer, Answer::Refused(AckCode::INVALID_PARAMETER));
+    assert_eq!(format!("{answer:?}"), "Refused(AckCode(invalid_parameter))");
+    let ticket = sent(&mut client, &tools::Ping, 0);
+    let reply = Reply::new().ack(1, AckCode(0x77));
+    assert_eq!(only(&mut client, &reply).answer(&ticket), Some(Answer::Refused(AckCode(0x77))));
+}
+
+#[test]
+fn timed_out() {
+    let mut client: Client = Client::with_timeout(100);
+    assert_eq!(client.deadline(), None);
+    let ticket = sent(&mut client, &tools::Ping, 1000);
+    assert_eq!(client.deadline(), Some(1100));
+    assert_eq!(client.expire(1099).count(), 0);
+    let events: Vec<_> = client.expire(1100).collect();
+    assert_eq!(events[0].answer(&ticket), Some(Answer::TimedOut));
+    assert_eq!((events.len(), client.pending()), (1, 0));
+    // Too late.
+    let reply = Reply::new().ack(1, AckCode::OK);
+    assert_eq!(client.receive(&reply.0.packet()).count(), 0);
+    // A command that is known to take long.
+    sent(&mut client, &tools::Status::new(1), 0);
+    assert_eq!(client.deadline(), Some(2500));
+}
+
+#[test]
+fn several_commands_in_one_packet() {
+    let mut client: Client = Client::new();
+    let mut request = client.request(tools::SET);
+    let ping = request.add(&tools::Ping).unwrap();
+    let bias = request.add(&tools::Bias::read()).unwrap();
+    let save = request.add(&tools::Bias::save()).unwrap();
+    let list = request.add(&tools::List::read()).unwrap();
+    let packet = request.send(0);
+    assert_eq!(packet.packet().fields().count(), 4);
+    assert_eq!(client.pending(), 4);
+    let response = tools::BiasVector::default();
+    let reply = Reply::new()
+        .ack(1, AckCode::OK)
+        .ack(5, AckCode::OK)
+        .field(&response)
+        .ack(5, AckCode::UNKNOWN_COMMAND)
+        .ack(9, AckCode::OK)
+        .field(&tools::ListResponse { items: [7].into() });
+    let events: Vec<_> = client.receive(&reply.0.packet()).collect();
+    assert_eq!(events.len(), 4);
+    assert_eq!(events[0].answer(&ping), Some(Answer::Acknowledged(None)));
+    assert_eq!(events[0].answer(&bias), None);
+    assert_eq!(events[1].answer(&bias), Some(Answer::Acknowledged(Some(response))));
+    assert_eq!(events[2].answer(&save), Some(Answer::Refused(AckCode::UNKNOWN_COMMAND)));
+    let Some(Answer::Acknowledged(Some(answer))) = events[3].answer(&list) else { panic!() };
+    assert_eq!(*answer.items, [7]);
+}
+
+#[test]
+fn replies_may_come_in_several_packets_with_data_between() {
+    let mut client: Client = Client::new();
+    let mut request = client.request(tools::SET);
+    let first = request.add(&tools::Ping).unwrap();
+    let second = request.add(&tools::Inventory).unwrap();
+    let _ = request.send(0);
+    let data = PacketBuilder::with(&measurements::Accel::default()).unwrap();
+    assert_eq!(client.receive(&data.packet()).count(), 0);
+    let reply = Reply::new().ack(1, AckCode::OK);
+    assert!(only(&mut client, &reply).answer(&first).is_some());
+    assert_eq!(client.receive(&data.packet()).count(), 0);
+    // An acknowledge of another set, and of a command that was not sent.
+    let mut other = PacketBuilder::new(0x0C);
+    other.push(&Acknowledge { command: 10, code: AckCode::OK }).unwrap();
+    assert_eq!(client.receive(&other.packet()).count(), 0);
+    let reply = Reply::new().ack(99, AckCode::OK);
+    assert_eq!(client.receive(&reply.0.packet()).count(), 0);
+    let reply = Reply::new().ack(10, AckCode::OK).field(&tools::InventoryResponse::default());
+    let answer = only(&mut client, &reply).answer(&second);
+    assert_eq!(answer, Some(Answer::Acknowledged(Some(tools::InventoryResponse::default()))));
+}
+
+#[test]
+fn commands_that_nobody_answers_are_not_waited_for() {
+    let mut client: Client<1> = Client::new();
+    let (apply, packet) = client.send(&tools::Settings::apply(1, Mode::FAST, 1), 0).unwrap();
+    assert_eq!(packet.packet().fields().count(), 1);
+    assert!(apply.is_silent());
+    let (quiet, _) = client.send(&tools::Formats::new(true, 0, []), 0).unwrap();
+    assert!(quiet.is_silent());
+    assert_eq!((client.pending(), client.deadline()), (0, None));
+    assert_eq!(client.expire(u64::MAX).count(), 0);
+    // Next to others too, and even if the client is full.
+    let mut request = client.request(tools::SET);
+    let loud = request.add(&tools::Ping).unwrap();
+    let silent = request.add(&tools::Formats::new(true, 0, [])).unwrap();
+    assert_eq!(request.send(0).packet().fields().count(), 2);
+    assert_eq!((loud.is_silent(), silent.is_silent(), client.pending()), (false, true, 1));
+}
+
+#[test]
+fn one_of_several_responses() {
+    let mut client: Client = Client::new();
+    let fast = tools::SetTimeFastResponse { value: 1 };
+    let slow = tools::SetTimeSlowResponse { value: 2 };
+    let ticket = sent(&mut client, &tools::SetTime::read(Mode::FAST), 0);
+    let reply = Reply::new().ack(3, AckCode::OK).field(&fast);
+    let answer = only(&mut client, &reply).answer(&ticket);
+    assert_eq!(answer, Some(Answer::Acknowledged(Some(tools::SetTimeResponses::Fast(fast)))));
+    let ticket = sent(&mut client, &tools::SetTime::read(Mode::SLOW), 0);
+    let reply = Reply::new().ack(3, AckCode::OK).field(&slow);
+    let answer = only(&mut client, &reply).answer(&ticket);
+    assert_eq!(answer, Some(Answer::Acknowledged(Some(tools::SetTimeResponses::Slow(slow)))));
+    // Two layouts of one descriptor.
+    let ticket = sent(&mut client, &tools::Status::new(2), 0);
+    let long = tools::StatusLong { flags: 1, uptime: 2 };
+    let reply = Reply::new().ack(4, AckCode::OK).field(&long);
+    let answer = only(&mut client, &reply).answer(&ticket);
+    assert_eq!(answer, Some(Answer::Acknowledged(Some(tools::StatusResponses::Long(long)))));
+}
+
+#[test]
+fn a_response_that_is_broken_or_another_one() {
+    let mut client: Client = Client::new();
+    let ticket = sent(&mut client, &tools::Bias::read(), 0);
+    let mut reply = Reply::new().ack(5, AckCode::OK);
+    reply.0.push_raw(tools::BiasVector::DESCRIPTOR, &[0; 11]).unwrap();
+    let answer = only(&mut client, &reply).answer(&ticket);
+    assert_eq!(answer, Some(Answer::Undecodable(DecodeError::Truncated)));
+    let ticket = sent(&mut client, &tools::Bias::read(), 0);
+    let reply = Reply::new().ack(5, AckCode::OK).field(&tools::InventoryResponse::default());
+    assert_eq!(only(&mut client, &reply).answer(&ticket), Some(Answer::Acknowledged(None)));
+}
+
+#[test]
+fn the_same_command_twice_is_answered_in_order() {
+    let mut client: Client = Client::new();
+    let first = sent(&mut client, &tools::Ping, 0);
+    let second = sent(&mut client, &tools::Ping, 100);
+    assert_ne!(first.id(), second.id());
+    let reply = Reply::new().ack(1, AckCode::OK);
+    let event = only(&mut client, &reply);
+    assert!(event.answer(&first).is_some() && event.answer(&second).is_none());
+    assert_eq!(client.deadline(), Some(600));
+    client.cancel(&second);
+    assert_eq!(client.pending(), 0);
+    client.cancel(&second);
+}
+
+#[test]
+fn a_full_client_or_packet_refuses() {
+    let mut client: Client<2> = Client::new();
+    client.send(&tools::Ping, 0).unwrap();
+    let mut request = client.request(tools::SET);
+    request.add(&tools::Ping).unwrap();
+    assert_eq!(request.add(&tools::Ping).unwrap_err(), RequestError::Busy);
+    let packet = request.send(0);
+    assert_eq!(packet.packet().fields().count(), 1);
+    assert_eq!(client.send(&tools::Ping, 0).unwrap_err(), RequestError::Busy);
+
+    let mut client: Client<8> = Client::new();
+    let mut request = client.request(tools::SET);
+    let long = tools::List::write([0; 100]);
+    request.add(&long).unwrap();
+    let error = RequestError::Encode(EncodeError::Length);
+    assert_eq!(request.add(&long).unwrap_err(), error);
+    assert_eq!(request.send(0).packet().fields().count(), 1);
+    assert_eq!(client.pending(), 1);
+    let mut request = client.request(0x0C);
+    assert_eq!(request.add(&tools::Ping).unwrap_err(), RequestError::Encode(EncodeError::Set));
+    // What is not sent is forgotten.
+    let mut request = client.request(tools::SET);
+    request.add(&tools::Ping).unwrap();
+    drop(request);
+    assert_eq!(client.pending(), 1);
+}

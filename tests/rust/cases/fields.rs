@@ -1,0 +1,408 @@
+//! What the types of fields promise: presence, constructors, unions, open values, links.
+
+#![allow(deprecated)] // of the fields that are tested here
+
+use mip_protocol::types::{FunctionSelector, Mode, Point, Quatf, StateFlags, Vector3f};
+use mip_protocol::{
+    devices, measurements, mip_3d, more, protocol, registry, shared, tools, AnyField, Bool,
+    Command, DecodeError, EncodeError, Field, List, RawField, Response, ResponseOf, Role, Text,
+};
+
+fn bytes<T: Field>(field: &T) -> Vec<u8> {
+    field.to_vec().unwrap()
+}
+
+// --------------------------------------------------------------------------------------- presence
+
+#[test]
+fn constructors_build_the_shortest_form() {
+    assert_eq!(bytes(&tools::Settings::write(3, Mode::SLOW, 9600)), [1, 3, 2, 0, 0, 0x25, 0x80]);
+    assert_eq!(bytes(&tools::Settings::read(3, Mode::SLOW)), [2, 3, 2]);
+    assert_eq!(bytes(&tools::Settings::save(3)), [3, 3]);
+    assert_eq!(bytes(&tools::Settings::load(3)), [4, 3]);
+    assert_eq!(bytes(&tools::Settings::load_default(3)), [5, 3]);
+    assert_eq!(bytes(&tools::Settings::apply(3, Mode::SLOW, 1)), [6, 3, 2, 0, 0, 0, 1]);
+    assert_eq!(bytes(&tools::List::write([1, 2])), [1, 2, 0, 1, 0, 2]);
+    assert_eq!(bytes(&tools::List::read()), [2]);
+    assert_eq!(bytes(&tools::Bias::write([1.0, -1.0, 0.0]))[..5], [1, 0x3F, 0x80, 0, 0]);
+    assert_eq!(bytes(&tools::Formats::new(true, 9, [])), [1, 0, 9]);
+}
+
+#[test]
+fn optional_parameters_can_be_set_in_order() {
+    let command = tools::Settings::write(3, Mode::SLOW, 1).with_limit(0x0102);
+    assert_eq!(bytes(&command), [1, 3, 2, 0, 0, 0, 1, 1, 2]);
+    assert_eq!(bytes(&command.with_reserved(1))[9..], [1]);
+    let gap = tools::Settings::write(3, Mode::SLOW, 1).with_reserved(1);
+    assert_eq!(gap.to_vec(), Err(EncodeError::Missing));
+    let mut short = tools::Settings::write(3, Mode::SLOW, 1);
+    short.baud = None;
+    assert_eq!(short.to_vec(), Err(EncodeError::Missing));
+    // A dummy value behind what the function needs is permitted, but no gap.
+    let mut read = tools::Settings::read(3, Mode::SLOW);
+    read.baud = Some(5);
+    assert_eq!(bytes(&read), [2, 3, 2, 0, 0, 0, 5]);
+    read.mode = None;
+    assert_eq!(read.to_vec(), Err(EncodeError::Missing));
+}
+
+#[test]
+fn what_is_there_beyond_the_required_comes_back() {
+    let full = [2, 3, 2, 0, 0, 0, 7, 1, 2, 9];
+    for length in 0..=full.len() {
+        let data = &full[..length];
+        if length < 3 {
+            assert_eq!(tools::Settings::decode(data), Err(DecodeError::Truncated));
+            continue;
+        }
+        let (field, trailing) = tools::Settings::decode_with_trailing(data).unwrap();
+        assert_eq!(field.baud.is_some(), length >= 7);
+        assert_eq!(field.limit.is_some(), length >= 9);
+        assert_eq!(field.reserved.is_some(), length >= 10);
+        assert_eq!(bytes(&field), data[..length - trailing]);
+        assert_eq!(trailing, [0, 1, 2, 3, 0, 1, 0, 0][length - 3]);
+    }
+    // An unknown function needs nothing.
+    let (field, trailing) = tools::Settings::decode_with_trailing(&[99]).unwrap();
+    assert_eq!((field.function, field.port, trailing), (FunctionSelector(99), None, 0));
+    assert_eq!(bytes(&field), [99]);
+    assert_eq!(tools::Settings::decode(&[]), Err(DecodeError::Truncated));
+}
+
+#[test]
+fn newer_firmware_may_append() {
+    let (growing, trailing) = measurements::Growing::decode_with_trailing(&[0, 1]).unwrap();
+    assert_eq!((growing.first, growing.second, growing.third, trailing), (1, None, None, 0));
+    let (growing, trailing) =
+        measurements::Growing::decode_with_trailing(&[0, 1, 0, 2, 9]).unwrap();
+    assert_eq!((growing.second, growing.third, trailing), (Some(2), None, 1));
+    assert_eq!(tools::Ping::decode_with_trailing(&[1, 2, 3]), Ok((tools::Ping, 3)));
+}
+
+#[test]
+fn a_zero_count_behind_a_read_comes_back() {
+    let (list, trailing) = tools::List::decode_with_trailing(&[2, 0]).unwrap();
+    assert_eq!((list.items, trailing), (Some(List::new()), 0));
+    assert_eq!(bytes(&list), [2, 0]);
+    assert_eq!(tools::List::decode(&[2, 9, 0]), Err(DecodeError::Count));
+    assert_eq!(tools::List::decode(&[1, 1, 0]), Err(DecodeError::Count));
+    assert_eq!(tools::List::decode(&[1]), Err(DecodeError::Truncated));
+}
+
+// ----------------------------------------------------------------------------------------- unions
+
+#[test]
+fn a_union_knows_its_tag() {
+    let circle = tools::Circle::new(Point::new(1, -2), tools::CircleFilling::Solid(255));
+    assert_eq!(circle.fill, tools::Fill::SOLID);
+    let command = tools::Choice::write(1, tools::ChoiceParameters::Circle(circle));
+    assert_eq!(command.shape, Some(tools::Shape::CIRCLE));
+    assert_eq!(bytes(&command), [1, 1, 1, 0, 1, 0xFF, 0xFE, 1, 0, 0, 0, 255]);
+    assert_eq!(tools::Choice::decode(&bytes(&command)), Ok(command));
+
+    let turn = tools::ChoiceParameters::Turn(Quatf { w: 1.0, ..Quatf::default() });
+    assert_eq!(bytes(&tools::Choice::write(1, turn)).len(), 19);
+    let label = tools::ChoiceParameters::Label(Text::padded("here").unwrap());
+    assert_eq!(bytes(&tools::Choice::write(1, label)), b"\x01\x01\x04here    ");
+    let none = tools::Choice::write(1, tools::ChoiceParameters::None);
+    assert_eq!(bytes(&none), [1, 1, 0]);
+    let path = tools::Path::new(true, [Point::new(1, 2)]);
+    let path = tools::Choice::write(1, tools::ChoiceParameters::Path(path));
+    assert_eq!(bytes(&path), [1, 1, 2, 1, 1, 0, 1, 0, 2]);
+    assert_eq!(bytes(&tools::Choice::read(7)), [2, 7]);
+}
+
+#[test]
+fn a_union_must_be_what_its_tag_says() {
+    let mut command = tools::Choice::write(1, tools::ChoiceParameters::None);
+    for parameters in [
+        tools::ChoiceParameters::Turn(Quatf::default()),
+        tools::ChoiceParameters::Other(tools::Shape::NONE),
+        tools::ChoiceParameters::Other(tools::Shape(9)),
+    ] {
+        command.parameters = Some(parameters);
+        assert_eq!(command.to_vec(), Err(EncodeError::Tag));
+    }
+    command.shape = Some(tools::Shape::TURN);
+    command.parameters = Some(tools::ChoiceParameters::Other(tools::Shape::TURN));
+    assert_eq!(command.to_vec(), Err(EncodeError::Tag));
+    command.shape = None;
+    assert_eq!(command.to_vec(), Err(EncodeError::Missing));
+}
+
+#[test]
+fn an_unknown_tag_survives_and_what_follows_is_left_over() {
+    let (command, trailing) = tools::Choice::decode_with_trailing(&[1, 1, 77, 5, 6]).unwrap();
+    assert_eq!(command.parameters, Some(tools::ChoiceParameters::Other(tools::Shape(77))));
+    assert_eq!(trailing, 2);
+    assert_eq!(bytes(&command), [1, 1, 77]);
+    // Where the union is not needed, one that takes no bytes is as good as absent.
+    let (command, trailing) = tools::Choice::decode_with_trailing(&[2, 1, 77, 5]).unwrap();
+    assert_eq!((command.parameters, trailing), (None, 1));
+}
+
+#[test]
+fn unions_of_command_and_response_are_one_type() {
+    let response = tools::ChoiceResponse::decode(&[1, 0]).unwrap();
+    assert_eq!(bytes(&tools::Choice::write(1, response.parameters)), [1, 1, 0]);
+}
+
+// ------------------------------------------------------------------------------------- open values
+
+#[test]
+fn unknown_values_and_bits_survive() {
+    let mut data = bytes(&measurements::Arrays::default());
+    data[0] = 0xEE;
+    data[3] = 0xFF;
+    let field = measurements::Arrays::decode(&data).unwrap();
+    assert_eq!(field.modes[0], Mode(0xEE));
+    assert_eq!(field.modes[0].name(), None);
+    assert_eq!(format!("{:?} {}", field.modes[0], field.modes[0]), "Mode(238) 238");
+    assert_eq!(bytes(&field), data);
+    assert_eq!(format!("{:?} {}", Mode::FAST, Mode::FAST), "Mode(fast) fast");
+    assert_eq!(Mode::VALUES, [Mode::DEFAULT, Mode::FAST, Mode::SLOW]);
+    assert_eq!((Mode::from(7), u8::from(Mode(7))), (Mode(7), 7));
+}
+
+#[test]
+fn a_bool_keeps_its_byte() {
+    let mut data = [0; 44];
+    data[42] = 7;
+    let field = measurements::Numbers::decode(&data).unwrap();
+    assert_eq!(field.bool, Bool(7));
+    assert!(field.bool.get() && field.bool == true && bool::from(field.bool));
+    assert_eq!(bytes(&field), data);
+    assert_eq!((Bool::from(true), Bool::from(false)), (Bool::TRUE, Bool::FALSE));
+    assert_eq!(format!("{:?} {:?} {:?}", Bool(0), Bool(1), Bool(7)), "false true true(7)");
+}
+
+#[test]
+fn floats_keep_their_bits() {
+    for bits in [0x7FE5_BF7F_u32, 0x7F80_0001, 0xFFFF_FFFF, 0x8000_0000, 1] {
+        let data = [&bits.to_be_bytes()[..], &[0; 10]].concat();
+        let field = measurements::Accel::decode(&data).unwrap();
+        assert_eq!(field.scaled_accel.x.to_bits(), bits);
+        assert_eq!(bytes(&field), data);
+    }
+}
+
+#[test]
+fn flags_are_set_cleared_and_read() {
+    let mut flags = StateFlags::empty();
+    assert!(flags.is_empty() && !flags.ready());
+    flags.set_ready(true);
+    flags.set_ready(true);
+    assert_eq!(flags.0, 1);
+    flags.set_level(5);
+    flags.set_mode(Mode::SLOW);
+    assert_eq!(flags.0, 0x0251);
+    flags.set_level(0xFF); // more than fits
+    assert_eq!((flags.0, flags.level(), flags.mode()), (0x0271, 7, Mode::SLOW));
+    flags.set_ready(false);
+    flags.set_ready(false);
+    assert_eq!(flags.0, 0x0270);
+    assert_eq!(flags.with_hot(true).with_level(0).with_mode(Mode(0)).0, 2);
+    assert_eq!(StateFlags::READY | StateFlags::HOT, StateFlags::ANY);
+    assert_eq!(StateFlags::ANY & StateFlags::HOT, StateFlags::HOT);
+    assert!(
+        StateFlags::ANY.contains(StateFlags::HOT) && !StateFlags::HOT.contains(StateFlags::ANY)
+    );
+    assert!(StateFlags::HOT.intersects(StateFlags::ANY));
+    assert!(!StateFlags::HOT.intersects(StateFlags::READY));
+    let mut flags = StateFlags(0x8000);
+    flags.insert(StateFlags::ANY);
+    flags |= StateFlags::READY;
+    assert_eq!(flags.0, 0x8003); // reserved bits stay
+    flags.remove(StateFlags::HOT);
+    assert_eq!(flags.0, 0x8001);
+    assert_eq!(format!("{:?}", StateFlags(0x8051)), "StateFlags(ready | level=5 | any=1)");
+}
+
+#[test]
+fn bits_of_bytes_count_from_the_lowest_byte() {
+    use mip_protocol::types::Health;
+    let mut health = Health::default().with_clock(true).with_power(true).with_last(true);
+    assert_eq!((health.0[0], health.0[1], health.0[15]), (1, 2, 0x80));
+    health.set_count(0b1011);
+    assert_eq!((health.0[3], health.0[4]), (0xC0, 0x02));
+    assert_eq!(health.count(), 0b1011);
+    health.set_count(0b0100);
+    assert_eq!((health.0[3], health.0[4]), (0, 0x01));
+    health.set_power(false);
+    assert_eq!(health.0[1], 0);
+    assert!(health.contains(Health::CLOCK | Health::LAST) && !health.intersects(Health::POWER));
+    let field = measurements::Health { result: health, ..Default::default() };
+    assert_eq!(bytes(&field)[..16], health.0);
+}
+
+// -------------------------------------------------------------------------------- constants and such
+
+#[test]
+fn constants_are_sent_and_demanded() {
+    let command = tools::Status::new(2);
+    assert_eq!(bytes(&command), [0x12, 0x67, 2]);
+    assert_eq!(tools::Status::decode(&[0x12, 0x68, 2]), Err(DecodeError::Constant));
+    assert_eq!(tools::Status::decode(&[0x12]), Err(DecodeError::Truncated));
+    let short = tools::StatusShort { flags: 1 };
+    assert_eq!(tools::StatusLong::decode(&bytes(&short)), Err(DecodeError::Constant));
+    let raw = bytes(&short);
+    let raw = RawField { set: 1, descriptor: 0x90, data: &raw };
+    assert!(raw.is::<tools::StatusShort>() && !raw.is::<tools::StatusLong>());
+    assert_eq!(raw.get::<tools::StatusLong>(), None);
+    let found = tools::StatusResponses::from_field(&raw);
+    assert_eq!(found, Some(Ok(tools::StatusResponses::Short(short))));
+    let (any, _) = AnyField::decode(&raw).unwrap().unwrap();
+    assert_eq!(any, AnyField::ToolsStatusShort(short));
+    let neither = RawField { data: &[0x12, 0x67, 3, 0, 0, 0, 0], ..raw };
+    assert!(AnyField::decode(&neither).is_none());
+    assert_eq!(tools::StatusResponses::from_field(&neither), None);
+}
+
+#[test]
+fn reserved_parameters_default_to_what_is_to_be_sent() {
+    let mut settings = tools::Settings::write(0, Mode::FAST, 1).with_limit(1);
+    assert_eq!(settings.reserved, None);
+    settings.reserved = Some(3);
+    assert_eq!(bytes(&settings).last(), Some(&3));
+    assert_eq!(tools::SettingsResponse::default().reserved, 1);
+    assert_eq!(measurements::Arrays::default().offsets, [0; 4]);
+}
+
+#[test]
+fn a_failed_decode_gives_nothing() {
+    let full = bytes(&measurements::Numbers::default());
+    for length in 0..full.len() {
+        let decoded = measurements::Numbers::decode(&full[..length]);
+        assert_eq!(decoded, Err(DecodeError::Truncated));
+    }
+    assert_eq!(tools::Formats::decode(&[0, 2, 0, 1]), Err(DecodeError::Count));
+}
+
+#[test]
+fn encoding_into_too_little_room_is_refused() {
+    let field = measurements::Numbers::default();
+    for length in 0..44 {
+        assert_eq!(field.encode(&mut vec![0; length]), Err(EncodeError::Length));
+    }
+    assert_eq!(field.encode(&mut [0; 44]), Ok(44));
+    assert_eq!(field.encode(&mut [0; 400]), Ok(44));
+}
+
+#[test]
+fn awkward_names_are_usable() {
+    let field = mip_3d::Default { class: 1, type_: 2, register: 3, self_: 4, present: 5 };
+    assert_eq!(bytes(&field), [1, 2, 3, 4, 5]);
+    assert_eq!(bytes(&mip_3d::Default::new(1, 2, 3, 4, 5)), [1, 2, 3, 4, 5]);
+    assert_eq!(mip_3d::Default::NAME, "3d.default");
+}
+
+// ------------------------------------------------------------------------------------------- links
+
+fn answers<C: Command, R: ResponseOf<C>>() -> (&'static str, &'static str) {
+    (C::NAME, R::NAME)
+}
+
+fn answered<C: Command<Response = R>, R: Response>() {}
+
+#[test]
+fn commands_and_responses_know_each_other() {
+    answered::<tools::Ping, ()>();
+    answered::<tools::Settings, tools::SettingsResponse>();
+    answered::<tools::CaptureBias, tools::BiasVector>();
+    answered::<tools::Bias, tools::BiasVector>();
+    answered::<tools::SetTime, tools::SetTimeResponses>();
+    assert_eq!(answers::<tools::Bias, tools::BiasVector>(), ("tools.bias", "tools.bias_vector"));
+    assert_eq!(answers::<tools::CaptureBias, tools::BiasVector>().0, "tools.capture_bias");
+    answers::<tools::SetTime, tools::SetTimeFastResponse>();
+    answers::<tools::SetTime, tools::SetTimeSlowResponse>();
+    let info = registry::FieldInfo::by_name("tools.bias_vector").unwrap();
+    assert_eq!(
+        (info.role, info.linked),
+        (Role::Response, &["tools.bias", "tools.capture_bias"][..])
+    );
+    let info = registry::FieldInfo::by_name("tools.set_time").unwrap();
+    assert_eq!(info.linked, ["tools.set_time_fast_response", "tools.set_time_slow_response"]);
+}
+
+#[test]
+fn commands_tell_what_to_expect() {
+    assert!(tools::Ping.expects_reply() && !tools::Ping.expects_response());
+    let write = tools::Settings::write(1, Mode::FAST, 1);
+    assert!(write.expects_reply() && !write.expects_response());
+    let read = tools::Settings::read(1, Mode::FAST);
+    assert!(read.expects_reply() && read.expects_response());
+    let apply = tools::Settings::apply(1, Mode::FAST, 1);
+    assert!(!apply.expects_reply() && !apply.expects_response());
+    assert!(!tools::Formats::new(true, 0, []).expects_reply());
+    assert!(tools::Formats::new(false, 0, []).expects_reply());
+    assert!(tools::Inventory.expects_response());
+    assert_eq!((tools::Ping::TIMEOUT_MS, tools::Status::TIMEOUT_MS), (None, Some(2500)));
+}
+
+#[test]
+fn repeated_fields_are_the_same_type() {
+    assert_eq!(more::SET, 0x81);
+    let data = bytes(&measurements::Accel::default());
+    let raw = RawField { set: more::SET, descriptor: more::Accel::DESCRIPTOR, data: &data };
+    let accel: measurements::Accel = raw.get::<more::Accel>().unwrap().unwrap();
+    assert_eq!(accel, measurements::Accel::default());
+    let (any, _) = AnyField::decode(&raw).unwrap().unwrap();
+    assert_eq!(any, AnyField::MoreAccel(accel));
+    assert_eq!(any.info().unwrap().name, "more.accel");
+}
+
+#[test]
+fn the_registry_finds_every_field() {
+    for info in registry::FIELDS {
+        assert_eq!(registry::FieldInfo::by_name(info.name), Some(info));
+    }
+    let raw = RawField { set: 0x83, descriptor: 0xD3, data: &[0; 10] };
+    assert_eq!(registry::FieldInfo::of(&raw).unwrap().name, "shared.timestamp");
+    assert_eq!(raw.get::<shared::Timestamp>(), Some(Ok(shared::Timestamp::default())));
+    let raw = RawField { set: 0x7F, descriptor: 0xF1, data: &[1, 3] };
+    let (any, _) = AnyField::decode(&raw).unwrap().unwrap();
+    let ack = protocol::Acknowledge { command: 1, code: protocol::AckCode::INVALID_PARAMETER };
+    assert_eq!(any, AnyField::ProtocolAcknowledge(ack));
+    let mut buffer = [0; 2];
+    assert_eq!((any.encode(&mut buffer), buffer), (Ok(2), [1, 3]));
+    assert!(registry::FieldInfo::of(&RawField { set: 0x80, descriptor: 0x63, data: &[] }).is_none());
+}
+
+#[test]
+fn numbers_are_read_by_what_they_depend_on() {
+    let pin = tools::Pin::write(tools::Drive::SERIAL, 0x21);
+    assert_eq!(pin.use_as_serial_use(), Some(tools::SerialUse::TRANSMIT));
+    assert_eq!(pin.use_as_pulse_use(), None);
+    assert_eq!(tools::Pin::read(tools::Drive::SERIAL).use_as_serial_use(), None);
+    let response = tools::PinResponse { drive: tools::Drive::PULSE, use_: 2 };
+    assert_eq!(response.use_as_pulse_use(), Some(tools::PulseUse::OUTPUT));
+    let status = tools::StatusShort { flags: 0x101 };
+    assert!(status.flags_as_model_a_faults().contains(tools::ModelAFaults::SENSOR));
+    assert!(status.flags_as_model_b_faults().general());
+}
+
+#[test]
+fn devices_tell_what_they_support() {
+    let a = devices::Device::by_id("model-a").unwrap();
+    assert_eq!((a, a.title, a.model_number), (&devices::MODEL_A, "Model A", Some(4711)));
+    assert!(a.has::<tools::Choice>() && !devices::MODEL_B.has::<tools::Choice>());
+    assert_eq!((a.base_rate(0x80), a.base_rate(0x01)), (Some(1000.0), None));
+    assert_eq!(devices::MODEL_B.base_rate(0x80), Some(0.0));
+    assert_eq!((a.limit("range"), a.limit("nothing")), (Some(2.5), None));
+    assert_eq!((a.ports[0].id, a.ports[0].baud_rates), (Some(0x11), &[9600, 115_200][..]));
+    let b = devices::MODEL_B.supports(0x01, 0x02).unwrap();
+    assert_eq!(b.functions, [FunctionSelector::WRITE, FunctionSelector::READ]);
+    assert_eq!(a.supports(0x01, 0x02).unwrap().functions.len(), 6);
+    assert_eq!(devices::MODEL_B.ack_codes.len(), 2);
+    assert_eq!(devices::MODEL_B.readings.iter().filter(|r| r.read_as == "mode").count(), 1);
+    assert_eq!(Mode::from(protocol::AckCode(1)), Mode::FAST);
+    assert_eq!(devices::ALL.len(), 2);
+}
+
+#[test]
+fn vectors_are_arrays_with_names() {
+    let vector = Vector3f { x: 1.0, y: 2.0, z: 3.0 };
+    assert_eq!((vector.to_array(), Vector3f::from([1.0, 2.0, 3.0])), ([1.0, 2.0, 3.0], vector));
+    let [w, ..]: [f32; 4] = Quatf { w: 9.0, ..Quatf::default() }.into();
+    assert_eq!(w, 9.0);
+}

@@ -1,0 +1,341 @@
+"""Writes a Rust test that touches every type of a specification.
+
+What the types must do is computed by the generator's reference codec; how they are used is written
+here as a user would write it. Nothing is listed by hand, so nothing can be forgotten.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from typing import Any
+
+from mipgen import codec
+from mipgen import model as m
+from mipgen.targets import rust
+
+HEAD = """//! Made by everything.py.
+
+#![allow(deprecated, unused_imports)]
+
+use mip_protocol::{devices, Bool, Command, DecodeError, Field, List, ResponseOf, Text, VarText};
+
+/// All prefixes of the data of a field: negative numbers are errors, others tell what is left over.
+fn prefixes<T: Field + PartialEq + std::fmt::Debug>(data: &[u8], expected: &[i16]) {
+    for (length, wanted) in expected.iter().enumerate() {
+        let data = &data[..length];
+        match T::decode_with_trailing(data) {
+            Ok((value, trailing)) => {
+                assert_eq!(i16::try_from(trailing), Ok(*wanted), "{} {data:x?}", T::NAME);
+                assert_eq!(value.to_vec().as_deref(), Ok(&data[..length - trailing]), "{}", T::NAME);
+            }
+            Err(error) => {
+                let found = match error {
+                    DecodeError::Truncated => -1,
+                    DecodeError::Count => -2,
+                    DecodeError::Constant => -3,
+                };
+                assert_eq!(found, *wanted, "{} {data:x?}", T::NAME);
+            }
+        }
+    }
+}
+
+/// A value that is encoded as these bytes, and decoded to itself.
+fn same<T: Field + PartialEq + std::fmt::Debug>(value: T, data: &[u8]) {
+    assert_eq!(value.to_vec().as_deref(), Ok(data), "{value:?}");
+    assert_eq!(T::decode(data), Ok(value), "{}", T::NAME);
+}
+
+fn named<T: Field>(set: u8, descriptor: u8, name: &str, sets: &[u8]) {
+    assert_eq!((T::SET, T::DESCRIPTOR, T::NAME), (set, descriptor, name));
+    let found: Vec<u8> = (0..=255).filter(|set| T::in_set(*set)).collect();
+    assert_eq!(found, sets, "{name}");
+}
+
+fn answers<C: Command, R: ResponseOf<C>>() {}
+"""
+ERRORS = {"truncated": -1, "count": -2, "constant": -3}
+
+
+def source(model: m.Model) -> str:
+    writer = _Writer(model)
+    parts = [HEAD]
+    types = [*model.types, *(t for s in model.sets for t in s.types)]
+    parts.append(test("enumerations", (line for t in types if isinstance(t, m.Enum) for line in enumeration(t))))
+    for t in types:
+        if isinstance(t, m.Bitfield):
+            parts.append(test(f"bits_of_{rust.home(t)}_{t.name}", bitfield(t)))
+    for f in (*(f for s in model.sets for f in s.own_fields), model.protocol.acknowledge):
+        parts.append(test(f"{rust.home(f)}_{f.name}", writer.field(f)))
+    for d in model.devices:
+        parts.append(test(f"device_{d.name}", writer.device(d)))
+    return "\n".join(parts)
+
+
+def test(name: str, lines: Iterator[str]) -> str:
+    body = "".join(f"    {line}\n" for line in lines)
+    return f"#[test]\nfn {name}() {{\n{body}}}\n"
+
+
+def path(t: m.Type | m.Field) -> str:
+    """The name of a type for a user of the crate."""
+    return f"mip_protocol::{rust.path(t, '').removeprefix('crate::')}"
+
+
+def data_literal(data: bytes) -> str:
+    return f"&[{', '.join(str(b) for b in data)}]"
+
+
+# --------------------------------------------------------------------------- enumerations and bitfields
+
+
+def enumeration(t: m.Enum) -> Iterator[str]:
+    for v in t.values:
+        yield f'assert_eq!(({path(t)}::{rust.constant(v.name)}.0, {path(t)}({v.value}).name()), ({v.value}, Some("{v.name}")));'
+
+
+def bitfield(t: m.Bitfield) -> Iterator[str]:
+    """Every accessor of every bit: on nothing, on everything, and back again."""
+    everything = (1 << 8 * t.size) - 1
+
+    def raw(number: int) -> str:
+        return str(number) if t.scalar else f"[{', '.join(str(b) for b in number.to_bytes(t.size, 'little'))}]"
+
+    for b in t.bits:
+        kind = rust.unsigned(b, "").removeprefix("crate::")
+        of, get = path(t), rust.method(b.name)
+
+        def value(number: int, kind: str = kind, b: m.Bits = b) -> str:
+            if kind == "bool":
+                return "true" if number else "false"
+            return f"mip_protocol::{kind}({number})" if b.enum else str(number)
+
+        most = (1 << b.width) - 1
+        yield f"assert_eq!({of}::{rust.constant(b.name)}.0, {raw(b.mask)});"
+        yield f"assert_eq!({of}({raw(everything)}).{get}(), {value(most)});"
+        yield f"assert_eq!({of}({raw(everything & ~b.mask)}).{get}(), {value(0)});"
+        for number in sorted({0, 1, most, most // 3, most ^ (most // 3)}):
+            for before in (0, everything):
+                after = before & ~b.mask | number << b.first
+                yield f"let mut flags = {of}({raw(before)});"
+                yield f"assert_eq!(flags.with_{b.name}({value(number)}).0, {raw(after)});"
+                yield f"flags.set_{b.name}({value(number)});"
+                yield f"flags.set_{b.name}({value(number)});"
+                yield f"assert_eq!((flags.0, flags.{get}()), ({raw(after)}, {value(number)}));"
+        yield f'assert!({of}::BITS.iter().any(|b| (b.name, b.first, b.last) == ("{b.name}", {b.first}, {b.last})));'
+
+
+# --------------------------------------------------------------------------- fields
+
+
+class _Writer:
+    def __init__(self, model: m.Model) -> None:
+        self.model = model
+        self.names = rust.Names(model)
+        self.chance = random.Random(1)
+
+    def field(self, f: m.Field) -> Iterator[str]:
+        of = path(f)
+        sets = [f.set, *(x.set for x in self.model.fields if x.definition == f.full_name)]
+        if f.set in (0, 0xFF):
+            sets = list(range(0x01, 0x80)) if f.set == 0 else list(range(0x80, 0x100))
+        yield f'named::<{of}>({f.set}, {f.descriptor}, "{f.full_name}", &{sorted(sets)});'
+        if f.functions:
+            for function in f.functions:
+                yield from self.constructed(f, of, function)
+        elif f.role == m.COMMAND:
+            yield from self.constructed(f, of, None)
+        literal, values = self.literal(f)
+        data = codec.encode(f, values)
+        yield f"same({literal}, {data_literal(data)});"
+        yield f"prefixes::<{of}>({data_literal(data + bytes(3))}, &{self.prefixes(f, data + bytes(3))});"
+        if not f.selector:
+            yield f"same({of}::default(), {data_literal(codec.encode(f, defaults(f)))});"
+        if f.role == m.COMMAND:
+            timeout = f"Some({int(f.timeout * 1000)})" if f.timeout else "None"
+            yield f"assert_eq!({of}::TIMEOUT_MS, {timeout});"
+        for name in f.responses:
+            response = self.model.field(f"{f.set_name}.{name}")
+            assert response is not None
+            yield f"answers::<{of}, {path(response)}>();"
+
+    def constructed(self, f: m.Field, of: str, function: m.Function | None) -> Iterator[str]:
+        """A constructor must make the shortest form that the function allows."""
+        expression, values = self.call(f, function)
+        if function is not None:
+            values = {"function": function.value, **values}
+        data = codec.encode(f, values)
+        silent = [c for c in f.silent_when if values.get(c.parameter) == c.value]
+        replies = (function is None or function.reply) and not (f.silent_when and len(silent) == len(f.silent_when))
+        responds = bool(f.responses) and (function is None or function.responds)
+        yield f"let command = {expression};"
+        yield f"same(command, {data_literal(data)});"
+        yield f"assert_eq!((command.expects_reply(), command.expects_response()), ({str(replies).lower()}, {str(responds).lower()}));"
+
+    def prefixes(self, f: m.Field, data: bytes) -> list[int]:
+        found = []
+        for length in range(len(data) + 1):
+            try:
+                found.append(codec.decode(f, data[:length])[1])
+            except codec.CodecError as error:
+                found.append(ERRORS[error.kind])
+        return found
+
+    def call(self, record: rust.Record, function: m.Function | None) -> tuple[str, codec.Values]:
+        """The call of a constructor, and the values that it must make."""
+        arguments = {x.parameter.name: x for x in self.names.arguments(record, function)}
+        needed = {x.parameter.name for x in self.names.required(record, function)}
+        values: codec.Values = {}
+        written = {}
+        for p in record.parameters:
+            if p.selector or p.constant is not None or p.name not in needed and p.counts not in needed:
+                continue
+            if p.reserved is not None:
+                values[p.name] = [p.reserved] * p.length if isinstance(p.length, int) else p.reserved
+                continue
+            union = next((q for q in record.parameters if q.tag == p.name and q.name in arguments), None)
+            if union is not None:
+                values[p.name] = self.chance.choice(union.cases).tag.value
+                continue
+            expression, values[p.name] = self.value(p.operation, record, values)
+            if p.name in arguments:
+                written[p.name] = expression
+            if p.counts is not None:
+                values[p.name] = None  # its array says
+            counter = next((q.name for q in record.parameters if q.counts == p.name), None)
+            if counter is not None:
+                values[counter] = len(values[p.name])
+        name = rust.constructor(function) if function else "new"
+        return f"{path(record)}::{name}({', '.join(written[n] for n in arguments)})", values
+
+    def literal(self, record: rust.Record) -> tuple[str, codec.Values]:
+        """A structure with all members, and its values."""
+        members = {x.parameter.name: x for x in self.names.members(record)}
+        values: codec.Values = {}
+        written = []
+        for p in record.parameters:
+            if p.constant is not None:
+                continue
+            if p.counts is not None:
+                values[p.name] = None
+                continue
+            expression, values[p.name] = self.value(p.operation, record, values)
+            counter = next((q.name for q in record.parameters if q.counts == p.name), None)
+            if counter is not None:
+                values[counter] = len(values[p.name])
+            x = members[p.name]
+            expression = as_member(p.operation, expression, values[p.name])
+            written.append(f"{x.name}: Some({expression})" if x.optional else f"{x.name}: {expression}")
+        return f"{path(record)} {{ {', '.join(written)} }}", values
+
+    def value(self, op: m.Operation, record: rust.Record, values: codec.Values) -> tuple[str, Any]:
+        """An expression, and the value that it stands for."""
+        match op:
+            case m.ScalarOp():
+                return self.number(op)
+            case m.CounterOp() | m.ConstantOp():
+                return "", None
+            case m.BitsOp():
+                bits = [self.chance.randrange(256) for _ in range(op.size)]
+                return f"{path(op.type)}({bits})", bits
+            case m.TextOp():
+                count = op.count if op.count is not None else min(3, op.capacity)
+                text = "".join(self.chance.choice("abc xyz") for _ in range(count))
+                return (f'Text(*b"{text}")' if op.count is not None else f'VarText::new("{text}").unwrap()'), text
+            case m.ArrayOp():
+                count = op.count if op.count is not None else min(2, op.capacity)
+                items = [self.value(op.item, record, {}) for _ in range(count)]
+                array = f"[{', '.join(as_member(op.item, e, v) for e, v in items)}]"
+                if op.vector is not None:
+                    array = f"{path(op.vector)}::from({array})"
+                elif op.count is None:
+                    array = f"List::from({array})"
+                return array, [v for _, v in items]
+            case m.StructOp():
+                return self.call(op.struct, None)
+            case m.SwitchOp():
+                case = next((c for c in op.cases if c.tag.value == values[op.tag]), None)
+                home = rust.home(record)
+                union = f"mip_protocol::{home}::{self.names.find_union(home, op)}"
+                if case is None:
+                    return f"{union}::Other({path(op.tag_type)}({values[op.tag]}))", {}
+                if case.operation is None:
+                    return f"{union}::{rust.variant(case.tag.name)}", {}
+                expression, value = self.value(case.operation, record, {})
+                expression = as_member(case.operation, expression, value)
+                assert not isinstance(case.operation, m.GroupOp)
+                return f"{union}::{rust.variant(case.tag.name)}({expression})", {case.operation.member: value}
+        raise AssertionError(op)
+
+    def number(self, op: m.ScalarOp) -> tuple[str, Any]:
+        bits = 8 * op.size
+        if op.scalar.kind == "float":
+            exponent = 0x3F800000 if op.size == 4 else 0x3FF0000000000000
+            number = exponent | self.chance.getrandbits(20) | self.chance.getrandbits(1) << (bits - 1)
+            return f"f{bits}::from_bits({number})", f"0x{number:0{bits // 4}x}"
+        if op.scalar.kind == "bool":
+            truth = self.chance.randrange(2)
+            return "true" if truth else "false", truth
+        number = self.chance.getrandbits(bits)
+        if isinstance(op.type, m.Enum):
+            if self.chance.random() < 0.8:
+                v = self.chance.choice(op.type.values)
+                return f"{path(op.type)}::{rust.constant(v.name)}", v.value
+            return f"{path(op.type)}({number})", number
+        if isinstance(op.type, m.Bitfield):
+            return f"{path(op.type)}({number})", number
+        if op.scalar.kind == "signed":
+            number -= 1 << (bits - 1)
+        return str(number), number
+
+    def device(self, d: m.Device) -> Iterator[str]:
+        of = f"devices::{rust.constant(d.name)}"
+        letters = dict(d.functions)
+        for name in d.fields:
+            f = self.model.field(name)
+            assert f is not None
+            functions = [x.value for x in f.functions if x.letter in letters.get(name, x.letter)]
+            yield f"let field = {of}.supports({f.set}, {f.descriptor}).unwrap();"
+            yield f'assert_eq!(field.name, "{name}");'
+            yield f"assert_eq!(field.functions.iter().map(|f| f.0).collect::<Vec<u8>>(), {functions});"
+        yield f"assert_eq!({of}.fields.len(), {len(d.fields)});"
+        for x in d.limits:
+            yield f'assert_eq!({of}.limit("{x.name}"), Some({float(x.value)!r}));'
+        codes = list(d.ack_codes)
+        yield f"assert_eq!({of}.ack_codes.iter().map(|c| c.0).collect::<Vec<u8>>(), {codes});"
+
+
+def as_member(op: m.Operation, expression: str, value: Any) -> str:
+    """Constructors take a `bool`, everything else holds a `Bool`."""
+    return f"Bool({value})" if isinstance(op, m.ScalarOp) and op.scalar.kind == "bool" else expression
+
+
+def defaults(f: m.Field | m.Struct) -> codec.Values:
+    """The values of a default: zeros, spaces, empty arrays, and what is to be sent where it is reserved."""
+    values: codec.Values = {}
+    for p in f.parameters:
+        if p.constant is None and not p.optional:
+            values[p.name] = default(p.operation, p.reserved or 0, values)
+    return values
+
+
+def default(op: m.Operation, number: int, values: codec.Values) -> Any:
+    match op:
+        case m.ScalarOp() | m.CounterOp():
+            return "0x" + "00" * op.size if op.scalar.kind == "float" else number
+        case m.BitsOp():
+            return [0] * op.size
+        case m.TextOp():
+            return " " * (op.count or 0)
+        case m.ArrayOp():
+            return [default(op.item, number, {}) for _ in range(op.count or 0)]
+        case m.StructOp():
+            return defaults(op.struct)
+        case m.SwitchOp():
+            case = next((c for c in op.cases if c.tag.value == 0), None)
+            if case is None or case.operation is None:
+                return {}
+            assert not isinstance(case.operation, m.GroupOp)
+            return {case.operation.member: default(case.operation, 0, {})}
+    raise AssertionError(op)

@@ -1,0 +1,70 @@
+//! A program for a microcontroller that uses everything. It links only if nothing in it can panic:
+//! the panic handler calls a function that does not exist.
+
+#![no_std]
+#![no_main]
+
+use core::hint::black_box;
+use core::panic::PanicInfo;
+
+use mip_protocol::{AnyField, Client, Packet, PacketBuilder, Parser, RawField};
+
+extern "C" {
+    fn a_panic_can_be_reached() -> !;
+}
+
+#[panic_handler]
+fn panic(_: &PanicInfo) -> ! {
+    unsafe { a_panic_can_be_reached() }
+}
+
+/// The bytes of a line that is not there.
+#[inline(never)]
+fn input() -> &'static [u8] {
+    black_box(&[0x75, 0x65])
+}
+
+#[no_mangle]
+pub extern "C" fn _start() -> ! {
+    let mut parser = Parser::new();
+    let mut client: Client<4> = Client::new();
+    let mut builder = PacketBuilder::new(0x80);
+    loop {
+        let mut chunk = input();
+        while let Some(packet) = parser.next(&mut chunk) {
+            look_into(&packet, &mut client, &mut builder);
+        }
+        while let Some(packet) = parser.flush() {
+            look_into(&packet, &mut client, &mut builder);
+        }
+        if let Ok(packet) = Packet::new(input()) {
+            look_into(&packet, &mut client, &mut builder);
+        }
+        for event in client.expire(black_box(7)) {
+            black_box(event);
+        }
+        black_box(parser.skipped());
+    }
+}
+
+fn look_into(packet: &Packet<'_>, client: &mut Client<4>, builder: &mut PacketBuilder) {
+    for event in client.receive(packet) {
+        black_box(event);
+    }
+    for field in packet.fields().flatten() {
+        look_at(&field, builder);
+    }
+    black_box(builder.bytes());
+}
+
+fn look_at(field: &RawField<'_>, builder: &mut PacketBuilder) {
+    if let Some(Ok((any, trailing))) = AnyField::decode(field) {
+        let mut data = [0; 253];
+        if let Ok(length) = any.encode(&mut data) {
+            if let Some(data) = data.get(..length) {
+                let _ = black_box(builder.push_raw(field.descriptor, data));
+            }
+        }
+        black_box((any.info(), trailing));
+    }
+}
