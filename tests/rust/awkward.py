@@ -100,7 +100,7 @@ fields:
 """
 
 
-def lengths(longest: int = 36) -> str:
+def lengths(longest: int = 33) -> str:
     """Types and fields with names of every length, so that every line that is written may be too long."""
     types, fields = [], []
     for number, size in enumerate(range(4, longest + 1), 1):

@@ -333,41 +333,46 @@ static const char *const cv7_gnss_ins_sensor_ranges_cells[] = {
 static const struct mip_device_note cv7_gnss_ins_notes[] = {
     {"ports", "Ports",
      "The main port is USB 1 while a host has it open (DTR set), else UART 1. MIP is always "
-     "enabled on it. The others must be enabled first. All ports stream the same data; replies "
-     "to polls go to the port that asked.", cv7_gnss_ins_ports_cells, 7, 3},
+     "enabled on it. The others must be enabled first. All ports stream the same data; replies to "
+     "polls go to the port that asked.",
+     cv7_gnss_ins_ports_cells, 7, 3},
     {"anti_aliasing", "Anti-aliasing low-pass filter",
      "Data that the low-pass anti-aliasing filter command (0x0C,0x54) can filter.",
      cv7_gnss_ins_anti_aliasing_cells, 8, 3},
     {"gpio_pins", "GPIO pins",
-     "Features of each pin; all are unused by default. The encoder feature is not available. "
-     "The manual marks PPS on pins 2 to 4 with an asterisk that it does not explain.",
+     "Features of each pin; all are unused by default. The encoder feature is not available. The "
+     "manual marks PPS on pins 2 to 4 with an asterisk that it does not explain.",
      cv7_gnss_ins_gpio_pins_cells, 5, 4},
     {"gpio_behaviors", "GPIO behaviors and pin modes",
-     "Values of the behavior for each feature, and the pin modes that go with it. Two pins "
-     "cannot have the same direction of the same UART. PPS output from an internal receiver is "
-     "always push-pull.", cv7_gnss_ins_gpio_behaviors_cells, 14, 4},
+     "Values of the behavior for each feature, and the pin modes that go with it. Two pins cannot "
+     "have the same direction of the same UART. PPS output from an internal receiver is always "
+     "push-pull.",
+     cv7_gnss_ins_gpio_behaviors_cells, 14, 4},
     {"nmea_output", "NMEA output",
      "Sentences of the NMEA message format (0x0C,0x0C). The talkers are GN (GNSS), GP (GPS), GA "
-     "(Galileo) and GL (GLONASS). A sentence is sent only while its data are valid. A GNSS "
-     "source has a base rate of 5 Hz, so its decimation must be 3 or more.",
+     "(Galileo) and GL (GLONASS). A sentence is sent only while its data are valid. A GNSS source "
+     "has a base rate of 5 Hz, so its decimation must be 3 or more.",
      cv7_gnss_ins_nmea_output_cells, 11, 4},
     {"nmea_input", "NMEA input",
      "Accepted from an external receiver, whatever the talker: RMC, ZDA, HDT, GGA, VTG, GLL and "
-     "GSV. They come in by the main port, USB 2, or a UART on GPIO pins; while such a UART is "
-     "set to receive, by that one only. An epoch is processed when a sentence with another time "
-     "arrives.", NULL, 0, 0},
+     "GSV. They come in by the main port, USB 2, or a UART on GPIO pins; while such a UART is set "
+     "to receive, by that one only. An epoch is processed when a sentence with another time "
+     "arrives.",
+     NULL, 0, 0},
     {"rtcm_input", "RTCM input", "RTCM 3 messages that the GNSS receivers use.",
      cv7_gnss_ins_rtcm_input_cells, 9, 2},
     {"gnss_signals", "GNSS signals",
      "GPS or Galileo must be enabled, and GPS L1 with BeiDou L1 alone is refused. Signals that "
-     "can be enabled together by (0x0E,0x02).", cv7_gnss_ins_gnss_signals_cells, 5, 2},
+     "can be enabled together by (0x0E,0x02).",
+     cv7_gnss_ins_gnss_signals_cells, 5, 2},
     {"sensor_ranges", "Sensor ranges",
-     "Settings of the sensor range command (0x0C,0x52). The manual prints them for sister "
-     "models and cuts the gyroscope column off; ask the device by (0x0C,0x53).",
+     "Settings of the sensor range command (0x0C,0x52). The manual prints them for sister models "
+     "and cuts the gyroscope column off; ask the device by (0x0C,0x53).",
      cv7_gnss_ins_sensor_ranges_cells, 5, 3},
     {"pps", "Pulse per second",
-     "The filter needs a valid PPS to initialize and to process measurements. A PPS output has "
-     "a duty cycle of 50 % and its rising edge begins the second.", NULL, 0, 0},
+     "The filter needs a valid PPS to initialize and to process measurements. A PPS output has a "
+     "duty cycle of 50 % and its rising edge begins the second.",
+     NULL, 0, 0},
 };
 
 static const struct mip_device_reading cv7_gnss_ins_readings[] = {
@@ -512,12 +517,14 @@ static const char *const gx5_15_low_pass_filter_cells[] = {
 static const struct mip_device_note gx5_15_notes[] = {
     {"base_rates", "Base rates",
      "The manual gives both 1000 and 500 for each stream. Read the base rates from the device "
-     "before computing a decimation.", NULL, 0, 0},
+     "before computing a decimation.",
+     NULL, 0, 0},
     {"frames", "Frame of the sensor data",
      "The sensor-to-vehicle transformation (0x0D,0x11) turns scaled acceleration and angular "
-     "rate, delta theta and delta velocity, as well as the outputs of the estimation filter "
-     "other than the gyroscope bias. Until it is set, they are in the sensor frame. It does not "
-     "turn the outputs of the complementary filter.", NULL, 0, 0},
+     "rate, delta theta and delta velocity, as well as the outputs of the estimation filter other "
+     "than the gyroscope bias. Until it is set, they are in the sensor frame. It does not turn "
+     "the outputs of the complementary filter.",
+     NULL, 0, 0},
     {"low_pass_filter", "Low-pass filter",
      "Data that the low-pass filter command (0x0C,0x50) can select.", gx5_15_low_pass_filter_cells,
      4, 3},
@@ -526,10 +533,12 @@ static const struct mip_device_note gx5_15_notes[] = {
      NULL, 0, 0},
     {"time", "Time synchronization",
      "The pulse per second goes to pin 7 of the connector. Send the GPS time update (0x01,0x72) "
-     "once per second. The filter timestamp and the sensor timestamp follow it.", NULL, 0, 0},
+     "once per second. The filter timestamp and the sensor timestamp follow it.",
+     NULL, 0, 0},
     {"direct_mode", "Direct mode",
      "Communication mode (0x7F,0x10) connects the port to the inertial sensor inside. Only that "
-     "command and device status (0x0C,0x64) stay available meanwhile.", NULL, 0, 0},
+     "command and device status (0x0C,0x64) stay available meanwhile.",
+     NULL, 0, 0},
 };
 
 static const struct mip_device_reading gx5_15_readings[] = {

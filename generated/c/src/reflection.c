@@ -4691,14 +4691,15 @@ static const struct mip_record record_gnss_1_gnss_hardware_status = {
     parameters_gnss_1_gnss_hardware_status, 4, sizeof(struct mip_gnss_1_gnss_hardware_status)};
 
 static const struct mip_parameter parameters_gnss_1_clock_info_2[] = {
-    {"bias", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+    {"bias", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_clock_info_2, bias), 0, NULL, NULL, NULL, NULL, 0},
-    {"drift", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+    {"drift", "s/s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_clock_info_2, drift), 0, NULL, NULL, NULL, NULL, 0},
-    {"bias_accuracy_estimate", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0,
+    {"bias_accuracy_estimate", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0,
      0, ONE(struct mip_gnss_1_clock_info_2, bias_accuracy_estimate), 0, NULL, NULL, NULL, NULL, 0},
-    {"drift_accuracy_estimate", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0,
-     0, ONE(struct mip_gnss_1_clock_info_2, drift_accuracy_estimate), 0, NULL, NULL, NULL, NULL, 0},
+    {"drift_accuracy_estimate", "s/s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0,
+     0, 0, ONE(struct mip_gnss_1_clock_info_2, drift_accuracy_estimate), 0, NULL, NULL, NULL, NULL,
+     0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_clock_info_2, valid_flags), 0, &names_gnss_1_clock_info_2_flags, NULL,
      NULL, NULL, 0},

@@ -574,28 +574,24 @@ def define(name: str, text: str) -> str:
 
 def fill(items: Sequence[str], indent: int, more: int = 0) -> str:
     """Items with commas between them, on as many lines as they need; long strings are taken apart."""
-    lines, line = [], ""
+    lines = [""]
     for i, item in enumerate(items):
-        ending = "," if i < len(items) - 1 else ""
-        parts = _parts(item + ending, WIDTH - indent - more)
-        joined = f"{line} {parts[0]}" if line else parts[0]
-        if line and (len(parts) > 1 or indent + len(joined) + (0 if ending else more) > WIDTH):
-            lines.append(line)
-            joined = parts[0]
-        line = joined
-        if len(parts) > 1:
-            lines += parts[:-1] if not ending else parts
-            line = "" if ending else parts[-1]
-    return ("\n" + " " * indent).join([*lines, line])
+        last = i == len(items) - 1
+        text, room = (item, WIDTH - indent - more) if last else (f"{item},", WIDTH - indent)
+        if item.startswith('"') and len(text) > room:
+            lines += [*_pieces(text, room), ""]
+        elif lines[-1] and len(lines[-1]) + 1 + len(text) > room:
+            lines.append(text)
+        else:
+            lines[-1] = f"{lines[-1]} {text}".lstrip()
+    return ("\n" + " " * indent).join(line for line in lines if line)
 
 
-def _parts(item: str, width: int) -> list[str]:
-    """A string that is too long for a line as several that the compiler joins."""
-    if len(item) <= width or not item.startswith('"'):
-        return [item]
-    closing = item.rindex('"')
-    pieces = textwrap.wrap(item[1:closing], width - 4, break_long_words=False, break_on_hyphens=False)
-    return [*(f'"{piece} "' for piece in pieces[:-1]), f'"{pieces[-1]}{item[closing:]}']
+def _pieces(text: str, width: int) -> list[str]:
+    """A long string as several that the compiler joins."""
+    end = text.rindex('"')
+    pieces = textwrap.wrap(text[1:end], width - 4, break_long_words=False, break_on_hyphens=False)
+    return [*(f'"{piece} "' for piece in pieces[:-1]), f'"{pieces[-1]}{text[end:]}']
 
 
 def string(text: str | None) -> str:

@@ -2169,6 +2169,9 @@ mip_error mip_3dm_uart_baud_rate_response_encode(
  *
  * A configuration that only one pin can have passes to the latest pin; the earlier pin is reset.
  *
+ * With NMEA input at most one pin may be a UART input; set it to unused before another one takes
+ * over.
+ *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gpio_configuration_response.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
@@ -2256,6 +2259,10 @@ mip_error mip_3dm_gpio_configuration_response_encode(
  * What is read is the level of the pin itself.
  *
  * Writing shows only on a pin that is configured as an output.
+ *
+ * An event action of mode active_high or active_low on the pin overrides what is written.
+ *
+ * Reading is sure to work only with the gpio feature.
  *
  * The state at power-up is a matter of the GPIO configuration command.
  *
@@ -2406,7 +2413,9 @@ struct mip_3dm_advanced_low_pass_filter_settings {
     mip_function_selector function;
     /**
      * Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-     * magnetic field 0x06 or pressure 0x17. On the 3DM-CV7 0 means all of them, except for read.
+     * magnetic field 0x06 or pressure 0x17. On 3dm-cv7-gnss-ins: Field descriptor in the sensor
+     * data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
+     * 0 means all of them, except for read.
      */
     uint8_t target_descriptor;
     /** Whether the quantity is filtered. Default: true. For write. */
@@ -2417,8 +2426,8 @@ struct mip_3dm_advanced_low_pass_filter_settings {
      */
     mip_bool manual;
     /**
-     * Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. For write. On 3dm-gx5-15:
-     * range … to 250.
+     * Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. For write. On 3dm-gx5-15: at
+     * most 250.
      */
     uint16_t frequency;
     /** For write. */
@@ -2460,7 +2469,9 @@ struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filte
 struct mip_3dm_advanced_low_pass_filter_settings_response {
     /**
      * Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-     * magnetic field 0x06 or pressure 0x17. On the 3DM-CV7 0 means all of them, except for read.
+     * magnetic field 0x06 or pressure 0x17. On 3dm-cv7-gnss-ins: Field descriptor in the sensor
+     * data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
+     * 0 means all of them, except for read.
      */
     uint8_t target_descriptor;
     /** Whether the quantity is filtered. Default: true. */
@@ -2470,8 +2481,7 @@ struct mip_3dm_advanced_low_pass_filter_settings_response {
      */
     mip_bool manual;
     /**
-     * Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. On 3dm-gx5-15: range … to
-     * 250.
+     * Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. On 3dm-gx5-15: at most 250.
      */
     uint16_t frequency;
     /**  */
@@ -2516,12 +2526,12 @@ struct mip_3dm_complementary_filter_configuration {
     mip_function_selector function;
     /**
      * Corrects pitch and roll (up, in terms of the 5-series). For write. On 3dm-gx5-15: factory
-     * default True.
+     * default true.
      */
     mip_bool pitch_roll_enable;
     /**
      * Corrects the heading (north, in terms of the 5-series). For write. On 3dm-gx5-15: factory
-     * default True.
+     * default true.
      */
     mip_bool heading_enable;
     /**
@@ -2571,11 +2581,11 @@ mip_3dm_complementary_filter_configuration_default(void);
  */
 struct mip_3dm_complementary_filter_configuration_response {
     /**
-     * Corrects pitch and roll (up, in terms of the 5-series). On 3dm-gx5-15: factory default True.
+     * Corrects pitch and roll (up, in terms of the 5-series). On 3dm-gx5-15: factory default true.
      */
     mip_bool pitch_roll_enable;
     /**
-     * Corrects the heading (north, in terms of the 5-series). On 3dm-gx5-15: factory default True.
+     * Corrects the heading (north, in terms of the 5-series). On 3dm-gx5-15: factory default true.
      */
     mip_bool heading_enable;
     /**

@@ -462,6 +462,9 @@ mip_error mip_base_comm_port_speed_response_encode(
  *
  * The 3DM-GX5-15 wants it once per second; the 3DM-CV7-GNSS/INS at least once.
  *
+ * Send it again after a glitch of the PPS. An internal GNSS receiver as PPS source mostly makes it
+ * needless.
+ *
  * Functions: write, read and apply. Answered by mip_base_gps_time_update_week_number_response or
  * mip_base_gps_time_update_time_of_week_response.
  *
@@ -476,8 +479,9 @@ struct mip_base_gps_time_update {
     /** What the value is. */
     mip_base_gps_time_field field_id;
     /**
-     * Week number since 6 January 1980, or whole seconds of the week, as field_id says. For write
-     * and apply. If field_id is week_number: unit week. If field_id is time_of_week: unit s.
+     * What field_id says. For write and apply. If field_id is week_number: unit week; GPS week
+     * number since 6 January 1980. If field_id is time_of_week: unit s; Whole seconds of the GPS
+     * week.
      */
     uint32_t value;
 };

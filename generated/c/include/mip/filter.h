@@ -1796,10 +1796,8 @@ mip_error mip_filter_aiding_measurement_control_response_encode(
  *
  * Sources and values of the initial attitude, position and velocity of the filter.
  *
- * With `ecef` the initial position is in m; with `llh` it is latitude (deg), longitude (deg) and
- * height (m). Single precision resolves latitude and longitude to about a metre only.
- *
- * The initial velocity is in frame ECEF with `ecef` and in frame NED with `llh`.
+ * Single precision resolves the latitude and longitude of the initial position to about a metre
+ * only.
  *
  * Kinematic alignment sets the heading once the speed reaches 2 m/s.
  *

@@ -920,23 +920,27 @@ mip_error mip_gnss_1_gnss_hardware_status_encode(
  *
  * It supersedes an older field, which the manual does not define.
  *
- * The manual gives no units.
- *
  * - 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10)
  */
 struct mip_gnss_1_clock_info_2 {
-    /** Bias of the clock. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_BIAS in valid_flags is set. */
+    /**
+     * Bias of the clock. Unit: s. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_BIAS in valid_flags is
+     * set.
+     */
     double bias;
-    /** Drift of the clock. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT in valid_flags is set. */
+    /**
+     * Drift of the clock. Unit: s/s. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT in valid_flags is
+     * set.
+     */
     double drift;
     /**
-     * Accuracy of the bias. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_BIAS_ACCURACY in valid_flags is
-     * set.
+     * Accuracy of the bias. Unit: s. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_BIAS_ACCURACY in
+     * valid_flags is set.
      */
     double bias_accuracy_estimate;
     /**
-     * Accuracy of the drift. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY in valid_flags
-     * is set.
+     * Accuracy of the drift. Unit: s/s. Valid if MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY in
+     * valid_flags is set.
      */
     double drift_accuracy_estimate;
     /** Which values are valid. */

@@ -229,7 +229,7 @@ mip_error mip_sensor_complementary_filter_orientation_matrix_encode(
 struct mip_sensor_complementary_filter_quaternion {
     /**
      * Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1. On
-     * 3dm-gx5-15: Between the NED frame and the sensor frame.
+     * 3dm-gx5-15: Between NED and the sensor frame.
      */
     float q[4];
 };
