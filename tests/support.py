@@ -20,7 +20,7 @@ from mipgen.resolve import load_model
 
 ROOT = Path(__file__).parents[1]
 BUILD = ROOT / "build"
-LANGUAGES = ("c", "python")
+LANGUAGES = ("c", "python", "rust")
 
 #: Specification -> where it is and where its output is.
 SPECS = {

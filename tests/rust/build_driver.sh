@@ -7,7 +7,10 @@ generated=$(cd "$1" && pwd)
 mkdir -p "$2"
 build=$(cd "$2" && pwd)
 
-command -v cargo >/dev/null || { echo "build_driver.sh: cargo is needed; see https://rustup.rs" >&2; exit 1; }
+command -v cargo >/dev/null || { echo "build_driver.sh: cargo is missing; see https://rustup.rs" >&2; exit 1; }
+
+# A string of TOML.
+quoted() { printf '"%s"' "$(printf '%s' "$1" | sed 's/[\\"]/\\&/g')"; }
 
 manifest="[package]
 name = \"driver\"
@@ -17,10 +20,10 @@ publish = false
 
 [[bin]]
 name = \"driver\"
-path = \"$here/driver/src/main.rs\"
+path = $(quoted "$here/driver/src/main.rs")
 
 [dependencies]
-mip-protocol = { path = \"$generated\", features = [\"dynamic\"] }
+mip-protocol = { path = $(quoted "$generated"), features = [\"dynamic\"] }
 
 [profile.release]
 debug-assertions = true

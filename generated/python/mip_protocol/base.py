@@ -678,6 +678,8 @@ class GpsTimeUpdate(Command):
     The PPS supplies the fraction of the second; send the whole second that began at its last edge.
     Send it within 250 ms after the rising edge of the PPS.
     The 3DM-GX5-15 wants it once per second; the 3DM-CV7-GNSS/INS at least once.
+    Send it again after a glitch of the PPS. An internal GNSS receiver as PPS source mostly makes it
+    needless.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -695,7 +697,9 @@ class GpsTimeUpdate(Command):
     field_id: GpsTimeField | None = None
     """What the value is."""
     value: int | None = None
-    """Week number since 6 January 1980, or whole seconds of the week, as field_id says."""
+    """What field_id says. If field_id is week_number: unit week; GPS week number since 6 January
+    1980. If field_id is time_of_week: unit s; Whole seconds of the GPS week.
+    """
 
     @classmethod
     def write(cls, field_id: GpsTimeField, value: int) -> GpsTimeUpdate:

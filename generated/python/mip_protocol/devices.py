@@ -578,6 +578,9 @@ GX5_15 = Device(
     limits={
         "low_pass_cutoff": Limit(250, "Hz", "Highest cutoff of the low-pass filters."),
         "external_heading_rate": Limit(20, "Hz", "Highest rate of external heading updates."),
+        "zero_angular_rate_update_rate": Limit(
+            10, "Hz", "Highest rate of commanded zero angular rate updates."
+        ),
         "baud_rate_delay": Limit(
             250,
             "ms",
@@ -592,7 +595,7 @@ GX5_15 = Device(
         ),
         "frames": Note(
             "Frame of the sensor data",
-            "Data of the sensor set (0x80) are in the sensor frame. The sensor-to-vehicle transformation (0x0D,0x11) applies to the estimation filter only.",
+            "The sensor-to-vehicle transformation (0x0D,0x11) turns scaled acceleration and angular rate, delta theta and delta velocity, as well as the outputs of the estimation filter other than the gyroscope bias. Until it is set, they are in the sensor frame. It does not turn the outputs of the complementary filter.",
             (),
         ),
         "low_pass_filter": Note(

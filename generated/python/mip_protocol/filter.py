@@ -1392,8 +1392,8 @@ class SensorToVehicleFrameTransformation(Command):
 
     Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
     It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
-    velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
-    filter.
+    velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
+    vector of the filter.
     The 3DM-CV7 takes the inverse instead: `3dm.sensor_to_vehicle_frame_transformation_euler`.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
@@ -2978,6 +2978,7 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
     """Gravity magnitude error adaptive measurement (0x0D,0x44).
 
     How far the filter trusts gravity measurements whose magnitude is not that of gravity.
+    Also called accelerometer magnitude error adaptive measurement.
     All parameters after the selector keep their values if they are left out.
     Filter and limits take effect only with `fixed`.
     Raise the limits where vibration is strong, lower them where it is weak. High limits cost pitch
@@ -3354,9 +3355,8 @@ class NavigationFilterInitialization(Command):
     """Navigation filter initialization (0x0D,0x52).
 
     Sources and values of the initial attitude, position and velocity of the filter.
-    With `ecef` the initial position is in m; with `llh` it is latitude (deg), longitude (deg) and
-    height (m). Single precision resolves latitude and longitude to about a metre only.
-    The initial velocity is in frame ECEF with `ecef` and in frame NED with `llh`.
+    Single precision resolves the latitude and longitude of the initial position to about a metre
+    only.
     Kinematic alignment sets the heading once the speed reaches 2 m/s.
     External alignment needs a heading at least every 5 seconds.
 

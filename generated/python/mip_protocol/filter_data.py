@@ -384,7 +384,7 @@ class AttitudeQuaternion(Data):
     """Attitude quaternion (0x82,0x03).
 
     Estimated orientation of the vehicle frame in the NED frame as a quaternion.
-    The 3DM-GX5 manual defines it by v_vehicle = q * v_ned * inverse(q).
+    v_vehicle = q^-1 * v_ned * q. The 3DM-GX5-15 manual prints the inverse rotation.
 
     - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
     - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)

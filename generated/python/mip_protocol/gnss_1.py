@@ -869,7 +869,6 @@ class ClockInfo2(Data):
 
     Bias and drift of the receiver clock.
     It supersedes an older field, which the manual does not define.
-    The manual gives no units.
 
     - 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10)
     """
@@ -880,13 +879,13 @@ class ClockInfo2(Data):
     ROLE = "data"
 
     bias: float
-    """Bias of the clock. Valid if valid_flags.bias."""
+    """Bias of the clock. [s] Valid if valid_flags.bias."""
     drift: float
-    """Drift of the clock. Valid if valid_flags.drift."""
+    """Drift of the clock. [s/s] Valid if valid_flags.drift."""
     bias_accuracy_estimate: float
-    """Accuracy of the bias. Valid if valid_flags.bias_accuracy."""
+    """Accuracy of the bias. [s] Valid if valid_flags.bias_accuracy."""
     drift_accuracy_estimate: float
-    """Accuracy of the drift. Valid if valid_flags.drift_accuracy."""
+    """Accuracy of the drift. [s/s] Valid if valid_flags.drift_accuracy."""
     valid_flags: ClockInfo2Flags
     """Which values are valid."""
 

@@ -402,7 +402,7 @@ class UartBaudRateResponse(Response):
     ROLE = "response"
 
     baud: int
-    """Baud rate. [Bd]"""
+    """Baud rate. [Bd] On 3dm-gx5-15: factory default 115200."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRateResponse, int]:
@@ -470,14 +470,18 @@ class AdvancedLowPassFilterSettingsResponse(Response):
 
     target_descriptor: int
     """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-    magnetic field 0x06 or pressure 0x17. On the 3DM-CV7 0 means all of them, except for read.
+    magnetic field 0x06 or pressure 0x17. On 3dm-cv7-gnss-ins: Field descriptor in the sensor
+    data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
+    0 means all of them, except for read.
     """
     enable: bool
-    """Whether the quantity is filtered."""
+    """Whether the quantity is filtered. Factory default: True."""
     manual: bool
-    """True uses the frequency; false follows half the rate of the message format."""
+    """True uses the frequency; false follows half the rate of the message format. Factory
+    default: False.
+    """
     frequency: int
-    """Cutoff (-3 dB). It has no meaning if manual is false. [Hz]"""
+    """Cutoff (-3 dB). It has no meaning if manual is false. [Hz] On 3dm-gx5-15: at most 250."""
     reserved: int = 0
 
     @classmethod
@@ -826,9 +830,13 @@ class ComplementaryFilterConfigurationResponse(Response):
     ROLE = "response"
 
     pitch_roll_enable: bool
-    """Corrects pitch and roll (up, in terms of the 5-series)."""
+    """Corrects pitch and roll (up, in terms of the 5-series). On 3dm-gx5-15: factory default
+    true.
+    """
     heading_enable: bool
-    """Corrects the heading (north, in terms of the 5-series)."""
+    """Corrects the heading (north, in terms of the 5-series). On 3dm-gx5-15: factory default
+    true.
+    """
     pitch_roll_time_constant: float
     """Time constant of the correction of pitch and roll. [s] Range: 1 to 1000. Factory default:
     10.
@@ -4137,7 +4145,7 @@ class UartBaudRate(Command):
     function: FunctionSelector
     """What to do with the setting."""
     baud: int | None = None
-    """Baud rate. [Bd]"""
+    """Baud rate. [Bd] On 3dm-gx5-15: factory default 115200."""
 
     @classmethod
     def write(cls, baud: int) -> UartBaudRate:
@@ -4216,6 +4224,8 @@ class GpioConfiguration(Command):
     Configure the function behind an output before its pin, and the pin of an input before its
     function.
     A configuration that only one pin can have passes to the latest pin; the earlier pin is reset.
+    With NMEA input at most one pin may be a UART input; set it to unused before another one takes
+    over.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
@@ -4350,6 +4360,8 @@ class GpioState(Command):
     Sets or reads the state of a GPIO pin.
     What is read is the level of the pin itself.
     Writing shows only on a pin that is configured as an output.
+    An event action of mode active_high or active_low on the pin overrides what is written.
+    Reading is sure to work only with the gpio feature.
     The state at power-up is a matter of the GPIO configuration command.
 
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
@@ -4551,7 +4563,6 @@ class AdvancedLowPassFilterSettings(Command):
     Low-pass filter of one quantity of the sensor data.
     The filter has one pole. By default it is on and its cutoff is half the rate of the message
     format.
-    The 3DM-GX5-15 accepts a cutoff of 250 Hz at most.
     Deprecated: use 3dm.low_pass_anti_aliasing_filter where the device has it
     For advanced use.
 
@@ -4570,14 +4581,18 @@ class AdvancedLowPassFilterSettings(Command):
     """What to do with the setting."""
     target_descriptor: int | None = None
     """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-    magnetic field 0x06 or pressure 0x17. On the 3DM-CV7 0 means all of them, except for read.
+    magnetic field 0x06 or pressure 0x17. On 3dm-cv7-gnss-ins: Field descriptor in the sensor
+    data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
+    0 means all of them, except for read.
     """
     enable: bool | None = None
-    """Whether the quantity is filtered."""
+    """Whether the quantity is filtered. Factory default: True."""
     manual: bool | None = None
-    """True uses the frequency; false follows half the rate of the message format."""
+    """True uses the frequency; false follows half the rate of the message format. Factory
+    default: False.
+    """
     frequency: int | None = None
-    """Cutoff (-3 dB). It has no meaning if manual is false. [Hz]"""
+    """Cutoff (-3 dB). It has no meaning if manual is false. [Hz] On 3dm-gx5-15: at most 250."""
     reserved: int | None = None
 
     @classmethod
@@ -4701,6 +4716,8 @@ class ComplementaryFilterConfiguration(Command):
     Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
     The heading follows the magnetometer, if the device has one.
     The device refuses time constants out of range.
+    The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for
+    compatibility.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -4716,9 +4733,13 @@ class ComplementaryFilterConfiguration(Command):
     function: FunctionSelector
     """What to do with the setting."""
     pitch_roll_enable: bool | None = None
-    """Corrects pitch and roll (up, in terms of the 5-series)."""
+    """Corrects pitch and roll (up, in terms of the 5-series). On 3dm-gx5-15: factory default
+    true.
+    """
     heading_enable: bool | None = None
-    """Corrects the heading (north, in terms of the 5-series)."""
+    """Corrects the heading (north, in terms of the 5-series). On 3dm-gx5-15: factory default
+    true.
+    """
     pitch_roll_time_constant: float | None = None
     """Time constant of the correction of pitch and roll. [s] Range: 1 to 1000. Factory default:
     10.

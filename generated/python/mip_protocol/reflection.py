@@ -2112,10 +2112,22 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     gnss_1.ClockInfo2: (
-        Parameter("bias", "bias", "scalar", scalar="double"),
-        Parameter("drift", "drift", "scalar", scalar="double"),
-        Parameter("bias_accuracy_estimate", "bias_accuracy_estimate", "scalar", scalar="double"),
-        Parameter("drift_accuracy_estimate", "drift_accuracy_estimate", "scalar", scalar="double"),
+        Parameter("bias", "bias", "scalar", scalar="double", units=("s",)),
+        Parameter("drift", "drift", "scalar", scalar="double", units=("s/s",)),
+        Parameter(
+            "bias_accuracy_estimate",
+            "bias_accuracy_estimate",
+            "scalar",
+            scalar="double",
+            units=("s",),
+        ),
+        Parameter(
+            "drift_accuracy_estimate",
+            "drift_accuracy_estimate",
+            "scalar",
+            scalar="double",
+            units=("s/s",),
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.ClockInfo2Flags
         ),

@@ -65,7 +65,7 @@ class ScaledAccel(Data):
     ROLE = "data"
 
     scaled_accel: types.Vector3f
-    """Acceleration. [g] Frame: vehicle. On 3dm-gx5-15: frame sensor."""
+    """Acceleration. [g] Frame: vehicle."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ScaledAccel, int]:
@@ -98,7 +98,7 @@ class ScaledGyro(Data):
     ROLE = "data"
 
     scaled_gyro: types.Vector3f
-    """Angular rate. [rad/s] Frame: vehicle. On 3dm-gx5-15: frame sensor."""
+    """Angular rate. [rad/s] Frame: vehicle."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ScaledGyro, int]:
@@ -163,7 +163,7 @@ class DeltaTheta(Data):
     ROLE = "data"
 
     delta_theta: types.Vector3f
-    """Integral of the angular rate. [rad] Frame: vehicle. On 3dm-gx5-15: frame sensor."""
+    """Integral of the angular rate. [rad] Frame: vehicle."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeltaTheta, int]:
@@ -197,7 +197,7 @@ class DeltaVelocity(Data):
     ROLE = "data"
 
     delta_velocity: types.Vector3f
-    """Integral of the acceleration. [g*s] Frame: vehicle. On 3dm-gx5-15: frame sensor."""
+    """Integral of the acceleration. [g*s] Frame: vehicle."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeltaVelocity, int]:
@@ -221,7 +221,7 @@ class ComplementaryFilterOrientationMatrix(Data):
     """Complementary filter orientation matrix (0x80,0x09).
 
     Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
-    v_vehicle = M * v_ned. The 3DM-GX5-15 has the sensor frame in place of the vehicle frame.
+    v_vehicle = M * v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09)
     - 3dm-cv7-gnss-ins: Complementary Filter Orientation Matrix (0x80,0x09)
@@ -233,7 +233,9 @@ class ComplementaryFilterOrientationMatrix(Data):
     ROLE = "data"
 
     m: types.Matrix3f
-    """Rotation from the NED frame to the vehicle frame. [1]"""
+    """Rotation from the NED frame to the vehicle frame. [1] On 3dm-gx5-15: From the NED frame to
+    the sensor frame.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterOrientationMatrix, int]:
@@ -255,7 +257,7 @@ class ComplementaryFilterQuaternion(Data):
     """Complementary filter quaternion (0x80,0x0A).
 
     Attitude by the complementary filter as a quaternion, relative to the NED frame.
-    v_vehicle = q^-1 * v_ned * q. The 3DM-GX5-15 has the sensor frame in place of the vehicle frame.
+    v_vehicle = q^-1 * v_ned * q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A)
     - 3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)
@@ -267,7 +269,9 @@ class ComplementaryFilterQuaternion(Data):
     ROLE = "data"
 
     q: types.Quatf
-    """Rotation between the NED frame and the vehicle frame. [1]"""
+    """Rotation between the NED frame and the vehicle frame. [1] On 3dm-gx5-15: Between NED and
+    the sensor frame.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterQuaternion, int]:
@@ -368,7 +372,7 @@ _COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_0 = codec.Block(
 class ComplementaryFilterStabilizedUpVector(Data):
     """Complementary filter stabilized up vector (0x80,0x11).
 
-    Estimate of the acceleration due to gravity alone by the complementary filter.
+    Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
     At rest it equals the measured acceleration.
 
     - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
@@ -380,7 +384,7 @@ class ComplementaryFilterStabilizedUpVector(Data):
     ROLE = "data"
 
     stabilized_accel: types.Vector3f
-    """Acceleration due to gravity. [g] Frame: sensor."""
+    """The part of the measured acceleration that gravity causes. [g] Frame: sensor."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterStabilizedUpVector, int]:

@@ -1,0 +1,105 @@
+//! GNSS receiver 2 data (0x92): Measurements and status of the second internal GNSS receiver.
+//!
+//! - Manual 3dm-cv7-gnss-ins: GNSS Recv 2 (0x92)
+
+/// The number of the descriptor set.
+pub const SET: u8 = 0x92;
+
+/// (0x92,0x03) GNSS LLH position: the same as
+/// [`gnss_1.gnss_llh_position`](crate::gnss_1::GnssLlhPosition).
+///
+/// - Manual 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
+pub type GnssLlhPosition = crate::gnss_1::GnssLlhPosition;
+
+/// (0x92,0x04) GNSS ECEF position: the same as
+/// [`gnss_1.gnss_ecef_position`](crate::gnss_1::GnssEcefPosition).
+///
+/// - Manual 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
+pub type GnssEcefPosition = crate::gnss_1::GnssEcefPosition;
+
+/// (0x92,0x05) NED velocity: the same as [`gnss_1.ned_velocity`](crate::gnss_1::NedVelocity).
+///
+/// - Manual 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
+pub type NedVelocity = crate::gnss_1::NedVelocity;
+
+/// (0x92,0x06) GNSS ECEF velocity: the same as
+/// [`gnss_1.gnss_ecef_velocity`](crate::gnss_1::GnssEcefVelocity).
+///
+/// - Manual 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06)
+pub type GnssEcefVelocity = crate::gnss_1::GnssEcefVelocity;
+
+/// (0x92,0x07) DOP: the same as [`gnss_1.dop`](crate::gnss_1::Dop).
+///
+/// - Manual 3dm-cv7-gnss-ins: DOP (0x92,0x07)
+pub type Dop = crate::gnss_1::Dop;
+
+/// (0x92,0x08) UTC time: the same as [`gnss_1.utc_time`](crate::gnss_1::UtcTime).
+///
+/// - Manual 3dm-cv7-gnss-ins: UTC Time (0x92,0x08)
+pub type UtcTime = crate::gnss_1::UtcTime;
+
+/// (0x92,0x09) GPS time: the same as [`gnss_1.gps_time`](crate::gnss_1::GpsTime).
+///
+/// - Manual 3dm-cv7-gnss-ins: GPS Time (0x92,0x09)
+pub type GpsTime = crate::gnss_1::GpsTime;
+
+/// (0x92,0x0B) Fix info: the same as [`gnss_1.fix_info`](crate::gnss_1::FixInfo).
+///
+/// - Manual 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
+pub type FixInfo = crate::gnss_1::FixInfo;
+
+/// (0x92,0x0D) GNSS hardware status: the same as
+/// [`gnss_1.gnss_hardware_status`](crate::gnss_1::GnssHardwareStatus).
+///
+/// - Manual 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
+pub type GnssHardwareStatus = crate::gnss_1::GnssHardwareStatus;
+
+/// (0x92,0x10) Clock info 2: the same as [`gnss_1.clock_info_2`](crate::gnss_1::ClockInfo2).
+///
+/// - Manual 3dm-cv7-gnss-ins: Clock Info 2 (0x92,0x10)
+pub type ClockInfo2 = crate::gnss_1::ClockInfo2;
+
+/// (0x92,0x11) GPS leap seconds: the same as
+/// [`gnss_1.gps_leap_seconds`](crate::gnss_1::GpsLeapSeconds).
+///
+/// - Manual 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11)
+pub type GpsLeapSeconds = crate::gnss_1::GpsLeapSeconds;
+
+/// (0x92,0x12) SBAS info: the same as [`gnss_1.sbas_info`](crate::gnss_1::SbasInfo).
+///
+/// - Manual 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
+pub type SbasInfo = crate::gnss_1::SbasInfo;
+
+/// (0x92,0x20) Satellite status: the same as
+/// [`gnss_1.satellite_status`](crate::gnss_1::SatelliteStatus).
+///
+/// - Manual 3dm-cv7-gnss-ins: Satellite Status (0x92,0x20)
+pub type SatelliteStatus = crate::gnss_1::SatelliteStatus;
+
+/// (0x92,0x22) Raw: the same as [`gnss_1.raw`](crate::gnss_1::Raw).
+///
+/// - Manual 3dm-cv7-gnss-ins: Raw (0x92,0x22)
+pub type Raw = crate::gnss_1::Raw;
+
+/// (0x92,0x61) GPS ephemeris: the same as [`gnss_1.gps_ephemeris`](crate::gnss_1::GpsEphemeris).
+///
+/// - Manual 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61)
+pub type GpsEphemeris = crate::gnss_1::GpsEphemeris;
+
+/// (0x92,0x62) GLONASS ephemeris: the same as
+/// [`gnss_1.glonass_ephemeris`](crate::gnss_1::GlonassEphemeris).
+///
+/// - Manual 3dm-cv7-gnss-ins: Glonass Ephemeris (0x92,0x62)
+pub type GlonassEphemeris = crate::gnss_1::GlonassEphemeris;
+
+/// (0x92,0x63) Galileo ephemeris: the same as
+/// [`gnss_1.galileo_ephemeris`](crate::gnss_1::GalileoEphemeris).
+///
+/// - Manual 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63)
+pub type GalileoEphemeris = crate::gnss_1::GalileoEphemeris;
+
+/// (0x92,0x64) BeiDou ephemeris: the same as
+/// [`gnss_1.beidou_ephemeris`](crate::gnss_1::BeidouEphemeris).
+///
+/// - Manual 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64)
+pub type BeidouEphemeris = crate::gnss_1::BeidouEphemeris;

@@ -1,0 +1,1345 @@
+//! Types that several descriptor sets share.
+
+use crate::macros::{bitfield, open_enum, vector};
+use crate::{DecodeError, EncodeError, Reader, Union, Wire, Writer};
+
+open_enum! {
+    /// What a settings command is asked to do.
+    FunctionSelector: u8 {
+        /// Apply the new setting.
+        WRITE = 1, "write";
+        /// Send the current setting back in a response.
+        READ = 2, "read";
+        /// Save the current setting to non-volatile memory.
+        SAVE = 3, "save";
+        /// Load the saved setting.
+        LOAD = 4, "load";
+        /// Load the factory default setting.
+        DEFAULT = 5, "default";
+        /// Apply the new setting and send no acknowledge (5-series devices).
+        APPLY = 6, "apply";
+    }
+}
+
+bitfield! {
+    /// Result of the built-in test of the 3DM-GX5-15: processor board, sensor board, filter.
+    ///
+    /// - Manual 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
+    Gx5BuiltInTest: u32 {
+        /// The watchdog has reset the processor; cleared by the first commanded test.
+        WATCHDOG_RESET: bool = 0,
+            "watchdog_reset", watchdog_reset, set_watchdog_reset, with_watchdog_reset;
+        /// No communication with the inertial sensor.
+        IMU_COMMUNICATION_FAULT: bool = 8,
+            "imu_communication_fault", imu_communication_fault, set_imu_communication_fault,
+            with_imu_communication_fault;
+        /// Magnetometer fault, on devices that have one.
+        MAGNETOMETER_FAULT: bool = 9,
+            "magnetometer_fault", magnetometer_fault, set_magnetometer_fault,
+            with_magnetometer_fault;
+        /// Pressure sensor fault, on devices that have one.
+        PRESSURE_SENSOR_FAULT: bool = 10,
+            "pressure_sensor_fault", pressure_sensor_fault, set_pressure_sensor_fault,
+            with_pressure_sensor_fault;
+        /// Fault of the estimation filter solution.
+        SOLUTION_FAULT: bool = 24,
+            "solution_fault", solution_fault, set_solution_fault, with_solution_fault;
+    }
+}
+
+bitfield! {
+    /// Result of the commanded built-in test of the 3DM-CV7-GNSS/INS.
+    ///
+    /// - Manual 3dm-cv7-gnss-ins: Commanded Built-in Test
+    Cv7BuiltInTest: u32 {
+        /// A vital part, such as the oscillator, has failed.
+        GENERAL_HARDWARE_FAULT: bool = 0,
+            "general_hardware_fault", general_hardware_fault, set_general_hardware_fault,
+            with_general_hardware_fault;
+        /// The firmware met a serious or unexpected condition.
+        GENERAL_FIRMWARE_FAULT: bool = 1,
+            "general_firmware_fault", general_firmware_fault, set_general_firmware_fault,
+            with_general_firmware_fault;
+        /// The processor cannot keep up; cleared by reading the result.
+        TIMING_OVERLOAD: bool = 2,
+            "timing_overload", timing_overload, set_timing_overload, with_timing_overload;
+        /// A data buffer was full, mostly because too much is streamed.
+        BUFFER_OVERRUN: bool = 3,
+            "buffer_overrun", buffer_overrun, set_buffer_overrun, with_buffer_overrun;
+        /// The accelerometer is damaged or does not work.
+        ACCELEROMETER_FAULT: bool = 12,
+            "accelerometer_fault", accelerometer_fault, set_accelerometer_fault,
+            with_accelerometer_fault;
+        /// The gyroscope is damaged or does not work.
+        GYROSCOPE_FAULT: bool = 13,
+            "gyroscope_fault", gyroscope_fault, set_gyroscope_fault, with_gyroscope_fault;
+        /// The magnetometer is damaged or does not work.
+        MAGNETOMETER_FAULT: bool = 14,
+            "magnetometer_fault", magnetometer_fault, set_magnetometer_fault,
+            with_magnetometer_fault;
+        /// The pressure sensor is damaged or does not work.
+        PRESSURE_SENSOR_FAULT: bool = 15,
+            "pressure_sensor_fault", pressure_sensor_fault, set_pressure_sensor_fault,
+            with_pressure_sensor_fault;
+        /// At least one calibration table of the sensors is invalid.
+        CALIBRATION_ERROR: bool = 18,
+            "calibration_error", calibration_error, set_calibration_error, with_calibration_error;
+        /// A fault of the inertial sensor subsystem that no other bit names.
+        GENERAL_IMU_FAULT: bool = 19,
+            "general_imu_fault", general_imu_fault, set_general_imu_fault, with_general_imu_fault;
+        /// The filter output is invalid (not a number); reset the filter.
+        FILTER_SOLUTION_FAULT: bool = 22,
+            "filter_solution_fault", filter_solution_fault, set_filter_solution_fault,
+            with_filter_solution_fault;
+        /// A fault of the filter subsystem that no other bit names.
+        GENERAL_FILTER_FAULT: bool = 23,
+            "general_filter_fault", general_filter_fault, set_general_filter_fault,
+            with_general_filter_fault;
+    }
+}
+
+bitfield! {
+    /// Flags of the continuous built-in test of the 3DM-CV7-GNSS/INS: bits 0-31 system, 32-63
+    /// inertial sensors, 64-95 navigation, 96-127 GNSS.
+    ///
+    /// - Manual 3dm-cv7-gnss-ins: Continuous Built-in Test
+    Cv7ContinuousBuiltInTest: [u8; 16] {
+        /// The system clock does not work properly.
+        SYSTEM_CLOCK_FAILURE: bool = 0,
+            "system_clock_failure", system_clock_failure, set_system_clock_failure,
+            with_system_clock_failure;
+        /// The supply voltage is out of range, or an internal supply has failed.
+        POWER_FAULT: bool = 1,
+            "power_fault", power_fault, set_power_fault, with_power_fault;
+        /// The firmware met an unexpected condition.
+        FIRMWARE_FAULT: bool = 4,
+            "firmware_fault", firmware_fault, set_firmware_fault, with_firmware_fault;
+        /// The processor cannot keep up.
+        TIMING_OVERLOAD: bool = 5,
+            "timing_overload", timing_overload, set_timing_overload, with_timing_overload;
+        /// A data buffer was full and data may be lost.
+        BUFFER_OVERRUN: bool = 6,
+            "buffer_overrun", buffer_overrun, set_buffer_overrun, with_buffer_overrun;
+        /// The inertial sensor subsystem does not run or did not start.
+        IMU_PROCESS_FAULT: bool = 16,
+            "imu_process_fault", imu_process_fault, set_imu_process_fault, with_imu_process_fault;
+        /// The processing of sensor data took too long.
+        IMU_DATA_PROCESS_TIME_EXCEEDED: bool = 17,
+            "imu_data_process_time_exceeded", imu_data_process_time_exceeded,
+            set_imu_data_process_time_exceeded, with_imu_data_process_time_exceeded;
+        /// Sensor data does not come at its base rate.
+        IMU_DATA_RATE_ERROR: bool = 18,
+            "imu_data_rate_error", imu_data_rate_error, set_imu_data_rate_error,
+            with_imu_data_rate_error;
+        /// The inertial sensor subsystem produces no data.
+        IMU_STALL: bool = 19,
+            "imu_stall", imu_stall, set_imu_stall, with_imu_stall;
+        /// Any of these: the filter does not work normally.
+        FILTER_PROCESS_FAULT: u8 = 20..=23,
+            "filter_process_fault", filter_process_fault, set_filter_process_fault,
+            with_filter_process_fault;
+        /// Major cycle of the filter; bits 22 and 23 say what.
+        FILTER_MAJOR_CYCLE_FAULT: bool = 20,
+            "filter_major_cycle_fault", filter_major_cycle_fault, set_filter_major_cycle_fault,
+            with_filter_major_cycle_fault;
+        /// Minor cycle of the filter; bits 22 and 23 say what.
+        FILTER_MINOR_CYCLE_FAULT: bool = 21,
+            "filter_minor_cycle_fault", filter_minor_cycle_fault, set_filter_minor_cycle_fault,
+            with_filter_minor_cycle_fault;
+        /// A filter process misses its base rate; bits 20 and 21 say which.
+        FILTER_DATA_RATE_ERROR: bool = 22,
+            "filter_data_rate_error", filter_data_rate_error, set_filter_data_rate_error,
+            with_filter_data_rate_error;
+        /// A filter process produces no data; bits 20 and 21 say which.
+        FILTER_PROCESS_STALL: bool = 23,
+            "filter_process_stall", filter_process_stall, set_filter_process_stall,
+            with_filter_process_stall;
+        /// Any of these: GNSS does not work normally.
+        GNSS_SUBSYSTEM_FAULT: u8 = 24..=27,
+            "gnss_subsystem_fault", gnss_subsystem_fault, set_gnss_subsystem_fault,
+            with_gnss_subsystem_fault;
+        /// The main GNSS process did not run in time.
+        GNSS_MAIN_PROCESS_FAULT: bool = 24,
+            "gnss_main_process_fault", gnss_main_process_fault, set_gnss_main_process_fault,
+            with_gnss_main_process_fault;
+        /// No data from internal receiver 1 in time.
+        GNSS_RECEIVER_1_STALL: bool = 25,
+            "gnss_receiver_1_stall", gnss_receiver_1_stall, set_gnss_receiver_1_stall,
+            with_gnss_receiver_1_stall;
+        /// No data from internal receiver 2 in time.
+        GNSS_RECEIVER_2_STALL: bool = 26,
+            "gnss_receiver_2_stall", gnss_receiver_2_stall, set_gnss_receiver_2_stall,
+            with_gnss_receiver_2_stall;
+        /// No communication with the inertial sensors.
+        IMU_COMMUNICATION_FAULT: bool = 33,
+            "imu_communication_fault", imu_communication_fault, set_imu_communication_fault,
+            with_imu_communication_fault;
+        /// Inertial sensor processes take longer than their time.
+        IMU_TIMING_OVERRUN: bool = 34,
+            "imu_timing_overrun", imu_timing_overrun, set_imu_timing_overrun,
+            with_imu_timing_overrun;
+        /// Fault of the accelerometer calibration.
+        IMU_CALIBRATION_ERROR_ACCELEROMETER: bool = 36,
+            "imu_calibration_error_accelerometer", imu_calibration_error_accelerometer,
+            set_imu_calibration_error_accelerometer, with_imu_calibration_error_accelerometer;
+        /// Fault of the gyroscope calibration.
+        IMU_CALIBRATION_ERROR_GYROSCOPE: bool = 37,
+            "imu_calibration_error_gyroscope", imu_calibration_error_gyroscope,
+            set_imu_calibration_error_gyroscope, with_imu_calibration_error_gyroscope;
+        /// Fault of the magnetometer calibration.
+        IMU_CALIBRATION_ERROR_MAGNETOMETER: bool = 38,
+            "imu_calibration_error_magnetometer", imu_calibration_error_magnetometer,
+            set_imu_calibration_error_magnetometer, with_imu_calibration_error_magnetometer;
+        /// The accelerometer does not initialize.
+        ACCELEROMETER_GENERAL_FAULT: bool = 40,
+            "accelerometer_general_fault", accelerometer_general_fault,
+            set_accelerometer_general_fault, with_accelerometer_general_fault;
+        /// An axis is near or outside the selected range.
+        ACCELEROMETER_OVER_RANGE: bool = 41,
+            "accelerometer_over_range", accelerometer_over_range, set_accelerometer_over_range,
+            with_accelerometer_over_range;
+        /// The self test failed; updated by the commanded test.
+        ACCELEROMETER_SELF_TEST_FAIL: bool = 42,
+            "accelerometer_self_test_fail", accelerometer_self_test_fail,
+            set_accelerometer_self_test_fail, with_accelerometer_self_test_fail;
+        /// The gyroscope does not initialize.
+        GYROSCOPE_GENERAL_FAULT: bool = 44,
+            "gyroscope_general_fault", gyroscope_general_fault, set_gyroscope_general_fault,
+            with_gyroscope_general_fault;
+        /// An axis is near or outside the selected range.
+        GYROSCOPE_OVER_RANGE: bool = 45,
+            "gyroscope_over_range", gyroscope_over_range, set_gyroscope_over_range,
+            with_gyroscope_over_range;
+        /// The self test failed; updated by the commanded test.
+        GYROSCOPE_SELF_TEST_FAIL: bool = 46,
+            "gyroscope_self_test_fail", gyroscope_self_test_fail, set_gyroscope_self_test_fail,
+            with_gyroscope_self_test_fail;
+        /// The magnetometer does not initialize.
+        MAGNETOMETER_GENERAL_FAULT: bool = 48,
+            "magnetometer_general_fault", magnetometer_general_fault,
+            set_magnetometer_general_fault, with_magnetometer_general_fault;
+        /// An axis is near or outside the supported range.
+        MAGNETOMETER_OVER_RANGE: bool = 49,
+            "magnetometer_over_range", magnetometer_over_range, set_magnetometer_over_range,
+            with_magnetometer_over_range;
+        /// The self test failed; updated by the commanded test.
+        MAGNETOMETER_SELF_TEST_FAIL: bool = 50,
+            "magnetometer_self_test_fail", magnetometer_self_test_fail,
+            set_magnetometer_self_test_fail, with_magnetometer_self_test_fail;
+        /// The pressure sensor does not initialize.
+        PRESSURE_SENSOR_GENERAL_FAULT: bool = 52,
+            "pressure_sensor_general_fault", pressure_sensor_general_fault,
+            set_pressure_sensor_general_fault, with_pressure_sensor_general_fault;
+        /// The pressure is outside the supported range.
+        PRESSURE_SENSOR_OVER_RANGE: bool = 53,
+            "pressure_sensor_over_range", pressure_sensor_over_range,
+            set_pressure_sensor_over_range, with_pressure_sensor_over_range;
+        /// The self test failed; updated by the commanded test.
+        PRESSURE_SENSOR_SELF_TEST_FAIL: bool = 54,
+            "pressure_sensor_self_test_fail", pressure_sensor_self_test_fail,
+            set_pressure_sensor_self_test_fail, with_pressure_sensor_self_test_fail;
+        /// The device has lost its factory configuration.
+        FACTORY_BITS_INVALID: bool = 56,
+            "factory_bits_invalid", factory_bits_invalid, set_factory_bits_invalid,
+            with_factory_bits_invalid;
+        /// Filter processes take longer than their time.
+        FILTER_TIMING_OVERRUN: bool = 66,
+            "filter_timing_overrun", filter_timing_overrun, set_filter_timing_overrun,
+            with_filter_timing_overrun;
+        /// Filter processes are skipped.
+        FILTER_TIMING_UNDERRUN: bool = 67,
+            "filter_timing_underrun", filter_timing_underrun, set_filter_timing_underrun,
+            with_filter_timing_underrun;
+        /// No communication with internal receiver 1.
+        RECEIVER_1_FAULT: bool = 105,
+            "receiver_1_fault", receiver_1_fault, set_receiver_1_fault, with_receiver_1_fault;
+        /// Internal receiver 1 has no valid solution; mostly no sky view.
+        RECEIVER_1_NO_SOLUTION: bool = 108,
+            "receiver_1_no_solution", receiver_1_no_solution, set_receiver_1_no_solution,
+            with_receiver_1_no_solution;
+        /// No communication with internal receiver 2.
+        RECEIVER_2_FAULT: bool = 110,
+            "receiver_2_fault", receiver_2_fault, set_receiver_2_fault, with_receiver_2_fault;
+        /// Internal receiver 2 has no valid solution; mostly no sky view.
+        RECEIVER_2_NO_SOLUTION: bool = 113,
+            "receiver_2_no_solution", receiver_2_no_solution, set_receiver_2_no_solution,
+            with_receiver_2_no_solution;
+    }
+}
+
+open_enum! {
+    /// Kind of an event trigger.
+    ///
+    /// - Manual 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
+    /// - Manual 3dm-cv7-gnss-ins: Types of triggers
+    EventTriggerType: u8 {
+        /// The slot is free. It is never active and cannot be enabled.
+        NONE = 0, "none";
+        /// Watches a GPIO pin.
+        GPIO = 1, "gpio";
+        /// Compares one value of a data field with thresholds.
+        THRESHOLD = 2, "threshold";
+        /// Combines up to four other triggers by a truth table.
+        COMBINATION = 3, "combination";
+    }
+}
+
+open_enum! {
+    /// Kind of an event action.
+    ///
+    /// - Manual 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
+    /// - Manual 3dm-cv7-gnss-ins: Types of actions
+    EventActionType: u8 {
+        /// The slot is free.
+        NONE = 0, "none";
+        /// Controls a GPIO pin.
+        GPIO = 1, "gpio";
+        /// Sends a data packet.
+        MESSAGE = 2, "message";
+    }
+}
+
+open_enum! {
+    /// Whether an event trigger works.
+    ///
+    /// - Manual 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
+    /// - Manual 3dm-cv7-gnss-ins: Enabling & Disabling Triggers
+    EventTriggerMode: u8 {
+        /// The trigger is never active; so it is after configuration.
+        DISABLED = 0, "disabled";
+        /// The trigger does what it is configured for.
+        ENABLED = 1, "enabled";
+        /// The trigger is active all the time.
+        TEST = 2, "test";
+        /// The trigger is active for one event cycle and then goes back to its earlier mode.
+        TEST_PULSE = 3, "test_pulse";
+    }
+}
+
+bitfield! {
+    /// State of an event trigger.
+    ///
+    /// - Manual 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
+    EventTriggerStatus: u8 {
+        /// Active now, by its condition or by a test mode.
+        ACTIVE: bool = 0,
+            "active", active, set_active, with_active;
+        /// Enabled.
+        ENABLED: bool = 1,
+            "enabled", enabled, set_enabled, with_enabled;
+        /// In a test mode.
+        TEST: bool = 2,
+            "test", test, set_test, with_test;
+    }
+}
+
+open_enum! {
+    /// How a GPIO pin activates a trigger.
+    ///
+    /// - Manual 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
+    /// - Manual 3dm-cv7-gnss-ins: Trigger: GPIO
+    EventTriggerGpioMode: u8 {
+        /// The trigger is never active.
+        DISABLED = 0, "disabled";
+        /// Active while the pin is high. The pin needs the gpio feature.
+        WHILE_HIGH = 1, "while_high";
+        /// Active while the pin is low. The pin needs the gpio feature.
+        WHILE_LOW = 2, "while_low";
+        /// Active for one event cycle after an edge. The pin needs the timestamp feature, whose
+        /// behavior selects the edge.
+        EDGE = 4, "edge";
+    }
+}
+
+open_enum! {
+    /// How a threshold trigger compares.
+    ///
+    /// - Manual 3dm-cv7-gnss-ins: ThresholdParams
+    EventThresholdType: u8 {
+        /// The value lies between two thresholds.
+        WINDOW = 1, "window";
+        /// The remainder of the value by an interval is at most a threshold.
+        INTERVAL = 2, "interval";
+    }
+}
+
+open_enum! {
+    /// How an action controls a GPIO pin.
+    ///
+    /// - Manual 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
+    /// - Manual 3dm-cv7-gnss-ins: Action: GPIO
+    EventActionGpioMode: u8 {
+        /// The pin is left alone.
+        DISABLED = 0, "disabled";
+        /// High while the trigger is active and low otherwise.
+        ACTIVE_HIGH = 1, "active_high";
+        /// Low while the trigger is active and high otherwise.
+        ACTIVE_LOW = 2, "active_low";
+        /// Set high at each activation and never set low.
+        ONESHOT_HIGH = 5, "oneshot_high";
+        /// Set low at each activation and never set high.
+        ONESHOT_LOW = 6, "oneshot_low";
+        /// Inverted at each activation.
+        TOGGLE = 7, "toggle";
+    }
+}
+
+/// A trigger on a GPIO pin.
+///
+/// - Manual 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct EventTriggerGpio {
+    /// GPIO pin, counted from 1.
+    ///
+    /// Range: at least 1.
+    pub pin: u8,
+    /// How the pin activates the trigger.
+    pub mode: EventTriggerGpioMode,
+}
+
+impl EventTriggerGpio {
+    /// Puts the values together.
+    #[must_use]
+    pub fn new(pin: u8, mode: EventTriggerGpioMode) -> Self {
+        Self { pin, mode }
+    }
+}
+
+impl Wire for EventTriggerGpio {
+    const SIZE: usize = 2;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let pin = reader.read()?;
+        let mode = reader.read()?;
+        Ok(Self { pin, mode })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.pin)?;
+        writer.write(&self.mode)?;
+        Ok(())
+    }
+}
+
+/// Two thresholds with a window between them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct EventThresholdWindow {
+    /// Lower threshold, in the unit of the watched value.
+    pub low_thres: f64,
+    /// Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger
+    /// is active outside of the window.
+    pub high_thres: f64,
+}
+
+impl EventThresholdWindow {
+    /// Puts the values together.
+    #[must_use]
+    pub fn new(low_thres: f64, high_thres: f64) -> Self {
+        Self { low_thres, high_thres }
+    }
+}
+
+impl Wire for EventThresholdWindow {
+    const SIZE: usize = 16;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let low_thres = reader.read()?;
+        let high_thres = reader.read()?;
+        Ok(Self { low_thres, high_thres })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.low_thres)?;
+        writer.write(&self.high_thres)?;
+        Ok(())
+    }
+}
+
+/// A threshold inside a repeating interval.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct EventThresholdInterval {
+    /// The trigger is active while the remainder is at most this, in the unit of the watched value.
+    pub int_thres: f64,
+    /// Divisor of the remainder, in the unit of the watched value. If it is below the threshold,
+    /// the two swap roles: the trigger is active while the value modulo int_thres is above this.
+    pub interval: f64,
+}
+
+impl EventThresholdInterval {
+    /// Puts the values together.
+    #[must_use]
+    pub fn new(int_thres: f64, interval: f64) -> Self {
+        Self { int_thres, interval }
+    }
+}
+
+impl Wire for EventThresholdInterval {
+    const SIZE: usize = 16;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let int_thres = reader.read()?;
+        let interval = reader.read()?;
+        Ok(Self { int_thres, interval })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.int_thres)?;
+        writer.write(&self.interval)?;
+        Ok(())
+    }
+}
+
+/// A trigger on one value of a data field. The value is converted to double before it is compared.
+///
+/// - Manual 3dm-cv7-gnss-ins: ThresholdParams
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct EventTriggerThreshold {
+    /// Data descriptor set of the watched value.
+    pub desc_set: u8,
+    /// Field descriptor of the watched value.
+    pub field_desc: u8,
+    /// Number of the value in its field, counted from 1; each element of a vector counts.
+    ///
+    /// Range: at least 1.
+    pub param_id: u8,
+    /// Kind of comparison.
+    pub type_: EventThresholdType,
+    /// What the value is compared with.
+    ///
+    /// Selected by `type`.
+    pub thresholds: EventTriggerThresholdThresholds,
+}
+
+impl EventTriggerThreshold {
+    /// Puts the values together.
+    #[must_use]
+    pub fn new(
+        desc_set: u8,
+        field_desc: u8,
+        param_id: u8,
+        thresholds: EventTriggerThresholdThresholds,
+    ) -> Self {
+        Self { desc_set, field_desc, param_id, type_: thresholds.tag(), thresholds }
+    }
+}
+
+impl Wire for EventTriggerThreshold {
+    const SIZE: usize = 20;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let desc_set = reader.read()?;
+        let field_desc = reader.read()?;
+        let param_id = reader.read()?;
+        let type_ = reader.read()?;
+        let thresholds = reader.union(type_)?;
+        Ok(Self { desc_set, field_desc, param_id, type_, thresholds })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.desc_set)?;
+        writer.write(&self.field_desc)?;
+        writer.write(&self.param_id)?;
+        writer.write(&self.type_)?;
+        writer.union(self.type_, &self.thresholds)?;
+        Ok(())
+    }
+}
+
+/// The alternatives of `thresholds` in [`EventTriggerThreshold`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum EventTriggerThresholdThresholds {
+    /// The value lies between two thresholds.
+    Window(EventThresholdWindow),
+    /// The remainder of the value by an interval is at most a threshold.
+    Interval(EventThresholdInterval),
+    /// Nothing, for a tag that the specification does not know.
+    Other(EventThresholdType),
+}
+
+impl core::default::Default for EventTriggerThresholdThresholds {
+    fn default() -> Self {
+        Self::Other(EventThresholdType(0))
+    }
+}
+
+impl EventTriggerThresholdThresholds {
+    /// The tag that goes with it.
+    #[must_use]
+    pub const fn tag(&self) -> EventThresholdType {
+        match self {
+            Self::Window(_) => EventThresholdType::WINDOW,
+            Self::Interval(_) => EventThresholdType::INTERVAL,
+            Self::Other(tag) => *tag,
+        }
+    }
+}
+
+impl Union for EventTriggerThresholdThresholds {
+    type Tag = EventThresholdType;
+
+    fn decode_as(tag: Self::Tag, reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        Ok(match tag {
+            EventThresholdType::WINDOW => Self::Window(reader.read()?),
+            EventThresholdType::INTERVAL => Self::Interval(reader.read()?),
+            other => Self::Other(other),
+        })
+    }
+
+    fn encode_as(&self, tag: Self::Tag, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        if self.tag() != tag {
+            return Err(EncodeError::Tag);
+        }
+        match self {
+            Self::Window(value) => writer.write(value),
+            Self::Interval(value) => writer.write(value),
+            Self::Other(tag) if tag.name().is_some() => Err(EncodeError::Tag),
+            Self::Other(_) => Ok(()),
+        }
+    }
+}
+
+/// A trigger that combines up to four others.
+///
+/// - Manual 3dm-cv7-gnss-ins: CombinationParams
+/// - Manual 3dm-cv7-gnss-ins: Logical Truth Table
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct EventTriggerCombination {
+    /// Bit n is the output when n = a + 2b + 4c + 8d, with a to d the states (0 or 1) of the four
+    /// inputs.
+    pub logic_table: u16,
+    /// Trigger instances for the inputs a to d; 0 is always inactive.
+    ///
+    /// - An input may name the trigger itself; it is then the output of the event cycle before.
+    pub input_triggers: [u8; 4],
+}
+
+impl EventTriggerCombination {
+    /// Puts the values together.
+    #[must_use]
+    pub fn new(logic_table: u16, input_triggers: [u8; 4]) -> Self {
+        Self { logic_table, input_triggers }
+    }
+}
+
+impl Wire for EventTriggerCombination {
+    const SIZE: usize = 6;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let logic_table = reader.read()?;
+        let input_triggers = reader.read()?;
+        Ok(Self { logic_table, input_triggers })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.logic_table)?;
+        writer.write(&self.input_triggers)?;
+        Ok(())
+    }
+}
+
+/// An action on a GPIO pin, which needs the gpio feature and an output behavior.
+///
+/// - Manual 3dm-cv7-gnss-ins: GpioParams
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct EventActionGpio {
+    /// GPIO pin, counted from 1.
+    ///
+    /// Range: at least 1.
+    pub pin: u8,
+    /// What happens to the pin.
+    pub mode: EventActionGpioMode,
+}
+
+impl EventActionGpio {
+    /// Puts the values together.
+    #[must_use]
+    pub fn new(pin: u8, mode: EventActionGpioMode) -> Self {
+        Self { pin, mode }
+    }
+}
+
+impl Wire for EventActionGpio {
+    const SIZE: usize = 2;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let pin = reader.read()?;
+        let mode = reader.read()?;
+        Ok(Self { pin, mode })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.pin)?;
+        writer.write(&self.mode)?;
+        Ok(())
+    }
+}
+
+/// An action that sends data packets.
+///
+/// - Manual 3dm-cv7-gnss-ins: MessageParams
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct EventActionMessage {
+    /// Data descriptor set of the packet.
+    pub desc_set: u8,
+    /// 0 sends one packet per activation. Any other value streams while the trigger is active, at
+    /// the base rate of the descriptor set divided by it.
+    pub decimation: u16,
+    /// Field descriptors, in order.
+    pub descriptors: crate::List<u8, 249>,
+}
+
+impl EventActionMessage {
+    /// Puts the values together.
+    #[must_use]
+    pub fn new(
+        desc_set: u8,
+        decimation: u16,
+        descriptors: impl Into<crate::List<u8, 249>>,
+    ) -> Self {
+        Self { desc_set, decimation, descriptors: descriptors.into() }
+    }
+}
+
+impl Wire for EventActionMessage {
+    const SIZE: usize = 253;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let desc_set = reader.read()?;
+        let decimation = reader.read()?;
+        let num_fields = reader.read::<u8>()?;
+        let descriptors = reader.list(num_fields)?;
+        Ok(Self { desc_set, decimation, descriptors })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.desc_set)?;
+        writer.write(&self.decimation)?;
+        writer.count::<u8>(self.descriptors.len())?;
+        self.descriptors.encode_items(writer)?;
+        Ok(())
+    }
+}
+
+open_enum! {
+    /// Satellite constellation. QZSS has no value.
+    ///
+    /// - Manual 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
+    /// - Manual 3dm-cv7-gnss-ins: Raw (0x91,0x22)
+    GnssConstellation: u8 {
+        /// Not known.
+        UNKNOWN = 0, "unknown";
+        /// GPS.
+        GPS = 1, "gps";
+        /// GLONASS.
+        GLONASS = 2, "glonass";
+        /// Galileo.
+        GALILEO = 3, "galileo";
+        /// BeiDou.
+        BEIDOU = 4, "beidou";
+        /// Satellite based augmentation.
+        SBAS = 5, "sbas";
+    }
+}
+
+open_enum! {
+    /// Type of a GNSS position fix.
+    ///
+    /// - Manual 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
+    GnssFixType: u8 {
+        /// Fix in three dimensions.
+        FIX_3D = 0, "fix_3d";
+        /// Fix in two dimensions.
+        FIX_2D = 1, "fix_2d";
+        /// Time only.
+        FIX_TIME_ONLY = 2, "fix_time_only";
+        /// No fix.
+        FIX_NONE = 3, "fix_none";
+        /// Fix that is not valid.
+        FIX_INVALID = 4, "fix_invalid";
+        /// RTK fix with float ambiguities.
+        FIX_RTK_FLOAT = 5, "fix_rtk_float";
+        /// RTK fix with integer ambiguities.
+        FIX_RTK_FIXED = 6, "fix_rtk_fixed";
+        /// Differential fix.
+        FIX_DIFFERENTIAL = 7, "fix_differential";
+    }
+}
+
+open_enum! {
+    /// Signal of a satellite.
+    ///
+    /// - Manual 3dm-cv7-gnss-ins: Raw (0x91,0x22)
+    GnssSignal: u8 {
+        /// Not known.
+        UNKNOWN = 0, "unknown";
+        /// GPS L1 C/A.
+        GPS_L1CA = 1, "gps_l1ca";
+        /// GPS L1 P(Y).
+        GPS_L1P = 2, "gps_l1p";
+        /// GPS L1 P(Y) by Z-tracking.
+        GPS_L1Z = 3, "gps_l1z";
+        /// GPS L2 C/A.
+        GPS_L2CA = 4, "gps_l2ca";
+        /// GPS L2 P(Y).
+        GPS_L2P = 5, "gps_l2p";
+        /// GPS L2 P(Y) by Z-tracking.
+        GPS_L2Z = 6, "gps_l2z";
+        /// GPS L2C(L).
+        GPS_L2CL = 7, "gps_l2cl";
+        /// GPS L2C(M).
+        GPS_L2CM = 8, "gps_l2cm";
+        /// GPS L2C(M+L).
+        GPS_L2CML = 9, "gps_l2cml";
+        /// GPS L5 I.
+        GPS_L5I = 10, "gps_l5i";
+        /// GPS L5 Q.
+        GPS_L5Q = 11, "gps_l5q";
+        /// GPS L5 I+Q.
+        GPS_L5IQ = 12, "gps_l5iq";
+        /// GPS L1C(D).
+        GPS_L1CD = 13, "gps_l1cd";
+        /// GPS L1C(P).
+        GPS_L1CP = 14, "gps_l1cp";
+        /// GPS L1C(D+P).
+        GPS_L1CDP = 15, "gps_l1cdp";
+        /// GLONASS G1 C/A.
+        GLONASS_G1CA = 32, "glonass_g1ca";
+        /// GLONASS G1 P.
+        GLONASS_G1P = 33, "glonass_g1p";
+        /// GLONASS G2 C/A.
+        GLONASS_G2C = 34, "glonass_g2c";
+        /// GLONASS G2 P.
+        GLONASS_G2P = 35, "glonass_g2p";
+        /// Galileo E1 C.
+        GALILEO_E1C = 64, "galileo_e1c";
+        /// Galileo E1 A.
+        GALILEO_E1A = 65, "galileo_e1a";
+        /// Galileo E1 B.
+        GALILEO_E1B = 66, "galileo_e1b";
+        /// Galileo E1 B+C.
+        GALILEO_E1BC = 67, "galileo_e1bc";
+        /// Galileo E1 A+B+C.
+        GALILEO_E1ABC = 68, "galileo_e1abc";
+        /// Galileo E6 C.
+        GALILEO_E6C = 69, "galileo_e6c";
+        /// Galileo E6 A.
+        GALILEO_E6A = 70, "galileo_e6a";
+        /// Galileo E6 B.
+        GALILEO_E6B = 71, "galileo_e6b";
+        /// Galileo E6 B+C.
+        GALILEO_E6BC = 72, "galileo_e6bc";
+        /// Galileo E6 A+B+C.
+        GALILEO_E6ABC = 73, "galileo_e6abc";
+        /// Galileo E5b I.
+        GALILEO_E5BI = 74, "galileo_e5bi";
+        /// Galileo E5b Q.
+        GALILEO_E5BQ = 75, "galileo_e5bq";
+        /// Galileo E5b I+Q.
+        GALILEO_E5BIQ = 76, "galileo_e5biq";
+        /// Galileo E5 (a+b) I.
+        GALILEO_E5ABI = 77, "galileo_e5abi";
+        /// Galileo E5 (a+b) Q.
+        GALILEO_E5ABQ = 78, "galileo_e5abq";
+        /// Galileo E5 (a+b) I+Q.
+        GALILEO_E5ABIQ = 79, "galileo_e5abiq";
+        /// Galileo E5a I.
+        GALILEO_E5AI = 80, "galileo_e5ai";
+        /// Galileo E5a Q.
+        GALILEO_E5AQ = 81, "galileo_e5aq";
+        /// Galileo E5a I+Q.
+        GALILEO_E5AIQ = 82, "galileo_e5aiq";
+        /// SBAS L1 C/A.
+        SBAS_L1CA = 96, "sbas_l1ca";
+        /// SBAS L5 I.
+        SBAS_L5I = 97, "sbas_l5i";
+        /// SBAS L5 Q.
+        SBAS_L5Q = 98, "sbas_l5q";
+        /// SBAS L5 I+Q.
+        SBAS_L5IQ = 99, "sbas_l5iq";
+        /// QZSS L1 C/A.
+        QZSS_L1CA = 128, "qzss_l1ca";
+        /// QZSS LEX S.
+        QZSS_LEXS = 129, "qzss_lexs";
+        /// QZSS LEX L.
+        QZSS_LEXL = 130, "qzss_lexl";
+        /// QZSS LEX S+L.
+        QZSS_LEXSL = 131, "qzss_lexsl";
+        /// QZSS L2C(M).
+        QZSS_L2CM = 132, "qzss_l2cm";
+        /// QZSS L2C(L).
+        QZSS_L2CL = 133, "qzss_l2cl";
+        /// QZSS L2C(M+L).
+        QZSS_L2CML = 134, "qzss_l2cml";
+        /// QZSS L5 I.
+        QZSS_L5I = 135, "qzss_l5i";
+        /// QZSS L5 Q.
+        QZSS_L5Q = 136, "qzss_l5q";
+        /// QZSS L5 I+Q.
+        QZSS_L5IQ = 137, "qzss_l5iq";
+        /// QZSS L1C(D).
+        QZSS_L1CD = 138, "qzss_l1cd";
+        /// QZSS L1C(P).
+        QZSS_L1CP = 139, "qzss_l1cp";
+        /// QZSS L1C(D+P).
+        QZSS_L1CDP = 140, "qzss_l1cdp";
+        /// BeiDou B1 I.
+        BEIDOU_B1I = 160, "beidou_b1i";
+        /// BeiDou B1 Q.
+        BEIDOU_B1Q = 161, "beidou_b1q";
+        /// BeiDou B1 I+Q.
+        BEIDOU_B1IQ = 162, "beidou_b1iq";
+        /// BeiDou B3 I.
+        BEIDOU_B3I = 163, "beidou_b3i";
+        /// BeiDou B3 Q.
+        BEIDOU_B3Q = 164, "beidou_b3q";
+        /// BeiDou B3 I+Q.
+        BEIDOU_B3IQ = 165, "beidou_b3iq";
+        /// BeiDou B2 I.
+        BEIDOU_B2I = 166, "beidou_b2i";
+        /// BeiDou B2 Q.
+        BEIDOU_B2Q = 167, "beidou_b2q";
+        /// BeiDou B2 I+Q.
+        BEIDOU_B2IQ = 168, "beidou_b2iq";
+        /// BeiDou B2a.
+        BEIDOU_B2A = 169, "beidou_b2a";
+    }
+}
+
+open_enum! {
+    /// What a GPIO pin is used for.
+    ///
+    /// - Manual 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
+    /// - Manual 3dm-cv7-gnss-ins: GPIO Features
+    GpioFeature: u8 {
+        /// Not connected. Reading the pin may work but is not guaranteed.
+        UNUSED = 0, "unused";
+        /// General input or output.
+        GPIO = 1, "gpio";
+        /// Input or output of the pulse per second.
+        PPS = 2, "pps";
+        /// Input of a motor encoder or odometer.
+        ENCODER = 3, "encoder";
+        /// Input whose edges get exact timestamps for event triggers.
+        TIMESTAMP = 4, "timestamp";
+        /// Data or control line of a UART.
+        UART = 5, "uart";
+    }
+}
+
+open_enum! {
+    /// Behavior of a pin whose feature is unused.
+    GpioUnusedBehavior: u8 {
+        /// No other value is defined.
+        UNUSED = 0, "unused";
+    }
+}
+
+open_enum! {
+    /// Behavior of a pin whose feature is gpio.
+    GpioBehavior: u8 {
+        /// Input; the default.
+        INPUT = 1, "input";
+        /// Output, low at first; low again at power-up if the configuration is saved.
+        OUTPUT_LOW = 2, "output_low";
+        /// Output, high at first; high again at power-up if the configuration is saved.
+        OUTPUT_HIGH = 3, "output_high";
+    }
+}
+
+open_enum! {
+    /// Behavior of a pin whose feature is pps.
+    GpioPpsBehavior: u8 {
+        /// The pin receives the pulse; the PPS source must be gpio. One pin at most.
+        INPUT = 1, "input";
+        /// The pin sends the pulse of the device.
+        OUTPUT = 2, "output";
+    }
+}
+
+open_enum! {
+    /// Behavior of a pin whose feature is encoder.
+    GpioEncoderBehavior: u8 {
+        /// Quadrature input A. One pin at most; the latest one configured has it.
+        A = 1, "a";
+        /// Quadrature input B. One pin at most; the latest one configured has it.
+        B = 2, "b";
+    }
+}
+
+open_enum! {
+    /// Behavior of a pin whose feature is timestamp.
+    GpioTimestampBehavior: u8 {
+        /// Rising edges get timestamps.
+        RISING = 1, "rising";
+        /// Falling edges get timestamps.
+        FALLING = 2, "falling";
+        /// Both edges get timestamps.
+        EITHER = 3, "either";
+    }
+}
+
+open_enum! {
+    /// Behavior of a pin whose feature is uart.
+    GpioUartBehavior: u8 {
+        /// UART 2 sends.
+        PORT_2_TX = 33, "port_2_tx";
+        /// UART 2 receives.
+        PORT_2_RX = 34, "port_2_rx";
+        /// UART 3 sends.
+        PORT_3_TX = 49, "port_3_tx";
+        /// UART 3 receives.
+        PORT_3_RX = 50, "port_3_rx";
+    }
+}
+
+bitfield! {
+    /// Electrical options of a GPIO pin; which are allowed depends on device, pin, feature and
+    /// behavior.
+    ///
+    /// - Manual 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
+    /// - Manual 3dm-cv7-gnss-ins: Pin Mode
+    GpioPinMode: u8 {
+        /// The output drives low or floats. It usually needs a pull-up.
+        OPEN_DRAIN: bool = 0,
+            "open_drain", open_drain, set_open_drain, with_open_drain;
+        /// Internal pull-down resistor; not together with the pull-up.
+        PULLDOWN: bool = 1,
+            "pulldown", pulldown, set_pulldown, with_pulldown;
+        /// Internal pull-up resistor; not together with the pull-down. May lower the allowed input
+        /// voltage.
+        PULLUP: bool = 2,
+            "pullup", pullup, set_pullup, with_pullup;
+    }
+}
+
+open_enum! {
+    /// An NMEA-0183 sentence that a device can send.
+    ///
+    /// - Manual 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs
+    NmeaMessageId: u8 {
+        /// GNSS fix. From a GNSS or the filter data set.
+        GGA = 1, "gga";
+        /// Latitude and longitude. From a GNSS or the filter data set.
+        GLL = 2, "gll";
+        /// Satellites in view. From a GNSS data set; the talker follows the constellation.
+        GSV = 3, "gsv";
+        /// Recommended minimum GNSS data. From a GNSS or the filter data set.
+        RMC = 4, "rmc";
+        /// Course and speed over ground. From a GNSS or the filter data set.
+        VTG = 5, "vtg";
+        /// True heading. From a GNSS or the filter data set.
+        HDT = 6, "hdt";
+        /// Time and date. From a GNSS data set.
+        ZDA = 7, "zda";
+        /// GNSS error statistics. From a GNSS or the filter data set.
+        GST = 8, "gst";
+        /// Proprietary PMSRA: Euler angles. From the filter data set.
+        MSRA = 129, "msra";
+        /// Proprietary PMSRR: acceleration and angular rate. From the sensor data set.
+        MSRR = 130, "msrr";
+    }
+}
+
+open_enum! {
+    /// The first letters of an NMEA-0183 sentence, which name its talker.
+    ///
+    /// - Manual 3dm-cv7-gnss-ins: Supported Sentences and Talker IDs
+    NmeaTalkerId: u8 {
+        /// For sentences whose talker is not free (GSV and the proprietary ones).
+        IGNORED = 0, "ignored";
+        /// GN.
+        GNSS = 1, "gnss";
+        /// GP.
+        GPS = 2, "gps";
+        /// GA.
+        GALILEO = 3, "galileo";
+        /// GL.
+        GLONASS = 4, "glonass";
+    }
+}
+
+/// An NMEA-0183 sentence with its talker, its data source and how often it is sent.
+///
+/// - Manual 3dm-cv7-gnss-ins: Sources and Talker IDs
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct NmeaMessage {
+    /// The sentence.
+    pub message_id: NmeaMessageId,
+    /// The talker that the sentence names.
+    pub talker_id: NmeaTalkerId,
+    /// Data descriptor set that the contents are taken from.
+    pub source_desc_set: u8,
+    /// Base rate of the source descriptor set divided by the wanted rate; a poll ignores it.
+    pub decimation: u16,
+}
+
+impl NmeaMessage {
+    /// Puts the values together.
+    #[must_use]
+    pub fn new(
+        message_id: NmeaMessageId,
+        talker_id: NmeaTalkerId,
+        source_desc_set: u8,
+        decimation: u16,
+    ) -> Self {
+        Self { message_id, talker_id, source_desc_set, decimation }
+    }
+}
+
+impl Wire for NmeaMessage {
+    const SIZE: usize = 5;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let message_id = reader.read()?;
+        let talker_id = reader.read()?;
+        let source_desc_set = reader.read()?;
+        let decimation = reader.read()?;
+        Ok(Self { message_id, talker_id, source_desc_set, decimation })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.message_id)?;
+        writer.write(&self.talker_id)?;
+        writer.write(&self.source_desc_set)?;
+        writer.write(&self.decimation)?;
+        Ok(())
+    }
+}
+
+vector! {
+    /// Three floats.
+    Vector3f: [f32; 3] {
+        /// The element x.
+        x,
+        /// The element y.
+        y,
+        /// The element z.
+        z,
+    }
+}
+
+vector! {
+    /// Three doubles.
+    Vector3d: [f64; 3] {
+        /// The element x.
+        x,
+        /// The element y.
+        y,
+        /// The element z.
+        z,
+    }
+}
+
+vector! {
+    /// Four floats.
+    Vector4f: [f32; 4] {
+        /// The element x.
+        x,
+        /// The element y.
+        y,
+        /// The element z.
+        z,
+        /// The element w.
+        w,
+    }
+}
+
+vector! {
+    /// Four doubles.
+    Vector4d: [f64; 4] {
+        /// The element x.
+        x,
+        /// The element y.
+        y,
+        /// The element z.
+        z,
+        /// The element w.
+        w,
+    }
+}
+
+vector! {
+    /// Three by three floats in row-major order.
+    Matrix3f: [f32; 9] {
+        /// The element m11.
+        m11,
+        /// The element m12.
+        m12,
+        /// The element m13.
+        m13,
+        /// The element m21.
+        m21,
+        /// The element m22.
+        m22,
+        /// The element m23.
+        m23,
+        /// The element m31.
+        m31,
+        /// The element m32.
+        m32,
+        /// The element m33.
+        m33,
+    }
+}
+
+vector! {
+    /// Three by three doubles in row-major order.
+    Matrix3d: [f64; 9] {
+        /// The element m11.
+        m11,
+        /// The element m12.
+        m12,
+        /// The element m13.
+        m13,
+        /// The element m21.
+        m21,
+        /// The element m22.
+        m22,
+        /// The element m23.
+        m23,
+        /// The element m31.
+        m31,
+        /// The element m32.
+        m32,
+        /// The element m33.
+        m33,
+    }
+}
+
+vector! {
+    /// A quaternion, scalar part first.
+    Quatf: [f32; 4] {
+        /// The element w.
+        w,
+        /// The element x.
+        x,
+        /// The element y.
+        y,
+        /// The element z.
+        z,
+    }
+}
+
+open_enum! {
+    /// The result of a command.
+    ///
+    /// - Manual 3dm-gx5-15: 4.5 Error Codes
+    /// - Manual 3dm-cv7-gnss-ins: Ack/Nack Codes
+    AckCode: u8 {
+        /// The command was carried out.
+        OK = 0, "ok";
+        /// The device does not know the command descriptor.
+        UNKNOWN_COMMAND = 1, "unknown_command";
+        /// A complete packet had a wrong checksum.
+        BAD_CHECKSUM = 2, "bad_checksum";
+        /// A parameter is out of range, or of the wrong size or type.
+        INVALID_PARAMETER = 3, "invalid_parameter";
+        /// The device could not carry the command out.
+        COMMAND_FAILED = 4, "command_failed";
+        /// The command did not finish in time.
+        COMMAND_TIMEOUT = 5, "command_timeout";
+        /// The device does not know the descriptor set.
+        UNKNOWN_DESCRIPTOR_SET = 6, "unknown_descriptor_set";
+    }
+}
+
+/// A field of a message format and how often it is sent.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct DescriptorRate {
+    /// Field descriptor.
+    pub descriptor: u8,
+    /// Base rate divided by the wanted rate.
+    pub decimation: u16,
+}
+
+impl DescriptorRate {
+    /// Puts the values together.
+    #[must_use]
+    pub fn new(descriptor: u8, decimation: u16) -> Self {
+        Self { descriptor, decimation }
+    }
+}
+
+impl Wire for DescriptorRate {
+    const SIZE: usize = 3;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let descriptor = reader.read()?;
+        let decimation = reader.read()?;
+        Ok(Self { descriptor, decimation })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.descriptor)?;
+        writer.write(&self.decimation)?;
+        Ok(())
+    }
+}
+
+bitfield! {
+    /// State of the GPS time of sensor data.
+    ///
+    /// - Manual 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)
+    SensorGpsTimestampFlags: u16 {
+        /// The PPS signal is present.
+        PPS_VALID: bool = 0,
+            "pps_valid", pps_valid, set_pps_valid, with_pps_valid;
+        /// Toggles each time that the time is updated.
+        TIME_REFRESH: bool = 1,
+            "time_refresh", time_refresh, set_time_refresh, with_time_refresh;
+        /// The time has been set at least once.
+        TIME_INITIALIZED: bool = 2,
+            "time_initialized", time_initialized, set_time_initialized, with_time_initialized;
+        /// The time of week is valid.
+        TOW_VALID: bool = 3,
+            "tow_valid", tow_valid, set_tow_valid, with_tow_valid;
+        /// The week number is valid.
+        WEEK_NUMBER_VALID: bool = 4,
+            "week_number_valid", week_number_valid, set_week_number_valid, with_week_number_valid;
+    }
+}
+
+bitfield! {
+    /// State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits that vouch for the
+    /// values.
+    ///
+    /// - Manual 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
+    Gx5SensorGpsTimestampFlags: u16 {
+        /// The PPS signal is present; without it, the internal clock drives the time.
+        PPS_VALID: bool = 0,
+            "pps_valid", pps_valid, set_pps_valid, with_pps_valid;
+        /// Toggles each time that the time is updated.
+        TIME_REFRESH: bool = 1,
+            "time_refresh", time_refresh, set_time_refresh, with_time_refresh;
+        /// The time has been set at least once.
+        TIME_INITIALIZED: bool = 2,
+            "time_initialized", time_initialized, set_time_initialized, with_time_initialized;
+    }
+}
+
+/// How the 3DM-GX5-15 reads it.
+impl From<SensorGpsTimestampFlags> for Gx5SensorGpsTimestampFlags {
+    fn from(value: SensorGpsTimestampFlags) -> Self {
+        Self(value.0)
+    }
+}

@@ -1,0 +1,6 @@
+use crate::dynamic::macros::record;
+
+record! {
+    crate::more::Own { mode }
+    "mode" => value(mode);
+}

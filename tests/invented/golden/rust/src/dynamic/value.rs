@@ -1,0 +1,415 @@
+//! The tree of values, and how types turn into it and come back.
+
+use alloc::borrow::Cow;
+use alloc::string::String;
+use alloc::vec::Vec;
+use core::fmt;
+
+use crate::codec::{Bool, EncodeError};
+use crate::{List, Text, VarText};
+
+/// A value of any kind.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// A whole number, an enumeration, a bitfield or a truth value.
+    Integer(i128),
+    /// A float.
+    Float(f32),
+    /// A double.
+    Double(f64),
+    /// Text: one character for each byte (Latin-1).
+    Text(String),
+    /// An array.
+    List(Vec<Value>),
+    /// A field, a structure, or a union with the one member that it holds.
+    Record(Record),
+}
+
+/// Named values, in the order of the wire.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Record {
+    values: Vec<(Cow<'static, str>, Value)>,
+}
+
+/// Why values do not make a field.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ValueError {
+    /// There is no such field, or the field has no value of such a name.
+    Unknown,
+    /// A value is missing.
+    Missing,
+    /// A number does not fit, or is not of the kind that is wanted.
+    Range,
+    /// A counter differs from the number of elements, or there are too many or too few of them.
+    Count,
+    /// A union does not hold the member that its tag names.
+    Tag,
+    /// A value is no text, list or record where one is wanted.
+    Kind,
+}
+
+impl fmt::Display for ValueError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Unknown => "there is no such field or value",
+            Self::Missing => "a value is missing",
+            Self::Range => "a number does not fit",
+            Self::Count => "the number of elements is wrong",
+            Self::Tag => "a union does not hold the member that its tag names",
+            Self::Kind => "a value is of another kind",
+        })
+    }
+}
+
+#[cfg(feature = "std")]
+impl std::error::Error for ValueError {}
+
+/// Becomes a [`Value`].
+pub trait ToValue {
+    /// The value as a tree.
+    fn to_value(&self) -> Value;
+}
+
+/// Comes from a [`Value`].
+///
+/// A float may also be given as text that holds its bits: `"0x3e7a63a0"`.
+pub trait FromValue: Sized {
+    /// The value of a tree.
+    fn from_value(value: &Value) -> Result<Self, ValueError>;
+}
+
+impl Value {
+    /// The items of an array.
+    #[must_use]
+    pub fn as_list(&self) -> Option<&[Value]> {
+        match self {
+            Self::List(items) => Some(items),
+            _ => None,
+        }
+    }
+
+    /// The text.
+    #[must_use]
+    pub fn as_text(&self) -> Option<&str> {
+        match self {
+            Self::Text(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    /// The named values.
+    #[must_use]
+    pub fn as_record(&self) -> Option<&Record> {
+        match self {
+            Self::Record(record) => Some(record),
+            _ => None,
+        }
+    }
+
+    /// The number, whatever its kind.
+    #[must_use]
+    pub fn as_f64(&self) -> Option<f64> {
+        match self {
+            Self::Integer(number) => Some(*number as f64),
+            Self::Float(number) => Some((*number).into()),
+            Self::Double(number) => Some(*number),
+            _ => None,
+        }
+    }
+
+    /// A record that has no other values than these.
+    pub(crate) fn record(&self, known: &[&str]) -> Result<&Record, ValueError> {
+        let record = self.as_record().ok_or(ValueError::Kind)?;
+        match record.names().all(|name| known.contains(&name)) {
+            true => Ok(record),
+            false => Err(ValueError::Unknown),
+        }
+    }
+
+    /// The only member of a union.
+    pub(crate) fn member<T: FromValue>(&self, name: &str) -> Result<T, ValueError> {
+        let record = self.as_record().ok_or(ValueError::Kind)?;
+        match record.values.as_slice() {
+            [(found, value)] if found == name => T::from_value(value),
+            _ => Err(ValueError::Tag),
+        }
+    }
+
+    /// Demands that a union has no member.
+    pub(crate) fn no_member(&self) -> Result<(), ValueError> {
+        let record = self.as_record().ok_or(ValueError::Kind)?;
+        match record.values.is_empty() {
+            true => Ok(()),
+            false => Err(ValueError::Tag),
+        }
+    }
+
+    /// The number of items or characters.
+    fn count(&self) -> Option<usize> {
+        match self {
+            Self::List(items) => Some(items.len()),
+            Self::Text(text) => Some(text.chars().count()),
+            _ => None,
+        }
+    }
+}
+
+impl Record {
+    /// A record without values.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { values: Vec::new() }
+    }
+
+    /// Appends a value.
+    pub fn push(&mut self, name: impl Into<Cow<'static, str>>, value: Value) {
+        self.values.push((name.into(), value));
+    }
+
+    /// The value of this name.
+    #[must_use]
+    pub fn get(&self, name: &str) -> Option<&Value> {
+        self.iter().find(|(found, _)| *found == name).map(|(_, value)| value)
+    }
+
+    /// The names, in order.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.iter().map(|(name, _)| name)
+    }
+
+    /// Names and values, in order.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &Value)> {
+        self.values.iter().map(|(name, value)| (name.as_ref(), value))
+    }
+
+    /// How many values there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.values.len()
+    }
+
+    /// Are there no values?
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.values.is_empty()
+    }
+
+    /// Appends a value of a type.
+    pub(crate) fn put(&mut self, name: &'static str, value: &impl ToValue) {
+        self.push(name, value.to_value());
+    }
+
+    /// Appends a value if it is present.
+    pub(crate) fn put_some(&mut self, name: &'static str, value: &Option<impl ToValue>) {
+        if let Some(value) = value {
+            self.put(name, value);
+        }
+    }
+
+    /// Appends a counter.
+    pub(crate) fn put_count(&mut self, name: &'static str, count: Option<usize>) {
+        if let Some(count) = count {
+            self.push(name, Value::Integer(i128::try_from(count).unwrap_or(i128::MAX)));
+        }
+    }
+
+    /// A value that must be there.
+    pub(crate) fn take<T: FromValue>(&self, name: &str) -> Result<T, ValueError> {
+        T::from_value(self.need(name)?)
+    }
+
+    /// The tree of a value that must be there.
+    pub(crate) fn need(&self, name: &str) -> Result<&Value, ValueError> {
+        self.get(name).ok_or(ValueError::Missing)
+    }
+
+    /// A value that may be absent.
+    pub(crate) fn take_some<T: FromValue>(&self, name: &str) -> Result<Option<T>, ValueError> {
+        self.get(name).map(T::from_value).transpose()
+    }
+
+    /// Demands that a counter tells the number of elements of an array.
+    pub(crate) fn check_count(&self, counter: &str, array: &str) -> Result<(), ValueError> {
+        let count = self.need(counter)?;
+        let elements = self.get(array).and_then(Value::count).ok_or(ValueError::Count)?;
+        match count {
+            Value::Integer(number) if usize::try_from(*number) == Ok(elements) => Ok(()),
+            _ => Err(ValueError::Count),
+        }
+    }
+
+    /// The same where both may be absent, but only together.
+    pub(crate) fn check_some_count(&self, counter: &str, array: &str) -> Result<(), ValueError> {
+        match (self.get(counter), self.get(array)) {
+            (None, None) => Ok(()),
+            (Some(_), Some(_)) => self.check_count(counter, array),
+            _ => Err(ValueError::Missing),
+        }
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Value {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Integer(number) => match (i64::try_from(*number), u64::try_from(*number)) {
+                (Ok(number), _) => serializer.serialize_i64(number),
+                (_, Ok(number)) => serializer.serialize_u64(number),
+                _ => serializer.serialize_i128(*number),
+            },
+            Self::Float(number) => serializer.serialize_f32(*number),
+            Self::Double(number) => serializer.serialize_f64(*number),
+            Self::Text(text) => serializer.serialize_str(text),
+            Self::List(items) => serializer.collect_seq(items),
+            Self::Record(record) => serializer.collect_map(record.iter()),
+        }
+    }
+}
+
+impl FromIterator<(String, Value)> for Record {
+    fn from_iter<I: IntoIterator<Item = (String, Value)>>(values: I) -> Self {
+        Self { values: values.into_iter().map(|(name, value)| (name.into(), value)).collect() }
+    }
+}
+
+impl From<EncodeError> for ValueError {
+    fn from(error: EncodeError) -> Self {
+        match error {
+            EncodeError::Missing => Self::Missing,
+            EncodeError::Count | EncodeError::Length => Self::Count,
+            EncodeError::Tag => Self::Tag,
+            EncodeError::Set => Self::Unknown,
+        }
+    }
+}
+
+macro_rules! integers {
+    ($($number:ty)*) => {$(
+        impl ToValue for $number {
+            fn to_value(&self) -> Value {
+                Value::Integer((*self).into())
+            }
+        }
+
+        impl FromValue for $number {
+            fn from_value(value: &Value) -> Result<Self, ValueError> {
+                match value {
+                    Value::Integer(number) => {
+                        Self::try_from(*number).map_err(|_| ValueError::Range)
+                    }
+                    _ => Err(ValueError::Range),
+                }
+            }
+        }
+    )*};
+}
+
+integers!(u8 u16 u32 u64 i8 i16 i32 i64);
+
+macro_rules! floats {
+    ($($number:ident($bits:ty) as $variant:ident;)*) => {$(
+        impl ToValue for $number {
+            fn to_value(&self) -> Value {
+                Value::$variant(*self)
+            }
+        }
+
+        impl FromValue for $number {
+            fn from_value(value: &Value) -> Result<Self, ValueError> {
+                match value {
+                    Value::$variant(number) => Ok(*number),
+                    Value::Text(text) => {
+                        let digits = text.strip_prefix("0x").unwrap_or_default();
+                        let whole = digits.len() == core::mem::size_of::<Self>().saturating_mul(2)
+                            && digits.bytes().all(|b| b.is_ascii_hexdigit());
+                        let bits = <$bits>::from_str_radix(digits, 16);
+                        bits.ok().filter(|_| whole).map(Self::from_bits).ok_or(ValueError::Range)
+                    }
+                    _ => Err(ValueError::Range),
+                }
+            }
+        }
+    )*};
+}
+
+floats! {
+    f32(u32) as Float;
+    f64(u64) as Double;
+}
+
+impl ToValue for Bool {
+    fn to_value(&self) -> Value {
+        self.0.to_value()
+    }
+}
+
+impl FromValue for Bool {
+    fn from_value(value: &Value) -> Result<Self, ValueError> {
+        u8::from_value(value).map(Self)
+    }
+}
+
+impl<T: ToValue, const N: usize> ToValue for [T; N] {
+    fn to_value(&self) -> Value {
+        Value::List(self.iter().map(T::to_value).collect())
+    }
+}
+
+impl<T: FromValue + Copy + Default, const N: usize> FromValue for [T; N] {
+    fn from_value(value: &Value) -> Result<Self, ValueError> {
+        let values = value.as_list().ok_or(ValueError::Kind)?;
+        if values.len() != N {
+            return Err(ValueError::Count);
+        }
+        let mut items = [T::default(); N];
+        for (item, value) in items.iter_mut().zip(values) {
+            *item = T::from_value(value)?;
+        }
+        Ok(items)
+    }
+}
+
+impl<T: ToValue, const N: usize> ToValue for List<T, N> {
+    fn to_value(&self) -> Value {
+        Value::List(self.iter().map(T::to_value).collect())
+    }
+}
+
+impl<T: FromValue + Copy + Default, const N: usize> FromValue for List<T, N> {
+    fn from_value(value: &Value) -> Result<Self, ValueError> {
+        let mut list = Self::new();
+        for value in value.as_list().ok_or(ValueError::Kind)? {
+            list.push(T::from_value(value)?).map_err(|_| ValueError::Count)?;
+        }
+        Ok(list)
+    }
+}
+
+impl<const N: usize> ToValue for Text<N> {
+    fn to_value(&self) -> Value {
+        Value::Text(self.chars().collect())
+    }
+}
+
+impl<const N: usize> FromValue for Text<N> {
+    fn from_value(value: &Value) -> Result<Self, ValueError> {
+        let text = VarText::<N>::from_value(value)?;
+        <[u8; N]>::try_from(text.0.as_slice()).map(Self).map_err(|_| ValueError::Count)
+    }
+}
+
+impl<const N: usize> ToValue for VarText<N> {
+    fn to_value(&self) -> Value {
+        Value::Text(self.chars().collect())
+    }
+}
+
+impl<const N: usize> FromValue for VarText<N> {
+    fn from_value(value: &Value) -> Result<Self, ValueError> {
+        let text = value.as_text().ok_or(ValueError::Kind)?;
+        if text.chars().count() > N {
+            return Err(ValueError::Count);
+        }
+        Self::new(text).ok_or(ValueError::Range)
+    }
+}

@@ -1,0 +1,149 @@
+//! What every field type has, and how commands and responses belong together.
+
+use crate::codec::{DecodeError, EncodeError, Reader, Wire, Writer};
+use crate::packet::MAX_FIELD_DATA;
+
+/// The type of one field: one descriptor of one descriptor set.
+pub trait Field: Wire {
+    /// The descriptor set that defines it.
+    const SET: u8;
+    /// The field descriptor.
+    const DESCRIPTOR: u8;
+    /// The name in the specification, `set.field`.
+    const NAME: &'static str;
+    /// Constants inside the data, as offset and bytes; they tell layouts of one descriptor apart.
+    const CONSTANTS: &'static [(usize, &'static [u8])] = &[];
+
+    /// Can packets of this set hold the field?
+    #[must_use]
+    fn in_set(set: u8) -> bool {
+        set == Self::SET
+    }
+
+    /// Decodes the data of a field, which is what follows its descriptor.
+    fn decode(data: &[u8]) -> Result<Self, DecodeError> {
+        Self::decode_from(&mut Reader::new(data))
+    }
+
+    /// Decodes, and tells how many bytes are left over, as newer firmware may append some.
+    fn decode_with_trailing(data: &[u8]) -> Result<(Self, usize), DecodeError> {
+        let mut reader = Reader::new(data);
+        Ok((Self::decode_from(&mut reader)?, reader.remaining()))
+    }
+
+    /// Encodes the data of the field to the front of the buffer and gives its length.
+    fn encode(&self, buffer: &mut [u8]) -> Result<usize, EncodeError> {
+        let most = buffer.len().min(MAX_FIELD_DATA);
+        let mut writer = Writer::new(buffer.get_mut(..most).unwrap_or_default());
+        self.encode_to(&mut writer)?;
+        Ok(writer.length())
+    }
+
+    /// The data of the field on the heap.
+    #[cfg(feature = "alloc")]
+    fn to_vec(&self) -> Result<alloc::vec::Vec<u8>, EncodeError> {
+        let mut buffer = [0; MAX_FIELD_DATA];
+        let length = self.encode(&mut buffer)?;
+        Ok(buffer.iter().copied().take(length).collect())
+    }
+}
+
+/// A field that a device acknowledges, perhaps with a response behind the acknowledge.
+pub trait Command: Field {
+    /// What it is answered with: `()`, a field type, or an enumeration of several.
+    type Response: Response;
+    /// How long a device may take, where that is unusually long.
+    const TIMEOUT_MS: Option<u32> = None;
+
+    /// Will the device acknowledge it?
+    #[must_use]
+    fn expects_reply(&self) -> bool {
+        true
+    }
+
+    /// Will a response follow the acknowledge?
+    #[must_use]
+    fn expects_response(&self) -> bool {
+        false
+    }
+}
+
+/// A field that answers the command `C`.
+pub trait ResponseOf<C: Command>: Field {}
+
+/// What a command can be answered with.
+pub trait Response: Sized {
+    /// Decodes a field if it is such a response.
+    fn from_field(field: &RawField<'_>) -> Option<Result<Self, DecodeError>>;
+}
+
+impl Response for () {
+    fn from_field(_: &RawField<'_>) -> Option<Result<Self, DecodeError>> {
+        None
+    }
+}
+
+impl<T: Field> Response for T {
+    fn from_field(field: &RawField<'_>) -> Option<Result<Self, DecodeError>> {
+        field.get()
+    }
+}
+
+/// What part a field plays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Role {
+    /// Sent to the device.
+    Command,
+    /// Sent by the device to answer a command.
+    Response,
+    /// Sent by the device on its own.
+    Data,
+}
+
+impl Role {
+    /// The word that the specification uses.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Command => "command",
+            Self::Response => "response",
+            Self::Data => "data",
+        }
+    }
+}
+
+/// One field inside a packet, not decoded yet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct RawField<'a> {
+    /// The descriptor set of the packet.
+    pub set: u8,
+    /// The field descriptor.
+    pub descriptor: u8,
+    /// What follows the descriptor.
+    pub data: &'a [u8],
+}
+
+impl RawField<'_> {
+    /// Is it a field of this type?
+    #[must_use]
+    pub fn is<T: Field>(&self) -> bool {
+        T::in_set(self.set) && self.descriptor == T::DESCRIPTOR && self.has_constants_of::<T>()
+    }
+
+    /// Does the data hold the constants of this type?
+    #[must_use]
+    pub fn has_constants_of<T: Field>(&self) -> bool {
+        T::CONSTANTS.iter().all(|(offset, bytes)| {
+            self.data.get(*offset..).map_or(false, |tail| tail.starts_with(bytes))
+        })
+    }
+
+    /// Decodes it, if it is a field of this type.
+    #[must_use]
+    pub fn get<T: Field>(&self) -> Option<Result<T, DecodeError>> {
+        self.is::<T>().then(|| T::decode(self.data))
+    }
+}

@@ -1,0 +1,213 @@
+//! Text of devices: one byte per character (Latin-1), usually padded with spaces.
+
+use core::{fmt, str};
+
+use crate::{DecodeError, EncodeError, List, Reader, Wire, Writer};
+
+/// Exactly `N` characters.
+///
+/// ```
+/// use mip_protocol::Text;
+///
+/// let text = Text::<8>::padded("GX5-15").unwrap();
+/// assert_eq!(&text.0, b"GX5-15  ");
+/// assert_eq!(text.as_str(), Ok("GX5-15"));
+/// assert_eq!(text.to_string(), "GX5-15");
+/// ```
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Text<const N: usize>(pub [u8; N]);
+
+/// At most `N` characters.
+#[derive(Clone, Copy, Default, PartialEq)]
+pub struct VarText<const N: usize>(pub List<u8, N>);
+
+impl<const N: usize> Text<N> {
+    /// The text, filled up with spaces; `None` if it is too long or not Latin-1.
+    #[must_use]
+    pub fn padded(text: &str) -> Option<Self> {
+        let mut bytes = [b' '; N];
+        let mut free = bytes.iter_mut();
+        for c in text.chars() {
+            *free.next()? = u8::try_from(u32::from(c)).ok()?;
+        }
+        Some(Self(bytes))
+    }
+
+    /// The text without the padding of spaces and zeros; an error if it is not ASCII or UTF-8.
+    pub fn as_str(&self) -> Result<&str, str::Utf8Error> {
+        str::from_utf8(trimmed(&self.0))
+    }
+
+    /// All characters, the padding too.
+    pub fn chars(&self) -> impl DoubleEndedIterator<Item = char> + '_ {
+        self.0.iter().map(|b| char::from(*b))
+    }
+}
+
+impl<const N: usize> VarText<N> {
+    /// The text; `None` if it is too long or not Latin-1.
+    #[must_use]
+    pub fn new(text: &str) -> Option<Self> {
+        let mut list = List::new();
+        for c in text.chars() {
+            list.push(u8::try_from(u32::from(c)).ok()?).ok()?;
+        }
+        Some(Self(list))
+    }
+
+    /// How many characters there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Are there none?
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// The text without the padding of spaces and zeros; an error if it is not ASCII or UTF-8.
+    pub fn as_str(&self) -> Result<&str, str::Utf8Error> {
+        str::from_utf8(trimmed(&self.0))
+    }
+
+    /// All characters, the padding too.
+    pub fn chars(&self) -> impl DoubleEndedIterator<Item = char> + '_ {
+        self.0.iter().map(|b| char::from(*b))
+    }
+
+    /// Writes the characters; what counts them is another value of the field.
+    pub fn encode_items(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.put(&self.0)
+    }
+}
+
+fn trimmed(bytes: &[u8]) -> &[u8] {
+    let end = bytes.iter().rposition(|b| !matches!(b, b' ' | 0));
+    let length = end.map_or(0, |last| last.saturating_add(1));
+    bytes.get(..length).unwrap_or_default()
+}
+
+fn display(bytes: &[u8], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    use fmt::Write as _;
+    trimmed(bytes).iter().try_for_each(|b| f.write_char(char::from(*b)))
+}
+
+fn debug(bytes: &[u8], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    f.write_str("\"")?;
+    bytes.iter().try_for_each(|b| write!(f, "{}", char::from(*b).escape_debug()))?;
+    f.write_str("\"")
+}
+
+impl<const N: usize> Default for Text<N> {
+    fn default() -> Self {
+        Self([b' '; N])
+    }
+}
+
+impl<const N: usize> fmt::Display for Text<N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        display(&self.0, f)
+    }
+}
+
+impl<const N: usize> fmt::Debug for Text<N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        debug(&self.0, f)
+    }
+}
+
+impl<const N: usize> fmt::Display for VarText<N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        display(&self.0, f)
+    }
+}
+
+impl<const N: usize> fmt::Debug for VarText<N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        debug(&self.0, f)
+    }
+}
+
+impl<const N: usize> Wire for Text<N> {
+    const SIZE: usize = N;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        reader.bytes().map(Self)
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.put(&self.0)
+    }
+}
+
+#[cfg(feature = "serde")]
+mod serde_text {
+    use super::{fmt, Text, VarText};
+    use serde::{de, Deserialize, Deserializer, Serialize, Serializer};
+
+    /// All characters, the padding too, so that the text comes back as it was.
+    struct Whole<'a>(&'a [u8]);
+
+    impl fmt::Display for Whole<'_> {
+        fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            use fmt::Write as _;
+            self.0.iter().try_for_each(|b| f.write_char(char::from(*b)))
+        }
+    }
+
+    struct Visitor<const N: usize>;
+
+    impl<const N: usize> de::Visitor<'_> for Visitor<N> {
+        type Value = VarText<N>;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            write!(f, "at most {N} Latin-1 characters")
+        }
+
+        fn visit_str<E: de::Error>(self, text: &str) -> Result<VarText<N>, E> {
+            VarText::new(text).ok_or_else(|| E::invalid_value(de::Unexpected::Str(text), &self))
+        }
+    }
+
+    impl<const N: usize> Serialize for Text<N> {
+        fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+            serializer.collect_str(&Whole(&self.0))
+        }
+    }
+
+    impl<const N: usize> Serialize for VarText<N> {
+        fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+            serializer.collect_str(&Whole(&self.0))
+        }
+    }
+
+    impl<'de, const N: usize> Deserialize<'de> for VarText<N> {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+            deserializer.deserialize_str(Visitor)
+        }
+    }
+
+    impl<'de, const N: usize> Deserialize<'de> for Text<N> {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+            let text = VarText::<N>::deserialize(deserializer)?;
+            let wrong = |_| de::Error::invalid_length(text.len(), &Visitor::<N>);
+            <[u8; N]>::try_from(text.0.as_slice()).map(Text).map_err(wrong)
+        }
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<const N: usize> defmt::Format for Text<N> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{=[u8]:a}", self.0.as_slice());
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<const N: usize> defmt::Format for VarText<N> {
+    fn format(&self, f: defmt::Formatter<'_>) {
+        defmt::write!(f, "{=[u8]:a}", self.0.as_slice());
+    }
+}

@@ -1,0 +1,371 @@
+"""The Rust crate as its users see it: no_std, features, lints, documentation, and its own tests.
+
+What every field does is tested by `everything.py`, which writes a Rust test from the specification;
+the rest stands in `cases/`. All of it builds into one target folder.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import awkward
+import everything
+import pytest
+from mipgen import model as m
+from mipgen import render
+from mipgen.resolve import load_model
+from support import BUILD, ROOT, SPECS, locked, model, need
+
+HERE = Path(__file__).parent
+WORK = BUILD / "rust"
+EMBEDDED = "thumbv7m-none-eabi"
+each = pytest.mark.parametrize("spec", ["awkward", "invented", "real"])
+
+
+# --------------------------------------------------------------------------- crates and projects
+
+
+def write(files: dict[str, bytes], folder: Path) -> None:
+    """Writes what differs, so that cargo builds nothing again for nothing."""
+    for name, data in files.items():
+        path = folder / name
+        if not path.is_file() or path.read_bytes() != data:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(data)
+
+
+@cache
+def specification(spec: str) -> m.Model:
+    """`awkward` is the invented specification with some more sets."""
+    if spec != "awkward":
+        return model(spec)
+    folder = WORK / "awkward" / "spec"
+    with locked(WORK / "awkward-spec"):
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(SPECS["invented"][0], folder)
+        for name, text in awkward.FILES.items():
+            (folder / "sets" / name).write_text(text, "utf-8")
+        return load_model(folder)
+
+
+@cache
+def rendered(spec: str) -> dict[str, bytes]:
+    return render.render("rust", specification(spec))
+
+
+@cache
+def crate(spec: str) -> Path:
+    """The crate as it is."""
+    folder = WORK / spec / "mip-protocol"
+    with locked(WORK / f"{spec}-crate"):
+        render.write(rendered(spec), folder)
+    return folder
+
+
+@cache
+def bare(spec: str) -> Path:
+    """The crate without optional dependencies: cargo wants to know them even where it does not use them."""
+    files = dict(rendered(spec))
+    manifest = files["Cargo.toml"].decode("utf-8")
+    manifest = re.sub(r"\[dependencies\]\n(?:.+\n)+", "", manifest)
+    manifest = re.sub(r'\["dep:\w+"\]', "[]", manifest)
+    assert "dep" not in manifest
+    files["Cargo.toml"] = f"{manifest}\n[workspace]\n".encode()
+    with locked(WORK / f"{spec}-bare"):
+        write(files, WORK / spec / "bare")
+    return WORK / spec / "bare"
+
+
+def project(
+    spec: str, name: str, targets: str, features: str = '"std", "dynamic"', files: dict[str, bytes] | None = None
+) -> Path:
+    """A package that uses the crate."""
+    manifest = f"""[package]
+name = "{name}"
+version = "0.0.0"
+edition = "2021"
+publish = false
+autotests = false
+
+[dependencies]
+mip-protocol = {{ path = "../mip-protocol", features = [{features}] }}
+
+{targets}
+[profile.release]
+lto = true
+codegen-units = 1
+panic = "abort"
+
+[workspace]
+"""
+    crate(spec)
+    folder = WORK / spec / name
+    with locked(WORK / f"{spec}-{name}"):
+        write({"Cargo.toml": manifest.encode(), "src/lib.rs": b"", **(files or {})}, folder)
+    return folder
+
+
+def cargo(folder: Path, *arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    done = subprocess.run(
+        [need("cargo"), *arguments], cwd=folder, capture_output=True, text=True,
+        env={**os.environ, "CARGO_TARGET_DIR": str(WORK / "target"), "CARGO_TERM_COLOR": "never", **environment},
+    )  # fmt: skip
+    return done
+
+
+def passes(folder: Path, *arguments: str, **environment: str) -> str:
+    done = cargo(folder, *arguments, **environment)
+    assert done.returncode == 0, f"cargo {' '.join(arguments)}\n{done.stdout[-6000:]}{done.stderr[-6000:]}"
+    return done.stdout
+
+
+@cache
+def embedded() -> str:
+    """A target without an operating system and without std."""
+    installed = subprocess.run([need("rustup"), "target", "list", "--installed"], capture_output=True, text=True)
+    if EMBEDDED not in installed.stdout.split():
+        done = subprocess.run([need("rustup"), "target", "add", EMBEDDED], capture_output=True, text=True)
+        assert done.returncode == 0, f"rustup target add {EMBEDDED}: {done.stderr}"
+    return EMBEDDED
+
+
+def cargo_tests(*names: str, folder: Path = HERE / "cases") -> str:
+    return "\n".join(f'[[test]]\nname = "{name}"\npath = "{folder / name}.rs"\n' for name in names)
+
+
+# --------------------------------------------------------------------------- what users do with it
+
+
+def test_cases() -> None:
+    """Packets, parser, presence, unions, client, trees: hand-written, with the invented specification."""
+    names = sorted(p.stem for p in (HERE / "cases").glob("*.rs"))
+    out = passes(project("invented", "cases", cargo_tests(*names)), "test", "--offline", "--quiet")
+    assert out.count("test result: ok") >= len(names)
+
+
+@each
+def test_everything(spec: str) -> None:
+    """Every constructor, accessor, constant, default, link and truncation of a specification."""
+    source = everything.source(specification(spec))
+    target = '[[test]]\nname = "everything"\npath = "everything.rs"\n'
+    folder = project(spec, "everything", target, files={"everything.rs": source.encode()})
+    out = passes(folder, "test", "--offline", "--quiet", "--test", "everything")
+    count = sum(1 for line in source.splitlines() if line == "#[test]")
+    assert f"test result: ok. {count} passed" in out
+    own = [f for s in specification(spec).sets for f in s.own_fields]
+    assert count > len(own)
+
+
+def test_a_wrong_constructor_would_be_noticed() -> None:
+    """The tests above are no better than what they compare."""
+    wrong = everything.source(specification("invented")).replace("tools::Settings::write(", "tools::Settings::apply(")
+    target = '[[test]]\nname = "everything"\npath = "everything.rs"\n'
+    folder = project("invented", "wrong", target, files={"everything.rs": wrong.encode()})
+    done = cargo(folder, "test", "--offline", "--quiet", "--test", "everything")
+    assert done.returncode != 0 and "test result: FAILED" in done.stdout
+    assert re.findall(r"^    (\w+)$", done.stdout, re.MULTILINE) == ["tools_settings"]
+
+
+def test_a_list_that_is_too_long_does_not_compile() -> None:
+    code = b"#[test]\nfn test() { let _: mip_protocol::List<u8, 2> = [1, 2, 3].into(); }\n"
+    folder = project("invented", "long", '[[test]]\nname = "long"\npath = "long.rs"\n', files={"long.rs": code})
+    done = cargo(folder, "test", "--offline", "--quiet", "--test", "long")
+    assert done.returncode != 0 and "more items than the list holds" in done.stderr
+
+
+def test_serde_and_defmt() -> None:
+    """With the real dependencies, pinned in features/Cargo.lock."""
+    folder = WORK / "awkward" / "features"
+    manifest = f"""[package]
+name = "features"
+version = "0.0.0"
+edition = "2021"
+publish = false
+
+[dependencies]
+mip-protocol = {{ path = "mip-protocol", features = ["std", "dynamic", "serde"] }}
+serde = "1"
+serde_json = "1"
+
+[[test]]
+name = "features"
+path = "{HERE / "features" / "features.rs"}"
+
+[workspace]
+members = ["mip-protocol"]
+"""
+    with locked(WORK / "awkward-features"):
+        render.write(rendered("awkward"), folder / "mip-protocol")
+        lock = (HERE / "features/Cargo.lock").read_bytes()
+        write({"Cargo.toml": manifest.encode(), "src/lib.rs": b"", "Cargo.lock": lock}, folder)
+        passes(folder, "test", "--quiet", "--test", "features")
+        lint = ("-p", "mip-protocol", "--all-features")
+        passes(folder, "clippy", "--quiet", *lint, "--", "-D", "warnings")
+        passes(folder, "build", "--quiet", "--release", "--target", embedded(), "-p", "mip-protocol", "--features", "serde,defmt")
+
+
+# --------------------------------------------------------------------------- what the crate promises
+
+
+@each
+def test_no_std(spec: str) -> None:
+    """It builds for a target that has no std; `alloc` and the trees of values do too."""
+    for features in ("", "alloc", "dynamic"):
+        passes(bare(spec), "build", "--quiet", "--offline", "--target", embedded(), "--features", features)
+
+
+@each
+def test_nothing_panics(spec: str) -> None:
+    """A program that uses every field links although its panic handler does not."""
+    target = f'[[bin]]\nname = "no_panic"\npath = "{HERE / "no_panic.rs"}"\ntest = false\n'
+    folder = project(spec, "no_panic", target, features="")
+    build = ("build", "--quiet", "--offline", "--release", "--target", embedded())
+    passes(folder, *build)
+    source = (HERE / "no_panic.rs").read_text("utf-8")
+    assert "let mut chunk = input();" in source
+    spoiled = source.replace("let mut chunk = input();", "let mut chunk = &input()[1..];")
+    target = '[[bin]]\nname = "panics"\npath = "panics.rs"\ntest = false\n'
+    folder = project(spec, "panics", target, features="", files={"panics.rs": spoiled.encode()})
+    done = cargo(folder, *build)
+    assert done.returncode != 0 and "a_panic_can_be_reached" in done.stderr
+
+
+@each
+def test_formatted(spec: str) -> None:
+    done = cargo(crate(spec), "fmt", "--check")
+    assert done.returncode == 0, done.stdout[-4000:] + done.stderr
+
+
+@each
+def test_lints(spec: str) -> None:
+    """clippy also says where something is newer than the oldest Rust that the manifest promises."""
+    for features in ("", "alloc", "std", "dynamic", "std,dynamic"):
+        passes(bare(spec), "clippy", "--quiet", "--offline", "--features", features, "--", "-D", "warnings")
+
+
+@each
+def test_documentation(spec: str) -> None:
+    """The README and the examples in the documentation run; links lead somewhere."""
+    out = passes(bare(spec), "test", "--quiet", "--offline", "--doc", "--features", "std,dynamic")
+    assert re.search(r"test result: ok\. [1-9]", out)
+    passes(bare(spec), "doc", "--quiet", "--offline", "--no-deps", "--features", "std,dynamic", RUSTDOCFLAGS="-D warnings")
+
+
+@each
+def test_attributes(spec: str) -> None:
+    lib = rendered(spec)["src/lib.rs"].decode("utf-8")
+    for attribute in ("#![no_std]", "#![forbid(unsafe_code)]", "#![deny(missing_docs)]"):
+        assert f"\n{attribute}\n" in lib
+    for name, data in rendered(spec).items():
+        assert b"unsafe " not in data.replace(b"forbid(unsafe_code)", b""), name
+    manifest = rendered(spec)["Cargo.toml"].decode("utf-8")
+    assert f'version = "{specification(spec).protocol.version}"' in manifest
+    assert 'edition = "2021"' in manifest and 'rust-version = "' in manifest
+    assert all("optional = true" in line for line in manifest.partition("[dependencies]\n")[2].partition("\n\n")[0].splitlines())
+    assert "Cargo.lock" not in rendered(spec)
+
+
+def test_every_set_is_a_module() -> None:
+    lib = rendered("real")["src/lib.rs"].decode("utf-8")
+    for s in specification("real").sets:
+        name = s.name if not s.name[0].isdigit() else f"mip_{s.name}"
+        assert f"\npub mod {name};\n" in lib
+        assert f"pub const SET: u8 = 0x{s.number:02X};" in rendered("real")[f"src/{name}.rs"].decode("utf-8")
+
+
+# --------------------------------------------------------------------------- the driver
+
+
+def build_driver(generated: Path, build: Path) -> str:
+    done = subprocess.run([str(HERE / "build_driver.sh"), str(generated), str(build)], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return done.stdout.splitlines()[-1]
+
+
+def ask(driver: str, *lines: str) -> list[Any]:
+    done = subprocess.run([driver], input="".join(f"{line}\n" for line in lines), capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return [json.loads(line) for line in done.stdout.splitlines()]
+
+
+def test_the_driver_is_built_from_any_folder_and_only_once() -> None:
+    generated = WORK / 'a "strange" \\ folder\'s name' / "mip-protocol"
+    build = WORK / "driver of a strange folder"
+    with locked(WORK / "driver"):
+        render.write(rendered("invented"), generated)
+        driver = build_driver(generated, build)
+        built = Path(driver).stat().st_mtime_ns
+        assert build_driver(generated, build) == driver
+        assert Path(driver).stat().st_mtime_ns == built
+    assert ask(driver, '{"op":"encode","set":1,"fields":[]}') == [{"packet": "75650100db05"}]
+
+
+@pytest.fixture(scope="module")
+def driver() -> str:
+    with locked(WORK / "driver-invented"):
+        return build_driver(crate("invented"), WORK / "driver-invented")
+
+
+def test_what_is_no_request_is_refused_and_the_driver_goes_on(driver: str) -> None:
+    bad = [
+        "", "nonsense", "{", "[1]", "7", '"op"', "null", "{}", '{"op":7}', '{"op":"dance"}', "[" * 100_000, '{"a":' * 9999,
+        '{"op":"parse"}', '{"op":"parse","stream":"7","chunk":1}', '{"op":"parse","stream":"zz","chunk":1}',
+        '{"op":"parse","stream":"00","chunk":0}', '{"op":"parse","stream":"00","chunk":-1}', '{"op":"parse","stream":"00"}',
+        '{"op":"decode"}', '{"op":"decode","packet":5}', '{"op":"decode","packet":"0 "}',
+        '{"op":"encode"}', '{"op":"encode","set":1}', '{"op":"encode","set":0,"fields":[]}', '{"op":"encode","set":256,"fields":[]}',
+        '{"op":"encode","set":1,"fields":[7]}', '{"op":"encode","set":1,"fields":[{"raw":"00"}]}',
+        '{"op":"encode","set":1,"fields":[{"descriptor":256,"raw":"00"}]}', '{"op":"encode","set":1,"fields":[{"descriptor":1}]}',
+        '{"op":"encode","set":1,"fields":[],}', '{"op":"encode" "set":1}', '{"op":"parse","stream":"00","chunk":1}x',
+        '{"op":"\\x"}', '{"op":"\\ud800"}', '{"op":"\\u12"}', '{"op":"\t"}', '{"op":--1}',
+    ]  # fmt: skip
+    good = '{"op":"parse","stream":"00","chunk":1}'
+    answers = ask(driver, *(line for b in bad for line in (b, good)))
+    assert answers == [{"error": "request"}, {"packets": [], "skipped": 1}] * len(bad)
+    raw = subprocess.run([driver], input=b"\xff\xfe\n\n" + good.encode(), capture_output=True)
+    assert [json.loads(line) for line in raw.stdout.splitlines()][::2] == [{"error": "request"}, {"packets": [], "skipped": 1}]
+
+
+def test_numbers_and_text_are_exact(driver: str) -> None:
+    def strings(model: str, rest: str) -> str:
+        values = f'{{"model": {model}, "length": 0, "name": "", "rest": {rest}}}'
+        return f'{{"op":"encode","set":128,"fields":[{{"descriptor":3,"name":"measurements.strings","values":{values}}}]}}'
+
+    plain = json.dumps("é" * 16)
+    whole = json.dumps("".join(map(chr, range(200))), ensure_ascii=False)
+    for text in (whole, json.dumps("".join(map(chr, range(200))))):
+        (answer,) = ask(driver, strings(plain, text))
+        assert bytes.fromhex(answer["packet"])[6:-2] == b"\xe9" * 16 + b"\0" + bytes(range(200))
+        (answer,) = ask(driver, json.dumps({"op": "decode", "packet": answer["packet"]}))
+        assert answer["fields"][0]["values"]["rest"] == "".join(map(chr, range(200)))
+    assert ask(driver, strings(plain, '"\\u20ac"'), strings(plain, '"\\ud83d\\ude00"')) == [{"error": "range"}] * 2
+
+    def number(name: str, value: str) -> str:
+        values = {p.name: 0 for p in specification("invented").field("measurements.numbers").parameters}  # type: ignore[union-attr]
+        values |= {"float": "0x00000000", "double": "0x0000000000000000"}  # type: ignore[dict-item]
+        text = json.dumps(values).replace(f'"{name}": 0', f'"{name}": {value}')
+        return f'{{"op":"encode","set":128,"fields":[{{"descriptor":2,"name":"measurements.numbers","values":{text}}}]}}'
+
+    for name, value in (("u64", 2**64 - 1), ("s64", -(2**63)), ("u64", 2**53 + 1), ("s8", -128)):
+        (answer,) = ask(driver, number(name, str(value)))
+        (answer,) = ask(driver, json.dumps({"op": "decode", "packet": answer["packet"]}))
+        assert answer["fields"][0]["values"][name] == value
+    for name, value in (("u64", 2**64), ("s64", 2**63), ("u8", -1), ("s8", 128), ("u32", 10**60), ("s32", -(10**60))):
+        assert ask(driver, number(name, str(value))) == [{"error": "range"}], (name, value)
+    assert ask(driver, number("u8", "1.5"), number("u8", "1e2")) == [{"error": "range"}] * 2
+
+
+def test_sources_are_formatted() -> None:
+    files = [str(p) for p in sorted(HERE.rglob("*.rs"))]
+    config = ROOT / "templates/rust/runtime"
+    done = subprocess.run(
+        [need("rustfmt"), "--check", "--edition", "2021", "--config-path", str(config), *files],
+        capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout
