@@ -293,11 +293,11 @@ def accessor_checks(t: m.Bitfield) -> Iterator[str]:
             for end, before, after in (("set", 0, b.mask), ("set", ones, ones), ("clear", ones, ones & ~b.mask)):
                 has = "" if after & b.mask else "!"
                 yield (
-                    f"{{ {start}({before}); {name}_{end}(&f, {c}); "
-                    f"CHECK(f == UINT64_C({after}) && {has}{name}_has(f, {c})); }}"
+                    f"{{ {start}({before}); mip_{end}_{8 * t.size}(&f, {c}); "
+                    f"CHECK(f == UINT64_C({after}) && {has}mip_has(f, {c})); }}"
                 )
             if b.width > 1:  # all of the bits, not any
-                yield f"{{ {start}({ones & ~(1 << b.last)}); CHECK(!{name}_has(f, {c}) && (f & {c}) != 0); }}"
+                yield f"{{ {start}({ones & ~(1 << b.last)}); CHECK(!mip_has(f, {c}) && (f & {c}) != 0); }}"
         if not target.has_accessor(t, b):
             continue
         most = (1 << b.width) - 1

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -251,11 +252,14 @@ def test_counts_agree(first: Path) -> None:
     """Each field of the specification is a type in each language and a section in the reference."""
     of = model("real")
     own = [f for s in of.sets for f in s.own_fields]
-    python = sum(
-        p.read_text("utf-8").count("\n    DESCRIPTOR = ") for p in (first / "python/mip_protocol").glob("*.py")
-    )
-    c = sum(p.read_text("utf-8").count("_decode(struct mip_") for p in (first / "c/include/mip").glob("*.h"))
-    rust = sum(p.read_text("utf-8").count("\nimpl Field for ") for p in (first / "rust/src").rglob("*.rs"))
-    assert python == rust == len(own) + 1  # and the acknowledge field
-    assert c == len(own) + 1
-    assert len(all_fields(of)) == len(of.fields) + 1
+    def count(pattern: str, folder: str, files: str) -> int:
+        texts = (p.read_text("utf-8") for p in sorted((first / folder).rglob(files)))
+        return sum(len(re.findall(pattern, text, re.M)) for text in texts)
+
+    each = len(own) + 1  # and the acknowledge field
+    assert count(r"^    DESCRIPTOR = ", "python", "*.py") == each
+    assert count(r"^mip_error mip_\w+_decode\(\s*struct mip_", "c/include/mip", "*.h") == each
+    assert count(r"^impl Field for ", "rust/src", "*.rs") == each
+    anchors = "|".join(re.escape(f'<a id="{f.full_name}">') for f in all_fields(of))
+    assert count(anchors, "markdown/docs", "*.md") == len(all_fields(of)) == len(of.fields) + 1
+    assert len(all_fields(of)) - each == sum(f.definition is not None for f in of.fields)

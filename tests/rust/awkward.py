@@ -74,7 +74,6 @@ fields:
       - {name: b, type: u8, for: W}
       - {name: x, type: u16, count: a, for: W}
       - {name: y, type: char, count: b, for: W}
-      - {name: fixed, type: u8, const: 9, for: W}
       - {name: last, type: u8, optional: true}
     responses:
       - {response: 0x83, name: string_first, parameters: [{name: kind, type: u8, const: 1}, {name: x, type: u8}]}

@@ -220,11 +220,16 @@ class _Writer:
             if p.counts is not None:
                 values[p.name] = None
                 continue
+            x = members[p.name]
+            if p.selector and isinstance(record, m.Field):
+                # The function that needs the most: an empty union that is not needed is as good as absent.
+                values[p.name] = max(record.required, key=lambda pair: pair[1])[0]
+                written.append(f"{x.name}: {path(self.model.protocol.function_selector)}({values[p.name]})")
+                continue
             expression, values[p.name] = self.value(p.operation, record, values)
             counter = next((q.name for q in record.parameters if q.counts == p.name), None)
             if counter is not None:
                 values[counter] = len(values[p.name])
-            x = members[p.name]
             expression = as_member(p.operation, expression, values[p.name])
             written.append(f"{x.name}: Some({expression})" if x.optional else f"{x.name}: {expression}")
         return f"{path(record)} {{ {', '.join(written)} }}", values

@@ -76,8 +76,6 @@ def _type_identifiers(t: m.Type) -> Iterator[Identifier]:
         for v in t.values:
             yield Identifier("C", constant(t, v), f"{t.name}.{v.name}", place)
     elif isinstance(t, m.Bitfield):
-        for accessor in ("set", "clear", "has") if t.scalar else ():
-            yield Identifier("C", f"{name}_{accessor}", t.name, place)
         for b in t.bits:
             if t.scalar:
                 yield Identifier("C", constant(t, b), f"{t.name}.{b.name}", place)

@@ -14,7 +14,7 @@ int main() {
     mip_builder builder;
     mip_tools_settings command = mip_tools_settings_write(1, MIP_MODE_SLOW, 9600);
     mip_more_accel accel = {{1.0F, 2.0F, 3.0F}, MIP_STATE_FLAGS_READY};
-    mip_state_flags_clear(&accel.valid_flags, MIP_STATE_FLAGS_READY | MIP_STATE_FLAGS_HOT);
+    mip_clear_16(&accel.valid_flags, MIP_STATE_FLAGS_READY | MIP_STATE_FLAGS_HOT);
     mip_state_flags_set_level(&accel.valid_flags, 5);
     bool good = mip_builder_start(&builder, buffer, sizeof buffer, MIP_TOOLS_SET) == MIP_OK &&
                 mip_tools_settings_encode(&command, &builder) == MIP_OK &&

@@ -74,19 +74,6 @@ typedef uint16_t mip_3dm_sbas_options;
 /** Bit 2: Only GPS satellites with SBAS integrity information are used. */
 #define MIP_3DM_SBAS_OPTIONS_APPLY_INTEGRITY 0x0004U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_3dm_sbas_options_set(mip_3dm_sbas_options *flags,
-                                            mip_3dm_sbas_options bits) {
-    *flags = (mip_3dm_sbas_options)(*flags | bits);
-}
-static inline void mip_3dm_sbas_options_clear(mip_3dm_sbas_options *flags,
-                                              mip_3dm_sbas_options bits) {
-    *flags = (mip_3dm_sbas_options)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_3dm_sbas_options_has(mip_3dm_sbas_options flags, mip_3dm_sbas_options bits) {
-    return (flags & bits) == bits;
-}
-
 /**
  * Where the pulse per second comes from.
  *

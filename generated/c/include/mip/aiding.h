@@ -75,20 +75,6 @@ typedef uint16_t mip_aiding_axis_flags;
 /** Bit 2: Third axis. */
 #define MIP_AIDING_AXIS_FLAGS_Z 0x0004U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_aiding_axis_flags_set(mip_aiding_axis_flags *flags,
-                                             mip_aiding_axis_flags bits) {
-    *flags = (mip_aiding_axis_flags)(*flags | bits);
-}
-static inline void mip_aiding_axis_flags_clear(mip_aiding_axis_flags *flags,
-                                               mip_aiding_axis_flags bits) {
-    *flags = (mip_aiding_axis_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_aiding_axis_flags_has(mip_aiding_axis_flags flags,
-                                             mip_aiding_axis_flags bits) {
-    return (flags & bits) == bits;
-}
-
 /** Which coordinates of a position are valid; the others are ignored. */
 typedef uint16_t mip_aiding_llh_axis_flags;
 /** Bit 0: Latitude and its uncertainty. */
@@ -97,20 +83,6 @@ typedef uint16_t mip_aiding_llh_axis_flags;
 #define MIP_AIDING_LLH_AXIS_FLAGS_LONGITUDE 0x0002U
 /** Bit 2: Height and its uncertainty. */
 #define MIP_AIDING_LLH_AXIS_FLAGS_HEIGHT 0x0004U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_aiding_llh_axis_flags_set(mip_aiding_llh_axis_flags *flags,
-                                                 mip_aiding_llh_axis_flags bits) {
-    *flags = (mip_aiding_llh_axis_flags)(*flags | bits);
-}
-static inline void mip_aiding_llh_axis_flags_clear(mip_aiding_llh_axis_flags *flags,
-                                                   mip_aiding_llh_axis_flags bits) {
-    *flags = (mip_aiding_llh_axis_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_aiding_llh_axis_flags_has(mip_aiding_llh_axis_flags flags,
-                                                 mip_aiding_llh_axis_flags bits) {
-    return (flags & bits) == bits;
-}
 
 /** The member of mip_aiding_frame_configuration that `format` selects. */
 union mip_aiding_frame_configuration_rotation {

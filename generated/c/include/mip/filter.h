@@ -23,20 +23,6 @@ typedef uint16_t mip_filter_estimated_states;
 /** Bit 0: Estimate the gyroscope bias (recommended). */
 #define MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS 0x0001U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_filter_estimated_states_set(mip_filter_estimated_states *flags,
-                                                   mip_filter_estimated_states bits) {
-    *flags = (mip_filter_estimated_states)(*flags | bits);
-}
-static inline void mip_filter_estimated_states_clear(mip_filter_estimated_states *flags,
-                                                     mip_filter_estimated_states bits) {
-    *flags = (mip_filter_estimated_states)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_filter_estimated_states_has(mip_filter_estimated_states flags,
-                                                   mip_filter_estimated_states bits) {
-    return (flags & bits) == bits;
-}
-
 /** Where the filter takes GNSS data from. */
 typedef uint8_t mip_filter_gnss_aiding_source;
 /** All internal receivers. */
@@ -71,39 +57,12 @@ typedef uint8_t mip_filter_tare_axes;
 /** Bit 2: Tare yaw. */
 #define MIP_FILTER_TARE_AXES_YAW 0x04U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_filter_tare_axes_set(mip_filter_tare_axes *flags,
-                                            mip_filter_tare_axes bits) {
-    *flags = (mip_filter_tare_axes)(*flags | bits);
-}
-static inline void mip_filter_tare_axes_clear(mip_filter_tare_axes *flags,
-                                              mip_filter_tare_axes bits) {
-    *flags = (mip_filter_tare_axes)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_filter_tare_axes_has(mip_filter_tare_axes flags, mip_filter_tare_axes bits) {
-    return (flags & bits) == bits;
-}
-
 /** Measurements that the filter uses. */
 typedef uint16_t mip_filter_measurement_flags;
 /** Bit 0: Accelerometer measurements. */
 #define MIP_FILTER_MEASUREMENT_FLAGS_ACCELEROMETER 0x0001U
 /** Bit 1: Magnetometer measurements, on models that have a magnetometer. */
 #define MIP_FILTER_MEASUREMENT_FLAGS_MAGNETOMETER 0x0002U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_filter_measurement_flags_set(mip_filter_measurement_flags *flags,
-                                                    mip_filter_measurement_flags bits) {
-    *flags = (mip_filter_measurement_flags)(*flags | bits);
-}
-static inline void mip_filter_measurement_flags_clear(mip_filter_measurement_flags *flags,
-                                                      mip_filter_measurement_flags bits) {
-    *flags = (mip_filter_measurement_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_filter_measurement_flags_has(mip_filter_measurement_flags flags,
-                                                    mip_filter_measurement_flags bits) {
-    return (flags & bits) == bits;
-}
 
 /** Where the declination of the magnetic field comes from. */
 typedef uint8_t mip_filter_declination_source;
@@ -174,20 +133,6 @@ typedef uint8_t mip_filter_heading_alignment;
 #define MIP_FILTER_HEADING_ALIGNMENT_MAGNETOMETER 0x04U
 /** Bit 3: From the heading that the user sends. */
 #define MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL 0x08U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_filter_heading_alignment_set(mip_filter_heading_alignment *flags,
-                                                    mip_filter_heading_alignment bits) {
-    *flags = (mip_filter_heading_alignment)(*flags | bits);
-}
-static inline void mip_filter_heading_alignment_clear(mip_filter_heading_alignment *flags,
-                                                      mip_filter_heading_alignment bits) {
-    *flags = (mip_filter_heading_alignment)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_filter_heading_alignment_has(mip_filter_heading_alignment flags,
-                                                    mip_filter_heading_alignment bits) {
-    return (flags & bits) == bits;
-}
 
 /** Frame in which a position is given. */
 typedef uint8_t mip_filter_reference_frame;

@@ -23,20 +23,6 @@ typedef uint16_t mip_filter_data_valid_flags;
 /** Bit 0: All values of the field are valid. */
 #define MIP_FILTER_DATA_VALID_FLAGS_VALID 0x0001U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_filter_data_valid_flags_set(mip_filter_data_valid_flags *flags,
-                                                   mip_filter_data_valid_flags bits) {
-    *flags = (mip_filter_data_valid_flags)(*flags | bits);
-}
-static inline void mip_filter_data_valid_flags_clear(mip_filter_data_valid_flags *flags,
-                                                     mip_filter_data_valid_flags bits) {
-    *flags = (mip_filter_data_valid_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_filter_data_valid_flags_has(mip_filter_data_valid_flags flags,
-                                                   mip_filter_data_valid_flags bits) {
-    return (flags & bits) == bits;
-}
-
 /**
  * State of the filter of a 5-series device.
  *
@@ -126,20 +112,6 @@ typedef uint16_t mip_filter_data_gx5_status_flags;
 /** Bit 13: Position and velocity are not initialized. */
 #define MIP_FILTER_DATA_GX5_STATUS_FLAGS_INIT_NO_POSITION_VELOCITY 0x2000U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_filter_data_gx5_status_flags_set(mip_filter_data_gx5_status_flags *flags,
-                                                        mip_filter_data_gx5_status_flags bits) {
-    *flags = (mip_filter_data_gx5_status_flags)(*flags | bits);
-}
-static inline void mip_filter_data_gx5_status_flags_clear(mip_filter_data_gx5_status_flags *flags,
-                                                          mip_filter_data_gx5_status_flags bits) {
-    *flags = (mip_filter_data_gx5_status_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_filter_data_gx5_status_flags_has(mip_filter_data_gx5_status_flags flags,
-                                                        mip_filter_data_gx5_status_flags bits) {
-    return (flags & bits) == bits;
-}
-
 /**
  * How settled the estimates of the filter are.
  *
@@ -185,20 +157,6 @@ typedef uint16_t mip_filter_data_cv7_status_flags;
 /** Bits 12 to 15: Not 0 if the solution holds values that are not numbers; reset the filter. */
 #define MIP_FILTER_DATA_CV7_STATUS_FLAGS_SOLUTION_ERROR 0xF000U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_filter_data_cv7_status_flags_set(mip_filter_data_cv7_status_flags *flags,
-                                                        mip_filter_data_cv7_status_flags bits) {
-    *flags = (mip_filter_data_cv7_status_flags)(*flags | bits);
-}
-static inline void mip_filter_data_cv7_status_flags_clear(mip_filter_data_cv7_status_flags *flags,
-                                                          mip_filter_data_cv7_status_flags bits) {
-    *flags = (mip_filter_data_cv7_status_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_filter_data_cv7_status_flags_has(mip_filter_data_cv7_status_flags flags,
-                                                        mip_filter_data_cv7_status_flags bits) {
-    return (flags & bits) == bits;
-}
-
 /** Bits 0 to 1: How settled the estimates are. */
 static inline mip_filter_data_filter_condition
 mip_filter_data_cv7_status_flags_get_filter_condition(mip_filter_data_cv7_status_flags flags) {
@@ -229,20 +187,6 @@ static inline void mip_filter_data_cv7_status_flags_set_solution_error(
 typedef uint16_t mip_filter_data_heading_source_flags;
 /** Bit 2: Heading messages that the user sends. */
 #define MIP_FILTER_DATA_HEADING_SOURCE_FLAGS_EXTERNAL 0x0004U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_filter_data_heading_source_flags_set(
-    mip_filter_data_heading_source_flags *flags, mip_filter_data_heading_source_flags bits) {
-    *flags = (mip_filter_data_heading_source_flags)(*flags | bits);
-}
-static inline void mip_filter_data_heading_source_flags_clear(
-    mip_filter_data_heading_source_flags *flags, mip_filter_data_heading_source_flags bits) {
-    *flags = (mip_filter_data_heading_source_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_filter_data_heading_source_flags_has(
-    mip_filter_data_heading_source_flags flags, mip_filter_data_heading_source_flags bits) {
-    return (flags & bits) == bits;
-}
 
 /** How the filter uses one GNSS receiver. */
 typedef uint16_t mip_filter_data_gnss_aiding_status;
@@ -278,20 +222,6 @@ typedef uint16_t mip_filter_data_gnss_aiding_status;
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_NO_FIX 0x4000U
 /** Bit 15: The antenna offset of the receiver is probably wrong. */
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_CONFIG_ERROR 0x8000U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_filter_data_gnss_aiding_status_set(mip_filter_data_gnss_aiding_status *flags,
-                                                          mip_filter_data_gnss_aiding_status bits) {
-    *flags = (mip_filter_data_gnss_aiding_status)(*flags | bits);
-}
-static inline void mip_filter_data_gnss_aiding_status_clear(
-    mip_filter_data_gnss_aiding_status *flags, mip_filter_data_gnss_aiding_status bits) {
-    *flags = (mip_filter_data_gnss_aiding_status)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_filter_data_gnss_aiding_status_has(mip_filter_data_gnss_aiding_status flags,
-                                                          mip_filter_data_gnss_aiding_status bits) {
-    return (flags & bits) == bits;
-}
 
 /**
  * Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
@@ -344,23 +274,6 @@ typedef uint8_t mip_filter_data_aiding_measurement_indicator;
 /** Bit 5: There are more measurements than the filter can take. */
 #define MIP_FILTER_DATA_AIDING_MEASUREMENT_INDICATOR_MAX_NUM_MEAS_EXCEEDED 0x20U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_filter_data_aiding_measurement_indicator_set(
-    mip_filter_data_aiding_measurement_indicator *flags,
-    mip_filter_data_aiding_measurement_indicator bits) {
-    *flags = (mip_filter_data_aiding_measurement_indicator)(*flags | bits);
-}
-static inline void mip_filter_data_aiding_measurement_indicator_clear(
-    mip_filter_data_aiding_measurement_indicator *flags,
-    mip_filter_data_aiding_measurement_indicator bits) {
-    *flags = (mip_filter_data_aiding_measurement_indicator)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_filter_data_aiding_measurement_indicator_has(
-    mip_filter_data_aiding_measurement_indicator flags,
-    mip_filter_data_aiding_measurement_indicator bits) {
-    return (flags & bits) == bits;
-}
-
 /** Kind of the heading solution of two antennas. */
 typedef uint8_t mip_filter_data_dual_antenna_fix_type;
 /** No solution. */
@@ -378,23 +291,6 @@ typedef uint16_t mip_filter_data_dual_antenna_status_flags;
 #define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_RCV_2_DATA_VALID 0x0002U
 /** Bit 2: The antenna offsets are valid. */
 #define MIP_FILTER_DATA_DUAL_ANTENNA_STATUS_FLAGS_ANTENNA_OFFSETS_VALID 0x0004U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_filter_data_dual_antenna_status_flags_set(
-    mip_filter_data_dual_antenna_status_flags *flags,
-    mip_filter_data_dual_antenna_status_flags bits) {
-    *flags = (mip_filter_data_dual_antenna_status_flags)(*flags | bits);
-}
-static inline void mip_filter_data_dual_antenna_status_flags_clear(
-    mip_filter_data_dual_antenna_status_flags *flags,
-    mip_filter_data_dual_antenna_status_flags bits) {
-    *flags = (mip_filter_data_dual_antenna_status_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_filter_data_dual_antenna_status_flags_has(
-    mip_filter_data_dual_antenna_status_flags flags,
-    mip_filter_data_dual_antenna_status_flags bits) {
-    return (flags & bits) == bits;
-}
 
 /**
  * LLH position: data (0x82,0x01).

@@ -46,39 +46,12 @@ typedef uint8_t mip_gnss_gps_signals;
 /** Bit 2: L5. */
 #define MIP_GNSS_GPS_SIGNALS_L5 0x04U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_gps_signals_set(mip_gnss_gps_signals *flags,
-                                            mip_gnss_gps_signals bits) {
-    *flags = (mip_gnss_gps_signals)(*flags | bits);
-}
-static inline void mip_gnss_gps_signals_clear(mip_gnss_gps_signals *flags,
-                                              mip_gnss_gps_signals bits) {
-    *flags = (mip_gnss_gps_signals)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_gps_signals_has(mip_gnss_gps_signals flags, mip_gnss_gps_signals bits) {
-    return (flags & bits) == bits;
-}
-
 /** GLONASS signals that are enabled. */
 typedef uint8_t mip_gnss_glonass_signals;
 /** Bit 0: L1OF. */
 #define MIP_GNSS_GLONASS_SIGNALS_L1OF 0x01U
 /** Bit 1: L2OF. */
 #define MIP_GNSS_GLONASS_SIGNALS_L2OF 0x02U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_glonass_signals_set(mip_gnss_glonass_signals *flags,
-                                                mip_gnss_glonass_signals bits) {
-    *flags = (mip_gnss_glonass_signals)(*flags | bits);
-}
-static inline void mip_gnss_glonass_signals_clear(mip_gnss_glonass_signals *flags,
-                                                  mip_gnss_glonass_signals bits) {
-    *flags = (mip_gnss_glonass_signals)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_glonass_signals_has(mip_gnss_glonass_signals flags,
-                                                mip_gnss_glonass_signals bits) {
-    return (flags & bits) == bits;
-}
 
 /** Galileo signals that are enabled. */
 typedef uint8_t mip_gnss_galileo_signals;
@@ -89,20 +62,6 @@ typedef uint8_t mip_gnss_galileo_signals;
 /** Bit 2: E5a. */
 #define MIP_GNSS_GALILEO_SIGNALS_E5A 0x04U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_galileo_signals_set(mip_gnss_galileo_signals *flags,
-                                                mip_gnss_galileo_signals bits) {
-    *flags = (mip_gnss_galileo_signals)(*flags | bits);
-}
-static inline void mip_gnss_galileo_signals_clear(mip_gnss_galileo_signals *flags,
-                                                  mip_gnss_galileo_signals bits) {
-    *flags = (mip_gnss_galileo_signals)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_galileo_signals_has(mip_gnss_galileo_signals flags,
-                                                mip_gnss_galileo_signals bits) {
-    return (flags & bits) == bits;
-}
-
 /** BeiDou signals that are enabled. */
 typedef uint8_t mip_gnss_beidou_signals;
 /** Bit 0: B1. */
@@ -111,20 +70,6 @@ typedef uint8_t mip_gnss_beidou_signals;
 #define MIP_GNSS_BEIDOU_SIGNALS_B2 0x02U
 /** Bit 2: B2a. */
 #define MIP_GNSS_BEIDOU_SIGNALS_B2A 0x04U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_beidou_signals_set(mip_gnss_beidou_signals *flags,
-                                               mip_gnss_beidou_signals bits) {
-    *flags = (mip_gnss_beidou_signals)(*flags | bits);
-}
-static inline void mip_gnss_beidou_signals_clear(mip_gnss_beidou_signals *flags,
-                                                 mip_gnss_beidou_signals bits) {
-    *flags = (mip_gnss_beidou_signals)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_beidou_signals_has(mip_gnss_beidou_signals flags,
-                                               mip_gnss_beidou_signals bits) {
-    return (flags & bits) == bits;
-}
 
 /** How SPARTN corrections come. */
 typedef uint8_t mip_gnss_spartn_connection;

@@ -33,20 +33,6 @@ typedef uint16_t mip_gnss_1_gnss_llh_position_flags;
 /** Bits 0 to 4: All of them. */
 #define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_FLAGS 0x001FU
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_1_gnss_llh_position_flags_set(mip_gnss_1_gnss_llh_position_flags *flags,
-                                                          mip_gnss_1_gnss_llh_position_flags bits) {
-    *flags = (mip_gnss_1_gnss_llh_position_flags)(*flags | bits);
-}
-static inline void mip_gnss_1_gnss_llh_position_flags_clear(
-    mip_gnss_1_gnss_llh_position_flags *flags, mip_gnss_1_gnss_llh_position_flags bits) {
-    *flags = (mip_gnss_1_gnss_llh_position_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_1_gnss_llh_position_flags_has(mip_gnss_1_gnss_llh_position_flags flags,
-                                                          mip_gnss_1_gnss_llh_position_flags bits) {
-    return (flags & bits) == bits;
-}
-
 /** Which parts of the position are valid. */
 typedef uint16_t mip_gnss_1_gnss_ecef_position_flags;
 /** Bit 0: Position. */
@@ -55,20 +41,6 @@ typedef uint16_t mip_gnss_1_gnss_ecef_position_flags;
 #define MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_POSITION_ACCURACY 0x0002U
 /** Bits 0 to 1: All of them. */
 #define MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_FLAGS 0x0003U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_1_gnss_ecef_position_flags_set(
-    mip_gnss_1_gnss_ecef_position_flags *flags, mip_gnss_1_gnss_ecef_position_flags bits) {
-    *flags = (mip_gnss_1_gnss_ecef_position_flags)(*flags | bits);
-}
-static inline void mip_gnss_1_gnss_ecef_position_flags_clear(
-    mip_gnss_1_gnss_ecef_position_flags *flags, mip_gnss_1_gnss_ecef_position_flags bits) {
-    *flags = (mip_gnss_1_gnss_ecef_position_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_1_gnss_ecef_position_flags_has(
-    mip_gnss_1_gnss_ecef_position_flags flags, mip_gnss_1_gnss_ecef_position_flags bits) {
-    return (flags & bits) == bits;
-}
 
 /** Which parts of the velocity are valid. */
 typedef uint16_t mip_gnss_1_ned_velocity_flags;
@@ -87,20 +59,6 @@ typedef uint16_t mip_gnss_1_ned_velocity_flags;
 /** Bits 0 to 5: All of them. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_FLAGS 0x003FU
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_1_ned_velocity_flags_set(mip_gnss_1_ned_velocity_flags *flags,
-                                                     mip_gnss_1_ned_velocity_flags bits) {
-    *flags = (mip_gnss_1_ned_velocity_flags)(*flags | bits);
-}
-static inline void mip_gnss_1_ned_velocity_flags_clear(mip_gnss_1_ned_velocity_flags *flags,
-                                                       mip_gnss_1_ned_velocity_flags bits) {
-    *flags = (mip_gnss_1_ned_velocity_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_1_ned_velocity_flags_has(mip_gnss_1_ned_velocity_flags flags,
-                                                     mip_gnss_1_ned_velocity_flags bits) {
-    return (flags & bits) == bits;
-}
-
 /** Which parts of the velocity are valid. */
 typedef uint16_t mip_gnss_1_gnss_ecef_velocity_flags;
 /** Bit 0: Velocity. */
@@ -109,20 +67,6 @@ typedef uint16_t mip_gnss_1_gnss_ecef_velocity_flags;
 #define MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY 0x0002U
 /** Bits 0 to 1: All of them. */
 #define MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_FLAGS 0x0003U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_1_gnss_ecef_velocity_flags_set(
-    mip_gnss_1_gnss_ecef_velocity_flags *flags, mip_gnss_1_gnss_ecef_velocity_flags bits) {
-    *flags = (mip_gnss_1_gnss_ecef_velocity_flags)(*flags | bits);
-}
-static inline void mip_gnss_1_gnss_ecef_velocity_flags_clear(
-    mip_gnss_1_gnss_ecef_velocity_flags *flags, mip_gnss_1_gnss_ecef_velocity_flags bits) {
-    *flags = (mip_gnss_1_gnss_ecef_velocity_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_1_gnss_ecef_velocity_flags_has(
-    mip_gnss_1_gnss_ecef_velocity_flags flags, mip_gnss_1_gnss_ecef_velocity_flags bits) {
-    return (flags & bits) == bits;
-}
 
 /** Which dilutions of precision are valid. */
 typedef uint16_t mip_gnss_1_dop_flags;
@@ -143,19 +87,6 @@ typedef uint16_t mip_gnss_1_dop_flags;
 /** Bits 0 to 6: All of them. */
 #define MIP_GNSS_1_DOP_FLAGS_FLAGS 0x007FU
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_1_dop_flags_set(mip_gnss_1_dop_flags *flags,
-                                            mip_gnss_1_dop_flags bits) {
-    *flags = (mip_gnss_1_dop_flags)(*flags | bits);
-}
-static inline void mip_gnss_1_dop_flags_clear(mip_gnss_1_dop_flags *flags,
-                                              mip_gnss_1_dop_flags bits) {
-    *flags = (mip_gnss_1_dop_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_1_dop_flags_has(mip_gnss_1_dop_flags flags, mip_gnss_1_dop_flags bits) {
-    return (flags & bits) == bits;
-}
-
 /** How far the UTC time is valid. */
 typedef uint16_t mip_gnss_1_utc_time_flags;
 /** Bit 0: Date and time come from GNSS. */
@@ -164,20 +95,6 @@ typedef uint16_t mip_gnss_1_utc_time_flags;
 #define MIP_GNSS_1_UTC_TIME_FLAGS_LEAP_SECONDS_KNOWN 0x0002U
 /** Bits 0 to 1: All of them. */
 #define MIP_GNSS_1_UTC_TIME_FLAGS_FLAGS 0x0003U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_1_utc_time_flags_set(mip_gnss_1_utc_time_flags *flags,
-                                                 mip_gnss_1_utc_time_flags bits) {
-    *flags = (mip_gnss_1_utc_time_flags)(*flags | bits);
-}
-static inline void mip_gnss_1_utc_time_flags_clear(mip_gnss_1_utc_time_flags *flags,
-                                                   mip_gnss_1_utc_time_flags bits) {
-    *flags = (mip_gnss_1_utc_time_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_1_utc_time_flags_has(mip_gnss_1_utc_time_flags flags,
-                                                 mip_gnss_1_utc_time_flags bits) {
-    return (flags & bits) == bits;
-}
 
 /** Which parts of the time are valid. */
 typedef uint16_t mip_gnss_1_gps_time_flags;
@@ -188,39 +105,12 @@ typedef uint16_t mip_gnss_1_gps_time_flags;
 /** Bits 0 to 1: All of them. */
 #define MIP_GNSS_1_GPS_TIME_FLAGS_FLAGS 0x0003U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_1_gps_time_flags_set(mip_gnss_1_gps_time_flags *flags,
-                                                 mip_gnss_1_gps_time_flags bits) {
-    *flags = (mip_gnss_1_gps_time_flags)(*flags | bits);
-}
-static inline void mip_gnss_1_gps_time_flags_clear(mip_gnss_1_gps_time_flags *flags,
-                                                   mip_gnss_1_gps_time_flags bits) {
-    *flags = (mip_gnss_1_gps_time_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_1_gps_time_flags_has(mip_gnss_1_gps_time_flags flags,
-                                                 mip_gnss_1_gps_time_flags bits) {
-    return (flags & bits) == bits;
-}
-
 /** What the fix makes use of. */
 typedef uint16_t mip_gnss_1_fix_flags;
 /** Bit 0: Satellite based augmentation. */
 #define MIP_GNSS_1_FIX_FLAGS_SBAS_USED 0x0001U
 /** Bit 1: Differential corrections. */
 #define MIP_GNSS_1_FIX_FLAGS_DGNSS_USED 0x0002U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_1_fix_flags_set(mip_gnss_1_fix_flags *flags,
-                                            mip_gnss_1_fix_flags bits) {
-    *flags = (mip_gnss_1_fix_flags)(*flags | bits);
-}
-static inline void mip_gnss_1_fix_flags_clear(mip_gnss_1_fix_flags *flags,
-                                              mip_gnss_1_fix_flags bits) {
-    *flags = (mip_gnss_1_fix_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_1_fix_flags_has(mip_gnss_1_fix_flags flags, mip_gnss_1_fix_flags bits) {
-    return (flags & bits) == bits;
-}
 
 /** Which parts of the fix information are valid. */
 typedef uint16_t mip_gnss_1_fix_info_flags;
@@ -232,20 +122,6 @@ typedef uint16_t mip_gnss_1_fix_info_flags;
 #define MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS 0x0004U
 /** Bits 0 to 2: All of them. */
 #define MIP_GNSS_1_FIX_INFO_FLAGS_FLAGS 0x0007U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_1_fix_info_flags_set(mip_gnss_1_fix_info_flags *flags,
-                                                 mip_gnss_1_fix_info_flags bits) {
-    *flags = (mip_gnss_1_fix_info_flags)(*flags | bits);
-}
-static inline void mip_gnss_1_fix_info_flags_clear(mip_gnss_1_fix_info_flags *flags,
-                                                   mip_gnss_1_fix_info_flags bits) {
-    *flags = (mip_gnss_1_fix_info_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_1_fix_info_flags_has(mip_gnss_1_fix_info_flags flags,
-                                                 mip_gnss_1_fix_info_flags bits) {
-    return (flags & bits) == bits;
-}
 
 /** Whether the receiver works. */
 typedef uint8_t mip_gnss_1_receiver_state;
@@ -289,20 +165,6 @@ typedef uint16_t mip_gnss_1_gnss_hardware_status_flags;
 /** Bits 0 to 2: All of them. */
 #define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_FLAGS 0x0007U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_1_gnss_hardware_status_flags_set(
-    mip_gnss_1_gnss_hardware_status_flags *flags, mip_gnss_1_gnss_hardware_status_flags bits) {
-    *flags = (mip_gnss_1_gnss_hardware_status_flags)(*flags | bits);
-}
-static inline void mip_gnss_1_gnss_hardware_status_flags_clear(
-    mip_gnss_1_gnss_hardware_status_flags *flags, mip_gnss_1_gnss_hardware_status_flags bits) {
-    *flags = (mip_gnss_1_gnss_hardware_status_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_1_gnss_hardware_status_flags_has(
-    mip_gnss_1_gnss_hardware_status_flags flags, mip_gnss_1_gnss_hardware_status_flags bits) {
-    return (flags & bits) == bits;
-}
-
 /** Which clock parameters are valid. */
 typedef uint16_t mip_gnss_1_clock_info_2_flags;
 /** Bit 0: Bias. */
@@ -316,38 +178,10 @@ typedef uint16_t mip_gnss_1_clock_info_2_flags;
 /** Bits 0 to 3: All of them. */
 #define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_FLAGS 0x000FU
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_1_clock_info_2_flags_set(mip_gnss_1_clock_info_2_flags *flags,
-                                                     mip_gnss_1_clock_info_2_flags bits) {
-    *flags = (mip_gnss_1_clock_info_2_flags)(*flags | bits);
-}
-static inline void mip_gnss_1_clock_info_2_flags_clear(mip_gnss_1_clock_info_2_flags *flags,
-                                                       mip_gnss_1_clock_info_2_flags bits) {
-    *flags = (mip_gnss_1_clock_info_2_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_1_clock_info_2_flags_has(mip_gnss_1_clock_info_2_flags flags,
-                                                     mip_gnss_1_clock_info_2_flags bits) {
-    return (flags & bits) == bits;
-}
-
 /** Whether the leap seconds are valid. Bit 0 is not used. */
 typedef uint16_t mip_gnss_1_gps_leap_seconds_flags;
 /** Bit 1: Leap seconds. */
 #define MIP_GNSS_1_GPS_LEAP_SECONDS_FLAGS_LEAP_SECONDS 0x0002U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_1_gps_leap_seconds_flags_set(mip_gnss_1_gps_leap_seconds_flags *flags,
-                                                         mip_gnss_1_gps_leap_seconds_flags bits) {
-    *flags = (mip_gnss_1_gps_leap_seconds_flags)(*flags | bits);
-}
-static inline void mip_gnss_1_gps_leap_seconds_flags_clear(mip_gnss_1_gps_leap_seconds_flags *flags,
-                                                           mip_gnss_1_gps_leap_seconds_flags bits) {
-    *flags = (mip_gnss_1_gps_leap_seconds_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_1_gps_leap_seconds_flags_has(mip_gnss_1_gps_leap_seconds_flags flags,
-                                                         mip_gnss_1_gps_leap_seconds_flags bits) {
-    return (flags & bits) == bits;
-}
 
 /** Satellite based augmentation system. */
 typedef uint8_t mip_gnss_1_sbas_system;
@@ -373,20 +207,6 @@ typedef uint8_t mip_gnss_1_sbas_status;
 /** Bit 3: The service is in test mode. */
 #define MIP_GNSS_1_SBAS_STATUS_TEST_MODE 0x08U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_1_sbas_status_set(mip_gnss_1_sbas_status *flags,
-                                              mip_gnss_1_sbas_status bits) {
-    *flags = (mip_gnss_1_sbas_status)(*flags | bits);
-}
-static inline void mip_gnss_1_sbas_status_clear(mip_gnss_1_sbas_status *flags,
-                                                mip_gnss_1_sbas_status bits) {
-    *flags = (mip_gnss_1_sbas_status)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_1_sbas_status_has(mip_gnss_1_sbas_status flags,
-                                              mip_gnss_1_sbas_status bits) {
-    return (flags & bits) == bits;
-}
-
 /** Which parts of the SBAS status are valid. */
 typedef uint16_t mip_gnss_1_sbas_info_flags;
 /** Bit 0: Time of week. */
@@ -403,20 +223,6 @@ typedef uint16_t mip_gnss_1_sbas_info_flags;
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_STATUS 0x0020U
 /** Bits 0 to 5: All of them. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_FLAGS 0x003FU
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_1_sbas_info_flags_set(mip_gnss_1_sbas_info_flags *flags,
-                                                  mip_gnss_1_sbas_info_flags bits) {
-    *flags = (mip_gnss_1_sbas_info_flags)(*flags | bits);
-}
-static inline void mip_gnss_1_sbas_info_flags_clear(mip_gnss_1_sbas_info_flags *flags,
-                                                    mip_gnss_1_sbas_info_flags bits) {
-    *flags = (mip_gnss_1_sbas_info_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_1_sbas_info_flags_has(mip_gnss_1_sbas_info_flags flags,
-                                                  mip_gnss_1_sbas_info_flags bits) {
-    return (flags & bits) == bits;
-}
 
 /** Which parts of the satellite status are valid. */
 typedef uint16_t mip_gnss_1_satellite_status_flags;
@@ -436,20 +242,6 @@ typedef uint16_t mip_gnss_1_satellite_status_flags;
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_HEALTH 0x0040U
 /** Bits 0 to 6: All of them. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_FLAGS 0x007FU
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_1_satellite_status_flags_set(mip_gnss_1_satellite_status_flags *flags,
-                                                         mip_gnss_1_satellite_status_flags bits) {
-    *flags = (mip_gnss_1_satellite_status_flags)(*flags | bits);
-}
-static inline void mip_gnss_1_satellite_status_flags_clear(mip_gnss_1_satellite_status_flags *flags,
-                                                           mip_gnss_1_satellite_status_flags bits) {
-    *flags = (mip_gnss_1_satellite_status_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_1_satellite_status_flags_has(mip_gnss_1_satellite_status_flags flags,
-                                                         mip_gnss_1_satellite_status_flags bits) {
-    return (flags & bits) == bits;
-}
 
 /** How well a signal is tracked. */
 typedef uint8_t mip_gnss_1_signal_quality;
@@ -503,19 +295,6 @@ typedef uint16_t mip_gnss_1_raw_flags;
 /** Bits 0 to 15: All of them. */
 #define MIP_GNSS_1_RAW_FLAGS_FLAGS 0xFFFFU
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_1_raw_flags_set(mip_gnss_1_raw_flags *flags,
-                                            mip_gnss_1_raw_flags bits) {
-    *flags = (mip_gnss_1_raw_flags)(*flags | bits);
-}
-static inline void mip_gnss_1_raw_flags_clear(mip_gnss_1_raw_flags *flags,
-                                              mip_gnss_1_raw_flags bits) {
-    *flags = (mip_gnss_1_raw_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_1_raw_flags_has(mip_gnss_1_raw_flags flags, mip_gnss_1_raw_flags bits) {
-    return (flags & bits) == bits;
-}
-
 /** What an ephemeris of GPS, Galileo or BeiDou holds. */
 typedef uint16_t mip_gnss_1_ephemeris_flags;
 /** Bit 0: The ephemeris is valid. */
@@ -526,20 +305,6 @@ typedef uint16_t mip_gnss_1_ephemeris_flags;
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_ISC_L5 0x0004U
 /** Bits 0 to 2: All of them. */
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_FLAGS 0x0007U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_1_ephemeris_flags_set(mip_gnss_1_ephemeris_flags *flags,
-                                                  mip_gnss_1_ephemeris_flags bits) {
-    *flags = (mip_gnss_1_ephemeris_flags)(*flags | bits);
-}
-static inline void mip_gnss_1_ephemeris_flags_clear(mip_gnss_1_ephemeris_flags *flags,
-                                                    mip_gnss_1_ephemeris_flags bits) {
-    *flags = (mip_gnss_1_ephemeris_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_1_ephemeris_flags_has(mip_gnss_1_ephemeris_flags flags,
-                                                  mip_gnss_1_ephemeris_flags bits) {
-    return (flags & bits) == bits;
-}
 
 /** Generation of a GLONASS satellite. */
 typedef uint8_t mip_gnss_1_glonass_satellite_type;
@@ -554,20 +319,6 @@ typedef uint16_t mip_gnss_1_glonass_ephemeris_flags;
 #define MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
 /** Bit 0: All of them. */
 #define MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_FLAGS 0x0001U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_1_glonass_ephemeris_flags_set(mip_gnss_1_glonass_ephemeris_flags *flags,
-                                                          mip_gnss_1_glonass_ephemeris_flags bits) {
-    *flags = (mip_gnss_1_glonass_ephemeris_flags)(*flags | bits);
-}
-static inline void mip_gnss_1_glonass_ephemeris_flags_clear(
-    mip_gnss_1_glonass_ephemeris_flags *flags, mip_gnss_1_glonass_ephemeris_flags bits) {
-    *flags = (mip_gnss_1_glonass_ephemeris_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_1_glonass_ephemeris_flags_has(mip_gnss_1_glonass_ephemeris_flags flags,
-                                                          mip_gnss_1_glonass_ephemeris_flags bits) {
-    return (flags & bits) == bits;
-}
 
 /**
  * GNSS LLH position: data (0x91,0x03).

@@ -40,23 +40,6 @@ typedef uint16_t mip_gnss_corrections_base_station_indicators;
 /** Bits 6 to 7: Quarter cycle indicator. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_QUARTER_CYCLE_BITS 0x00C0U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_corrections_base_station_indicators_set(
-    mip_gnss_corrections_base_station_indicators *flags,
-    mip_gnss_corrections_base_station_indicators bits) {
-    *flags = (mip_gnss_corrections_base_station_indicators)(*flags | bits);
-}
-static inline void mip_gnss_corrections_base_station_indicators_clear(
-    mip_gnss_corrections_base_station_indicators *flags,
-    mip_gnss_corrections_base_station_indicators bits) {
-    *flags = (mip_gnss_corrections_base_station_indicators)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_corrections_base_station_indicators_has(
-    mip_gnss_corrections_base_station_indicators flags,
-    mip_gnss_corrections_base_station_indicators bits) {
-    return (flags & bits) == bits;
-}
-
 /** Which values are valid. */
 typedef uint16_t mip_gnss_corrections_base_station_info_flags;
 /** Bit 0: Time of week. */
@@ -73,23 +56,6 @@ typedef uint16_t mip_gnss_corrections_base_station_info_flags;
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_INDICATORS 0x0020U
 /** Bits 0 to 5: All of them. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_FLAGS 0x003FU
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_corrections_base_station_info_flags_set(
-    mip_gnss_corrections_base_station_info_flags *flags,
-    mip_gnss_corrections_base_station_info_flags bits) {
-    *flags = (mip_gnss_corrections_base_station_info_flags)(*flags | bits);
-}
-static inline void mip_gnss_corrections_base_station_info_flags_clear(
-    mip_gnss_corrections_base_station_info_flags *flags,
-    mip_gnss_corrections_base_station_info_flags bits) {
-    *flags = (mip_gnss_corrections_base_station_info_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_corrections_base_station_info_flags_has(
-    mip_gnss_corrections_base_station_info_flags flags,
-    mip_gnss_corrections_base_station_info_flags bits) {
-    return (flags & bits) == bits;
-}
 
 /** Corrections that came during an epoch. */
 typedef uint16_t mip_gnss_corrections_rtk_epoch_status;
@@ -112,20 +78,6 @@ typedef uint16_t mip_gnss_corrections_rtk_epoch_status;
 /** Bit 8: The status of the dongle could not be read. */
 #define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_DONGLE_STATUS_READ_FAILED 0x0100U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_corrections_rtk_epoch_status_set(
-    mip_gnss_corrections_rtk_epoch_status *flags, mip_gnss_corrections_rtk_epoch_status bits) {
-    *flags = (mip_gnss_corrections_rtk_epoch_status)(*flags | bits);
-}
-static inline void mip_gnss_corrections_rtk_epoch_status_clear(
-    mip_gnss_corrections_rtk_epoch_status *flags, mip_gnss_corrections_rtk_epoch_status bits) {
-    *flags = (mip_gnss_corrections_rtk_epoch_status)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_corrections_rtk_epoch_status_has(
-    mip_gnss_corrections_rtk_epoch_status flags, mip_gnss_corrections_rtk_epoch_status bits) {
-    return (flags & bits) == bits;
-}
-
 /** Which values are valid. */
 typedef uint16_t mip_gnss_corrections_rtk_corrections_status_flags;
 /** Bit 0: Time of week. */
@@ -146,23 +98,6 @@ typedef uint16_t mip_gnss_corrections_rtk_corrections_status_flags;
 #define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY 0x0080U
 /** Bits 0 to 7: All of them. */
 #define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_FLAGS 0x00FFU
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gnss_corrections_rtk_corrections_status_flags_set(
-    mip_gnss_corrections_rtk_corrections_status_flags *flags,
-    mip_gnss_corrections_rtk_corrections_status_flags bits) {
-    *flags = (mip_gnss_corrections_rtk_corrections_status_flags)(*flags | bits);
-}
-static inline void mip_gnss_corrections_rtk_corrections_status_flags_clear(
-    mip_gnss_corrections_rtk_corrections_status_flags *flags,
-    mip_gnss_corrections_rtk_corrections_status_flags bits) {
-    *flags = (mip_gnss_corrections_rtk_corrections_status_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gnss_corrections_rtk_corrections_status_flags_has(
-    mip_gnss_corrections_rtk_corrections_status_flags flags,
-    mip_gnss_corrections_rtk_corrections_status_flags bits) {
-    return (flags & bits) == bits;
-}
 
 /**
  * Base station info: data (0x93,0x30).

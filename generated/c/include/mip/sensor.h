@@ -42,38 +42,10 @@ typedef uint16_t mip_sensor_overrange_flags;
 /** Bit 12: Pressure sensor. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_PRESS 0x1000U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_sensor_overrange_flags_set(mip_sensor_overrange_flags *flags,
-                                                  mip_sensor_overrange_flags bits) {
-    *flags = (mip_sensor_overrange_flags)(*flags | bits);
-}
-static inline void mip_sensor_overrange_flags_clear(mip_sensor_overrange_flags *flags,
-                                                    mip_sensor_overrange_flags bits) {
-    *flags = (mip_sensor_overrange_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_sensor_overrange_flags_has(mip_sensor_overrange_flags flags,
-                                                  mip_sensor_overrange_flags bits) {
-    return (flags & bits) == bits;
-}
-
 /** Whether the odometer values are valid. */
 typedef uint16_t mip_sensor_odometer_flags;
 /** Bit 0: The odometer is configured. */
 #define MIP_SENSOR_ODOMETER_FLAGS_ODOMETER 0x0001U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_sensor_odometer_flags_set(mip_sensor_odometer_flags *flags,
-                                                 mip_sensor_odometer_flags bits) {
-    *flags = (mip_sensor_odometer_flags)(*flags | bits);
-}
-static inline void mip_sensor_odometer_flags_clear(mip_sensor_odometer_flags *flags,
-                                                   mip_sensor_odometer_flags bits) {
-    *flags = (mip_sensor_odometer_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_sensor_odometer_flags_has(mip_sensor_odometer_flags flags,
-                                                 mip_sensor_odometer_flags bits) {
-    return (flags & bits) == bits;
-}
 
 /**
  * Scaled accel: data (0x80,0x04).

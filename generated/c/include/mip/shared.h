@@ -28,57 +28,15 @@ typedef uint16_t mip_shared_gps_timestamp_flags;
 /** Bits 0 to 1: Both are set. */
 #define MIP_SHARED_GPS_TIMESTAMP_FLAGS_TIME_VALID 0x0003U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_shared_gps_timestamp_flags_set(mip_shared_gps_timestamp_flags *flags,
-                                                      mip_shared_gps_timestamp_flags bits) {
-    *flags = (mip_shared_gps_timestamp_flags)(*flags | bits);
-}
-static inline void mip_shared_gps_timestamp_flags_clear(mip_shared_gps_timestamp_flags *flags,
-                                                        mip_shared_gps_timestamp_flags bits) {
-    *flags = (mip_shared_gps_timestamp_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_shared_gps_timestamp_flags_has(mip_shared_gps_timestamp_flags flags,
-                                                      mip_shared_gps_timestamp_flags bits) {
-    return (flags & bits) == bits;
-}
-
 /** Whether the external time is valid. */
 typedef uint16_t mip_shared_external_timestamp_flags;
 /** Bit 0: The time is valid. */
 #define MIP_SHARED_EXTERNAL_TIMESTAMP_FLAGS_NANOSECONDS 0x0001U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_shared_external_timestamp_flags_set(
-    mip_shared_external_timestamp_flags *flags, mip_shared_external_timestamp_flags bits) {
-    *flags = (mip_shared_external_timestamp_flags)(*flags | bits);
-}
-static inline void mip_shared_external_timestamp_flags_clear(
-    mip_shared_external_timestamp_flags *flags, mip_shared_external_timestamp_flags bits) {
-    *flags = (mip_shared_external_timestamp_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_shared_external_timestamp_flags_has(
-    mip_shared_external_timestamp_flags flags, mip_shared_external_timestamp_flags bits) {
-    return (flags & bits) == bits;
-}
-
 /** Whether the difference of external time is valid. */
 typedef uint16_t mip_shared_external_time_delta_flags;
 /** Bit 0: The difference is valid. */
 #define MIP_SHARED_EXTERNAL_TIME_DELTA_FLAGS_DT_NANOS 0x0001U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_shared_external_time_delta_flags_set(
-    mip_shared_external_time_delta_flags *flags, mip_shared_external_time_delta_flags bits) {
-    *flags = (mip_shared_external_time_delta_flags)(*flags | bits);
-}
-static inline void mip_shared_external_time_delta_flags_clear(
-    mip_shared_external_time_delta_flags *flags, mip_shared_external_time_delta_flags bits) {
-    *flags = (mip_shared_external_time_delta_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_shared_external_time_delta_flags_has(
-    mip_shared_external_time_delta_flags flags, mip_shared_external_time_delta_flags bits) {
-    return (flags & bits) == bits;
-}
 
 /**
  * Event source: data (0xFF,0xD0).

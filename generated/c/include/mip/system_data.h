@@ -29,20 +29,6 @@ typedef uint8_t mip_system_data_gpio_pin_states;
 /** Bit 3: GPIO pin 4. */
 #define MIP_SYSTEM_DATA_GPIO_PIN_STATES_PIN_4 0x08U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_system_data_gpio_pin_states_set(mip_system_data_gpio_pin_states *flags,
-                                                       mip_system_data_gpio_pin_states bits) {
-    *flags = (mip_system_data_gpio_pin_states)(*flags | bits);
-}
-static inline void mip_system_data_gpio_pin_states_clear(mip_system_data_gpio_pin_states *flags,
-                                                         mip_system_data_gpio_pin_states bits) {
-    *flags = (mip_system_data_gpio_pin_states)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_system_data_gpio_pin_states_has(mip_system_data_gpio_pin_states flags,
-                                                       mip_system_data_gpio_pin_states bits) {
-    return (flags & bits) == bits;
-}
-
 /**
  * Built-in test: data (0xA0,0x01).
  *

@@ -32,20 +32,6 @@ typedef uint32_t mip_gx5_built_in_test;
 /** Bit 24: Fault of the estimation filter solution. */
 #define MIP_GX5_BUILT_IN_TEST_SOLUTION_FAULT UINT32_C(0x01000000)
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gx5_built_in_test_set(mip_gx5_built_in_test *flags,
-                                             mip_gx5_built_in_test bits) {
-    *flags = (mip_gx5_built_in_test)(*flags | bits);
-}
-static inline void mip_gx5_built_in_test_clear(mip_gx5_built_in_test *flags,
-                                               mip_gx5_built_in_test bits) {
-    *flags = (mip_gx5_built_in_test)(*flags & ~bits);
-}
-static inline bool mip_gx5_built_in_test_has(mip_gx5_built_in_test flags,
-                                             mip_gx5_built_in_test bits) {
-    return (flags & bits) == bits;
-}
-
 /**
  * Result of the commanded built-in test of the 3DM-CV7-GNSS/INS.
  *
@@ -76,20 +62,6 @@ typedef uint32_t mip_cv7_built_in_test;
 #define MIP_CV7_BUILT_IN_TEST_FILTER_SOLUTION_FAULT UINT32_C(0x00400000)
 /** Bit 23: A fault of the filter subsystem that no other bit names. */
 #define MIP_CV7_BUILT_IN_TEST_GENERAL_FILTER_FAULT UINT32_C(0x00800000)
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_cv7_built_in_test_set(mip_cv7_built_in_test *flags,
-                                             mip_cv7_built_in_test bits) {
-    *flags = (mip_cv7_built_in_test)(*flags | bits);
-}
-static inline void mip_cv7_built_in_test_clear(mip_cv7_built_in_test *flags,
-                                               mip_cv7_built_in_test bits) {
-    *flags = (mip_cv7_built_in_test)(*flags & ~bits);
-}
-static inline bool mip_cv7_built_in_test_has(mip_cv7_built_in_test flags,
-                                             mip_cv7_built_in_test bits) {
-    return (flags & bits) == bits;
-}
 
 /**
  * Flags of the continuous built-in test of the 3DM-CV7-GNSS/INS: bits 0-31 system, 32-63 inertial
@@ -581,20 +553,6 @@ typedef uint8_t mip_event_trigger_status;
 /** Bit 2: In a test mode. */
 #define MIP_EVENT_TRIGGER_STATUS_TEST 0x04U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_event_trigger_status_set(mip_event_trigger_status *flags,
-                                                mip_event_trigger_status bits) {
-    *flags = (mip_event_trigger_status)(*flags | bits);
-}
-static inline void mip_event_trigger_status_clear(mip_event_trigger_status *flags,
-                                                  mip_event_trigger_status bits) {
-    *flags = (mip_event_trigger_status)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_event_trigger_status_has(mip_event_trigger_status flags,
-                                                mip_event_trigger_status bits) {
-    return (flags & bits) == bits;
-}
-
 /**
  * How a GPIO pin activates a trigger.
  *
@@ -1054,17 +1012,6 @@ typedef uint8_t mip_gpio_pin_mode;
  */
 #define MIP_GPIO_PIN_MODE_PULLUP 0x04U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gpio_pin_mode_set(mip_gpio_pin_mode *flags, mip_gpio_pin_mode bits) {
-    *flags = (mip_gpio_pin_mode)(*flags | bits);
-}
-static inline void mip_gpio_pin_mode_clear(mip_gpio_pin_mode *flags, mip_gpio_pin_mode bits) {
-    *flags = (mip_gpio_pin_mode)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gpio_pin_mode_has(mip_gpio_pin_mode flags, mip_gpio_pin_mode bits) {
-    return (flags & bits) == bits;
-}
-
 /**
  * An NMEA-0183 sentence that a device can send.
  *
@@ -1178,20 +1125,6 @@ typedef uint16_t mip_sensor_gps_timestamp_flags;
 /** Bit 4: The week number is valid. */
 #define MIP_SENSOR_GPS_TIMESTAMP_FLAGS_WEEK_NUMBER_VALID 0x0010U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_sensor_gps_timestamp_flags_set(mip_sensor_gps_timestamp_flags *flags,
-                                                      mip_sensor_gps_timestamp_flags bits) {
-    *flags = (mip_sensor_gps_timestamp_flags)(*flags | bits);
-}
-static inline void mip_sensor_gps_timestamp_flags_clear(mip_sensor_gps_timestamp_flags *flags,
-                                                        mip_sensor_gps_timestamp_flags bits) {
-    *flags = (mip_sensor_gps_timestamp_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_sensor_gps_timestamp_flags_has(mip_sensor_gps_timestamp_flags flags,
-                                                      mip_sensor_gps_timestamp_flags bits) {
-    return (flags & bits) == bits;
-}
-
 /**
  * State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits that vouch for the
  * values.
@@ -1205,20 +1138,6 @@ typedef uint16_t mip_gx5_sensor_gps_timestamp_flags;
 #define MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_REFRESH 0x0002U
 /** Bit 2: The time has been set at least once. */
 #define MIP_GX5_SENSOR_GPS_TIMESTAMP_FLAGS_TIME_INITIALIZED 0x0004U
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_gx5_sensor_gps_timestamp_flags_set(mip_gx5_sensor_gps_timestamp_flags *flags,
-                                                          mip_gx5_sensor_gps_timestamp_flags bits) {
-    *flags = (mip_gx5_sensor_gps_timestamp_flags)(*flags | bits);
-}
-static inline void mip_gx5_sensor_gps_timestamp_flags_clear(
-    mip_gx5_sensor_gps_timestamp_flags *flags, mip_gx5_sensor_gps_timestamp_flags bits) {
-    *flags = (mip_gx5_sensor_gps_timestamp_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_gx5_sensor_gps_timestamp_flags_has(mip_gx5_sensor_gps_timestamp_flags flags,
-                                                          mip_gx5_sensor_gps_timestamp_flags bits) {
-    return (flags & bits) == bits;
-}
 
 #ifdef __cplusplus
 }

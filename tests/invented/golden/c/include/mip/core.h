@@ -204,6 +204,39 @@ mip_error mip_decode(const struct mip_codec *codec, void *value, const struct mi
 mip_error mip_encode(const struct mip_codec *codec, const void *value,
                      struct mip_builder *builder);
 
+/* ------------------------------------------------------------------------------------ bitfields */
+
+/** Are all of these bits set? */
+static inline bool mip_has(uint64_t flags, uint64_t bits) {
+    return (flags & bits) == bits;
+}
+
+/** Set and clear bits of a bitfield of 8, 16, 32 or 64 bits. */
+static inline void mip_set_8(uint8_t *flags, uint8_t bits) {
+    *flags = (uint8_t)(*flags | bits);
+}
+static inline void mip_clear_8(uint8_t *flags, uint8_t bits) {
+    *flags = (uint8_t)(*flags & ~(uint32_t)bits);
+}
+static inline void mip_set_16(uint16_t *flags, uint16_t bits) {
+    *flags = (uint16_t)(*flags | bits);
+}
+static inline void mip_clear_16(uint16_t *flags, uint16_t bits) {
+    *flags = (uint16_t)(*flags & ~(uint32_t)bits);
+}
+static inline void mip_set_32(uint32_t *flags, uint32_t bits) {
+    *flags = (uint32_t)(*flags | bits);
+}
+static inline void mip_clear_32(uint32_t *flags, uint32_t bits) {
+    *flags = (uint32_t)(*flags & ~bits);
+}
+static inline void mip_set_64(uint64_t *flags, uint64_t bits) {
+    *flags = (uint64_t)(*flags | bits);
+}
+static inline void mip_clear_64(uint64_t *flags, uint64_t bits) {
+    *flags = (uint64_t)(*flags & ~bits);
+}
+
 /* --------------------------------------------------------------- what generated code is made of */
 
 /** Reads big-endian numbers; nothing after an error, nor behind the last present group. */

@@ -27,20 +27,6 @@ typedef uint32_t mip_tools_model_a_faults;
 /** Bit 24. */
 #define MIP_TOOLS_MODEL_A_FAULTS_SOLUTION UINT32_C(0x01000000)
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_tools_model_a_faults_set(mip_tools_model_a_faults *flags,
-                                                mip_tools_model_a_faults bits) {
-    *flags = (mip_tools_model_a_faults)(*flags | bits);
-}
-static inline void mip_tools_model_a_faults_clear(mip_tools_model_a_faults *flags,
-                                                  mip_tools_model_a_faults bits) {
-    *flags = (mip_tools_model_a_faults)(*flags & ~bits);
-}
-static inline bool mip_tools_model_a_faults_has(mip_tools_model_a_faults flags,
-                                                mip_tools_model_a_faults bits) {
-    return (flags & bits) == bits;
-}
-
 /** Of the model B. */
 typedef uint32_t mip_tools_model_b_faults;
 /** Bit 0. */
@@ -49,20 +35,6 @@ typedef uint32_t mip_tools_model_b_faults;
 #define MIP_TOOLS_MODEL_B_FAULTS_OVERLOAD UINT32_C(0x00000002)
 /** Bit 12. */
 #define MIP_TOOLS_MODEL_B_FAULTS_ACCEL UINT32_C(0x00001000)
-
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_tools_model_b_faults_set(mip_tools_model_b_faults *flags,
-                                                mip_tools_model_b_faults bits) {
-    *flags = (mip_tools_model_b_faults)(*flags | bits);
-}
-static inline void mip_tools_model_b_faults_clear(mip_tools_model_b_faults *flags,
-                                                  mip_tools_model_b_faults bits) {
-    *flags = (mip_tools_model_b_faults)(*flags & ~bits);
-}
-static inline bool mip_tools_model_b_faults_has(mip_tools_model_b_faults flags,
-                                                mip_tools_model_b_faults bits) {
-    return (flags & bits) == bits;
-}
 
 /** Which member the union has. */
 typedef uint8_t mip_tools_shape;

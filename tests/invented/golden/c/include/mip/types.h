@@ -51,17 +51,6 @@ typedef uint16_t mip_state_flags;
 /** Bits 0 to 1: Ready or hot. */
 #define MIP_STATE_FLAGS_ANY 0x0003U
 
-/** Sets bits, clears them, and tells whether all of them are set. */
-static inline void mip_state_flags_set(mip_state_flags *flags, mip_state_flags bits) {
-    *flags = (mip_state_flags)(*flags | bits);
-}
-static inline void mip_state_flags_clear(mip_state_flags *flags, mip_state_flags bits) {
-    *flags = (mip_state_flags)(*flags & ~(uint32_t)bits);
-}
-static inline bool mip_state_flags_has(mip_state_flags flags, mip_state_flags bits) {
-    return (flags & bits) == bits;
-}
-
 /** Bits 4 to 6: A number from 0 to 7. */
 static inline uint8_t mip_state_flags_get_level(mip_state_flags flags) {
     const uint32_t bits = flags & MIP_STATE_FLAGS_LEVEL;
