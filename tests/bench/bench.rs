@@ -14,9 +14,9 @@ fn run(mut data: &[u8], decode: bool, sum: &mut f64) -> f64 {
         }
         for field in packet.fields().flatten() {
             if let Some(Ok(accel)) = field.get::<ScaledAccel>() {
-                *sum += f64::from(accel.scaled_accel[0]);
+                *sum += f64::from(accel.scaled_accel.x);
             } else if let Some(Ok(gyro)) = field.get::<ScaledGyro>() {
-                *sum += f64::from(gyro.scaled_gyro[0]);
+                *sum += f64::from(gyro.scaled_gyro.x);
             }
         }
     }

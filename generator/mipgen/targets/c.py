@@ -55,6 +55,8 @@ def has_code(s: m.Set) -> bool:
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
     """Everything is in one scope in C, but for the members of structures."""
+    for name in _LANGUAGE["runtime"]:
+        yield Identifier("C", f"mip_{name}", f"{name} of the core", None)
     for t in (*model.types, model.protocol.function_selector):
         yield from _type_identifiers(t)
     yield from _field_identifiers(model.protocol.acknowledge)

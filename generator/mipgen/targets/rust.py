@@ -78,11 +78,13 @@ def _samples(model: m.Model) -> dict[str, Any]:
     settings = []
     for f in commands:
         if f.functions and f.functions[0].value == 1 and len(f.responses) == 1:
-            values = [_sample(x) for x in names.arguments(f, f.functions[0])]
-            if values and all(values):
-                settings.append((f, values))
+            write, *_ = f.functions
+            read = next(x for x in f.functions if x.responds)
+            calls = [(x, [_sample(a) for a in names.arguments(f, x)]) for x in (write, read)]
+            if all(value for _, values in calls for value in values):
+                settings.append((f, [f"{constructor(x)}({', '.join(v or '' for v in values)})" for x, values in calls]))
     # One that is set by an enumeration alone reads best.
-    settings.sort(key=lambda pair: not (len(pair[1]) == 1 and isinstance(pair[0].parameters[1].element, m.Enum)))
+    settings.sort(key=lambda pair: not (len(pair[0].parameters) == 2 and isinstance(pair[0].parameters[1].element, m.Enum)))
     return {
         "bare": next((f for f in commands if not f.parameters), None),
         "setting": settings[0] if settings else None,
