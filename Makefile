@@ -107,7 +107,8 @@ tools:
 	need clang "install it (Debian: apt-get install clang)"; \
 	need cmake "install it (Debian: apt-get install cmake)"; \
 	need pkg-config "install it (Debian: apt-get install pkg-config)"; \
-	need cargo "install Rust, see https://rustup.rs"; \
+	need cargo "install Rust by rustup, see https://rustup.rs"; \
+	need rustup "install Rust by rustup: a test builds for a bare-metal target"; \
 	need rustfmt "rustup component add rustfmt"; \
 	need cargo-clippy "rustup component add clippy"; \
 	exit $$missing

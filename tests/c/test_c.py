@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 from mipgen import codec
 from mipgen import model as m
+from mipgen.render import language
 from mipgen.targets import c as target
 from support import ROOT, SPECS, model, need
 
@@ -148,6 +149,19 @@ def test_files_of_two_versions_do_not_mix(tmp_path: Path) -> None:
         capture_output=True, text=True,
     )  # fmt: skip
     assert done.returncode != 0 and "are not of one version" in done.stderr
+
+
+def test_names_of_the_core_are_taken() -> None:
+    """language.yaml knows all of them, so that no name of a specification becomes one."""
+    devices = {f"device_{d.name}" for d in model("real").devices}
+    names, constants = set(), set()
+    for header in ("core", "client", "registry", "reflect", "devices"):
+        text = (folder("real") / f"include/mip/{header}.h").read_text("utf-8")
+        text = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
+        names |= set(re.findall(r"\bmip_(\w+)", text)) - {"ack_code"} - devices
+        constants |= set(re.findall(r"^(?:#define| {3}) MIP_(\w+)", text, re.M)) - {f"{header.upper()}_H"}
+    data = language("c")
+    assert set(data["runtime"]) == names and set(data["constants"]) == constants
 
 
 # --------------------------------------------------------------------------- programs

@@ -92,7 +92,8 @@ def data_literal(data: bytes) -> str:
 
 def enumeration(t: m.Enum) -> Iterator[str]:
     for v in t.values:
-        yield f'assert_eq!(({path(t)}::{rust.constant(v.name)}.0, {path(t)}({v.value}).name()), ({v.value}, Some("{v.name}")));'
+        yield f"assert_eq!({path(t)}::{rust.constant(v.name)}.0, {v.value});"
+        yield f'assert_eq!({path(t)}({v.value}).name(), Some("{v.name}"));'
 
 
 def bitfield(t: m.Bitfield) -> Iterator[str]:
@@ -103,7 +104,7 @@ def bitfield(t: m.Bitfield) -> Iterator[str]:
         return str(number) if t.scalar else f"[{', '.join(str(b) for b in number.to_bytes(t.size, 'little'))}]"
 
     for b in t.bits:
-        kind = rust.unsigned(b, "").removeprefix("crate::")
+        kind = rust.bits_type(b, "").removeprefix("crate::")
         of, get = path(t), rust.method(b.name)
 
         def value(number: int, kind: str = kind, b: m.Bits = b) -> str:
@@ -171,7 +172,8 @@ class _Writer:
         responds = bool(f.responses) and (function is None or function.responds)
         yield f"let command = {expression};"
         yield f"same(command, {data_literal(data)});"
-        yield f"assert_eq!((command.expects_reply(), command.expects_response()), ({str(replies).lower()}, {str(responds).lower()}));"
+        yield f"assert_eq!(command.expects_reply(), {str(replies).lower()});"
+        yield f"assert_eq!(command.expects_response(), {str(responds).lower()});"
 
     def prefixes(self, f: m.Field, data: bytes) -> list[int]:
         found = []
@@ -189,7 +191,7 @@ class _Writer:
         values: codec.Values = {}
         written = {}
         for p in record.parameters:
-            if p.selector or p.constant is not None or p.name not in needed and p.counts not in needed:
+            if p.selector or p.constant is not None or (p.name not in needed and p.counts not in needed):
                 continue
             if p.reserved is not None:
                 values[p.name] = [p.reserved] * p.length if isinstance(p.length, int) else p.reserved
