@@ -76,7 +76,7 @@ fields:
       - {name: y, type: char, count: b, for: W}
       - {name: last, type: u8, optional: true}
     responses:
-      - {response: 0x83, name: string_first_response, parameters: [{name: kind, type: u8, const: 1}, {name: x, type: u8}]}
+      - {response: 0x83, name: string_a_response, parameters: [{name: kind, type: u8, const: 1}, {name: x, type: u8}]}
       - {response: 0x83, name: string_second, parameters: [{name: kind, type: u8, const: 2}, {name: x, type: u16}]}
       - {response: 0x84, name: self, parameters: [{name: x, type: late}]}
 """

@@ -581,7 +581,7 @@ const struct mip_device *const mip_devices[] = {
     &mip_device_cv7_gnss_ins,
     &mip_device_gx5_15,
 };
-const size_t mip_device_count = sizeof(mip_devices) / sizeof(mip_devices[0]);
+const size_t mip_device_count = 2;
 
 const struct mip_device *mip_device_find(const char *id) {
     for (size_t i = 0; i < mip_device_count; i++) {

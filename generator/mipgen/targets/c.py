@@ -15,6 +15,7 @@ from ..render import ROOT, File, language
 TITLE = "C99, library mip"
 WIDTH = 100
 
+_RUNTIME = ROOT / "templates/c/runtime"
 _LANGUAGE = language("c")
 _SCALARS: dict[str, tuple[str, int]] = {k: (v[0], v[1]) for k, v in _LANGUAGE["scalars"].items()}
 _KEYWORDS = frozenset(_LANGUAGE["keywords"])
@@ -38,14 +39,16 @@ def files(model: m.Model) -> Iterator[File]:
     yield File("src/reflection.c", "reflection.c.j2")
     yield File("include/mip/devices.h", "devices.h.j2")
     yield File("src/devices.c", "devices.c.j2")
-    taste = (ROOT / "templates/c/runtime/taste.c").read_text("utf-8").partition("*/\n")[2].rstrip()
+    taste = (_RUNTIME / "taste.c").read_text("utf-8").partition("*/\n")[2].rstrip()
     yield File("README.md", "README.md.j2", {"taste": taste})
     yield File("CMakeLists.txt", "CMakeLists.txt.j2", {"sources": _sources(model)})
 
 
 def _sources(model: m.Model) -> list[str]:
-    fixed = ["client", "core", "devices", "error", "lookup", "parser", "protocol", "reflect", "reflection", "registry"]
-    return sorted([*fixed, "types", *(module(s.name) for s in model.sets if has_code(s))])
+    """The names of all sources: those that are made, and those that are copied."""
+    copied = [path.stem for path in (_RUNTIME / "src").glob("*.c")]
+    made = ["devices", "protocol", "reflection", "registry", "types"]
+    return sorted([*copied, *made, *(module(s.name) for s in model.sets if has_code(s))])
 
 
 def has_code(s: m.Set) -> bool:
@@ -55,8 +58,8 @@ def has_code(s: m.Set) -> bool:
 
 def identifiers(model: m.Model) -> Iterator[Identifier]:
     """Everything is in one scope in C, but for the members of structures."""
-    for name in _LANGUAGE["runtime"]:
-        yield Identifier("C", f"mip_{name}", f"{name} of the core", None)
+    for name in (*(f"mip_{n}" for n in _LANGUAGE["runtime"]), *(f"MIP_{n}" for n in _LANGUAGE["constants"])):
+        yield Identifier("C", name, f"{name} of the core", None)
     for t in (*model.types, model.protocol.function_selector):
         yield from _type_identifiers(t)
     yield from _field_identifiers(model.protocol.acknowledge)
@@ -92,7 +95,7 @@ def _type_identifiers(t: m.Type) -> Iterator[Identifier]:
 def _field_identifiers(f: m.Field) -> Iterator[Identifier]:
     name = field_name(f)
     yield Identifier("C", name, f.full_name, f.position)
-    for end in ("DESCRIPTOR", "NAME"):
+    for end in ("DESCRIPTOR", "NAME", *(macro(f"with_{p.name}") for p, _ in presence(f))):
         yield Identifier("C", f"{macro(name)}_{end}", f.full_name, f.position)
     for end in ("codec", "decode", "encode", *(c.name for c in constructors(f))):
         yield Identifier("C", f"{name}_{end}", f.full_name, f.position)
@@ -160,8 +163,8 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "table": table,
         "define": define,
         "entries": entries,
-        "links": lambda model_: links(model_),
-        "all_types": lambda model_: [*model_.types, *(t for s in model_.sets for t in s.types)],
+        "links": links,
+        "all_types": lambda of: [*of.types, *(t for s in of.sets for t in s.types)],
         "names": names_of,
         "spec_name": lambda t: f"{t.owner}.{t.name}" if t.owner else t.name,
         "reflected": reflected,
@@ -286,9 +289,7 @@ def inside(p: m.Parameter) -> str:
 
 
 def declare(p: m.Parameter, record: Record) -> str:
-    """
-    A member: `float bias[3]`.
-    """
+    """A member: `float bias[3]`."""
     if p.element is None:
         return f"union {union_name(record, p)} {_member(p.name)}"
     return f"{spelled(p.element)} {_member(p.name)}{dimensions(p.operation)}"
@@ -464,7 +465,7 @@ def bits_meaning(b: m.Bits) -> str:
     return f"{place}: {b.description}" if b.description else f"{place}."
 
 
-def case_meaning(member: m.Parameter, p: m.Parameter, record: Record) -> str:
+def case_meaning(member: m.Parameter, p: m.Parameter) -> str:
     """The description of an alternative of the union `p`."""
     tag = next(c.tag.name for c in p.cases if c.parameter is member)
     text = meaning(member, None)

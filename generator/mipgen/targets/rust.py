@@ -6,7 +6,7 @@ import re
 import textwrap
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Union
+from typing import Any
 
 from .. import model as m
 from ..naming import Escape, Identifier, pascal, upper
@@ -18,7 +18,7 @@ WIDTH = 100
 LANGUAGE = language("rust")
 KEYWORDS = frozenset(LANGUAGE["keywords"])
 
-Record = Union[m.Field, m.Struct]
+Record = m.Field | m.Struct
 
 module = Escape(KEYWORDS, digit_prefix="mip_")
 member = Escape(KEYWORDS | frozenset(LANGUAGE["members"]))
@@ -83,13 +83,16 @@ def _samples(model: m.Model) -> dict[str, Any]:
             calls = [(x, [_sample(a) for a in names.arguments(f, x)]) for x in (write, read)]
             if all(value for _, values in calls for value in values):
                 settings.append((f, [f"{constructor(x)}({', '.join(v or '' for v in values)})" for x, values in calls]))
-    # One that is set by an enumeration alone reads best.
-    settings.sort(key=lambda pair: not (len(pair[0].parameters) == 2 and isinstance(pair[0].parameters[1].element, m.Enum)))
+    settings.sort(key=lambda setting: not _is_one_choice(setting[0]))  # that reads best
     return {
         "bare": next((f for f in commands if not f.parameters), None),
         "setting": settings[0] if settings else None,
         "data": next((f for f in model.fields if f.role == m.DATA), None),
     }
+
+
+def _is_one_choice(f: m.Field) -> bool:
+    return len(f.parameters) == 2 and isinstance(f.parameters[1].element, m.Enum)
 
 
 def _sample(x: Member) -> str | None:
@@ -111,9 +114,12 @@ class Member:
 
     name: str
     type: str
-    optional: bool  # an Option: its group may be absent
-    group: m.GroupOp | None
+    group: m.GroupOp | None  # what it comes and goes with; None if it is always there
     parameter: m.Parameter
+
+    @property
+    def optional(self) -> bool:
+        return self.group is not None
 
     @property
     def whole_type(self) -> str:
@@ -191,7 +197,7 @@ class Names:
         match op:
             case m.ScalarOp() | m.CounterOp() | m.ConstantOp():
                 named = op.type if isinstance(op, m.ScalarOp) else None
-                return path(named, here) if named else str(LANGUAGE["scalars"][op.scalar.name])
+                return path(named, here) if named else scalar(op.scalar)
             case m.BitsOp():
                 return path(op.type, here)
             case m.TextOp():
@@ -210,12 +216,13 @@ class Names:
         raise AssertionError(op)
 
     def members(self, record: Record) -> list[Member]:
-        groups = {o.member: g for g in record.operations if isinstance(g, m.GroupOp) for o in g.body if not isinstance(o, m.GroupOp)}
-        return [
-            Member(member(p.name), self.rust(p.operation, home(record)), p.name in groups, groups.get(p.name), p)
-            for p in record.parameters
-            if is_kept(p)
-        ]
+        groups = [op for op in record.operations if isinstance(op, m.GroupOp)]
+        found = []
+        for p in record.parameters:
+            if is_kept(p):
+                group = next((g for g in groups if p.operation in g.body), None)
+                found.append(Member(member(p.name), self.rust(p.operation, home(record)), group, p))
+        return found
 
     # ------------------------------------------------------------------ constructors
 
@@ -279,13 +286,11 @@ class Names:
                 if tag is not None:
                     pattern = " | ".join(f"{tag.type}::{constant(v)}" for v in labels)
                     pattern = f"Some({pattern})" if tag.optional else pattern
-                what = f"when `{tag.parameter.name}` is {' or '.join(labels)}" if tag else f"on the {' and the '.join(self._devices(labels))}"
-                found.append(
-                    Accessor(
-                        f"{x.parameter.name}_as_{t.name}", path(t, here),
-                        f"The meaning of `{x.parameter.name}` {what}.", x, tag, pattern,
-                    )  # fmt: skip
-                )
+                    what = f"when `{tag.parameter.name}` is {' or '.join(labels)}"
+                else:
+                    what = f"on the {' and the '.join(self._devices(labels))}"
+                name, meaning = f"{x.parameter.name}_as_{t.name}", f"The meaning of `{x.parameter.name}` {what}."
+                found.append(Accessor(name, path(t, here), meaning, x, tag, pattern))
         return found
 
     def _devices(self, ids: list[str]) -> list[str]:
@@ -295,9 +300,9 @@ class Names:
 
 def _argument(x: Member) -> str:
     """The type of a constructor's argument: what is easy to give."""
-    if x.type == LANGUAGE["scalars"]["bool"]:
+    if x.type == scalar(m.SCALARS["bool"]):
         return "bool"
-    if x.type.startswith("crate::List<") or isinstance(x.parameter.element, m.Vector) and x.parameter.length is None:
+    if x.type.startswith("crate::List<") or (isinstance(x.parameter.element, m.Vector) and x.parameter.length is None):
         return f"impl Into<{x.type}>"
     return x.type
 
@@ -309,10 +314,15 @@ def reserved_value(x: Member) -> str:
 
 def inner(t: m.Enum | m.Bitfield) -> str:
     """What a newtype wraps."""
-    return str(LANGUAGE["scalars"][t.scalar.name]) if t.scalar else f"[u8; {t.size}]"
+    return f"[u8; {t.size}]" if isinstance(t, m.Bitfield) and t.scalar is None else scalar(t.scalar)
 
 
-def unsigned(bits: m.Bits, here: str) -> str:
+def scalar(of: m.Scalar | None) -> str:
+    assert of is not None
+    return str(LANGUAGE["scalars"][of.name])
+
+
+def bits_type(bits: m.Bits, here: str) -> str:
     """The type of some bits: a flag, an enumeration, or the smallest number that holds them."""
     if bits.enum is not None:
         return path(bits.enum, here)
@@ -321,7 +331,7 @@ def unsigned(bits: m.Bits, here: str) -> str:
 
 def is_plain(op: m.Operation) -> bool:
     """Does the type alone know how to read and write itself?"""
-    return not (op.kind == "switch" or isinstance(op, (m.ArrayOp, m.TextOp)) and op.count is None)
+    return not (op.kind == "switch" or (isinstance(op, (m.ArrayOp, m.TextOp)) and op.count is None))
 
 
 def is_long(op: m.Operation) -> bool:
@@ -385,8 +395,9 @@ def doc(text: str, indent: int = 0, marker: str = "///") -> str:
         if paragraph.startswith("|"):
             out += paragraph.split("\n")
         else:
-            width = WIDTH - indent - len(marker) - 1
-            out += textwrap.wrap(paragraph, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False)
+            wrapper = textwrap.TextWrapper(WIDTH - indent - len(marker) - 1, subsequent_indent=hanging)
+            wrapper.break_long_words = wrapper.break_on_hyphens = False
+            out += wrapper.wrap(paragraph)
     return "\n".join(f"{margin}{marker} {line}".rstrip() for line in out)
 
 
@@ -553,7 +564,11 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
     def required_arms(f: m.Field) -> list[tuple[str, int]]:
         """How many parameters the functions need, as patterns; those that need none are left out."""
         counts = sorted({count for _, count in f.required if count}, reverse=True)
-        return [(" | ".join(f"F::{constant(functions[v].name)}" for v, c in f.required if c == count), count) for count in counts]
+        found = []
+        for count in counts:
+            names_of = [f"F::{constant(functions[value].name)}" for value, needs in f.required if needs == count]
+            found.append((" | ".join(names_of), count))
+        return found
 
     def condition(op: m.GroupOp, f: m.Field) -> str:
         """When a group must be there."""
@@ -573,11 +588,11 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         if isinstance(element, m.Enum):
             known = element.by_name(c.label)
             value = f"{x.type}::{constant(known.name)}" if known else f"{x.type}({c.value})"
-        elif x.type == LANGUAGE["scalars"]["bool"]:
+        elif x.type == scalar(m.SCALARS["bool"]):
             value = f"{x.type}({c.value})"
         return f"Some({value})" if x.optional else value
 
-    def conversions() -> list[tuple[m.Enum | m.Bitfield, m.Enum | m.Bitfield, list[m.Device]]]:
+    def conversions(model: m.Model) -> list[tuple[m.Enum | m.Bitfield, m.Enum | m.Bitfield, list[m.Device]]]:
         """Types that devices read as other types: from, to, and by which devices."""
         known = {t.name: t for t in (*model.types, *(t for s in model.sets for t in s.types))}
         found: dict[tuple[str, str], tuple[Any, Any, list[m.Device]]] = {}
@@ -647,7 +662,8 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
 
     def base_rates(d: m.Device) -> list[str]:
         sets = {s.name: s.number for s in model.sets}
-        return [literal("BaseRate", [f"set: 0x{sets[name]:02X}", f"hertz: {number(rate)}"], 8) for name, rate in d.base_rates]
+        rates = [(f"0x{sets[name]:02X}", number(rate)) for name, rate in d.base_rates]
+        return [literal("BaseRate", [f"set: {number}", f"hertz: {rate}"], 8) for number, rate in rates]
 
     def readings(d: m.Device) -> list[str]:
         return [literal("Reading", [f"of: {quoted(of)}", f"read_as: {quoted(t.name)}"], 8) for of, t in d.readings]
@@ -687,25 +703,30 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
     def default_case(op: m.SwitchOp) -> m.Case | None:
         return next((c for c in op.cases if c.tag.value == 0), None)
 
-    return {
-        "module": module, "member": member, "method": method, "type_name": type_name, "variant": variant, "constant": constant,
-        "path": path, "home": home, "rust": names.rust, "inner": inner, "bits_type": unsigned,
-        "members": names.members, "constructors": names.constructors, "accessors": names.accessors,
-        "unions_of": names.unions_of, "find_union": names.find_union, "group_members": group_members, "tag_of": tag_of,
-        "default_case": default_case, "defaults": defaults, "declaration": declaration, "byte_constants": byte_constants, "if_let": if_let, "derives_default": derives_default, "is_long": is_long,
-        "variants": variants, "required_arms": required_arms, "condition": condition, "selected": selected,
-        "condition_value": condition_value, "conversions": lambda _: conversions(), "commands_of": commands_of, "sets_of": sets_of,
-        "layouts": layouts, "original": original, "structs": structs, "supported": supported, "is_kept": is_kept,
-        "doc": doc, "prose": prose, "quoted": quoted, "fit": fit, "link": link, "number": number, "bounds": bounds,
-        "tidy": tidy, "imports": imports, "is_plain": is_plain, "set_range": set_range, "set_pattern": set_pattern,
-        "linked": linked, "ports": ports, "limits": limits, "base_rates": base_rates, "readings": readings,
-        "ack_codes": ack_codes, "option": option, "wrap": wrap, "listing": listing, "arm": arm, "assign": assign, "hex": lambda n: f"0x{n:02X}",
-        "some": lambda name: f"Some({name})", "reference": lambda name: f"&{name}",
-        "scalar": lambda scalar: LANGUAGE["scalars"][scalar.name],
+    def qualified(name: str, where: str) -> str:
+        return f"types::{name}" if where == "types" else f"crate::{where}::{name}"
+
+    def functions_by(f: m.Field, letters: str) -> list[str]:
+        return [constant(x.name) for x in f.functions if x.letter in letters]
+
+    offered: list[Callable[..., Any]] = [
+        ack_codes, arm, assign, base_rates, bits_type, bounds, byte_constants, commands_of, condition, condition_value,
+        constant, conversions, declaration, default_case, defaults, derives_default, doc, fit, functions_by,
+        group_members, home, if_let, imports, inner, is_long, is_plain, layouts, limits, link, linked, listing,
+        names.accessors, names.constructors, names.members, names.rust, names.unions_of, original, path, ports, prose,
+        qualified, quoted, readings, required_arms, scalar, selected, set_pattern, set_range, structs, supported,
+        tag_of, tidy, type_name, variant, variants, wrap,
+    ]  # fmt: skip
+    plain: dict[str, Callable[..., Any]] = {
+        "module": module,
+        "method": method,
+        "member": member,
+        "hex": lambda n: f"0x{n:02X}",
+        "some": lambda name: f"Some({name})",
+        "reference": lambda name: f"&{name}",
         "condition_text": lambda c: f"`{c.parameter}` is {c.label}",
-        "qualified": lambda name, where: f"types::{name}" if where == "types" else f"crate::{where}::{name}",
-        "functions_by": lambda f, letters: [constant(x.name) for x in f.functions if x.letter in letters],
-    }  # fmt: skip
+    }
+    return plain | {f.__name__: f for f in offered}
 
 
 # --------------------------------------------------------------------------- identifiers
@@ -727,9 +748,10 @@ def identifiers(model: m.Model) -> Iterable[Identifier]:
             yield Identifier(module(s.name), type_name(f.name), f.full_name, f.position)
             yield Identifier("registry", type_name(f"{s.name}_{f.name}"), f.full_name, f.position)
             if len(f.responses) > 1:
-                yield Identifier(module(s.name), type_name(f"{f.name}_responses"), f"the responses of {f.full_name}", f.position)
+                several = f"the responses of {f.full_name}"
+                yield Identifier(module(s.name), type_name(f"{f.name}_responses"), several, f.position)
                 for name, kind in variants(f):
-                    yield Identifier(f"the responses of {f.full_name}", name, kind, f.position)
+                    yield Identifier(several, name, kind, f.position)
         for f in s.own_fields:
             yield from _record(names, f, f.full_name)
     for here, name, op, record in names.unions:

@@ -108,7 +108,7 @@ extern const struct mip_device mip_device_gx5_15;
 extern const struct mip_device *const mip_devices[];
 extern const size_t mip_device_count;
 
-/** A device by its id ("3dm-cv7-gnss-ins"); NULL if it is unknown. */
+/** A device by its id ("3dm-gx5-15"); NULL if it is unknown. */
 const struct mip_device *mip_device_find(const char *id);
 
 /** Does the device support a command or a data field? NULL if it does not. */
