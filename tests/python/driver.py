@@ -52,7 +52,7 @@ def decode(request: dict[str, Any]) -> dict[str, Any]:
                     shown["raw"] = raw.data.hex()
                 else:
                     value, trailing = kind.decode_with_trailing(raw.data)
-                    shown |= {"name": registry.name(raw.set, kind), "role": kind.ROLE}
+                    shown |= {"name": kind.NAME, "role": kind.ROLE}
                     shown |= {"values": record(value), "trailing": trailing}
             except DecodeError as error:
                 shown |= {"error": error.kind, "raw": raw.data.hex()}
@@ -129,7 +129,7 @@ def encode(request: dict[str, Any]) -> dict[str, Any]:
             builder.add(field["descriptor"], bytes.fromhex(field["raw"]))
             continue
         kinds = registry.types(request["set"], field["descriptor"])
-        kind = next((k for k in kinds if registry.name(request["set"], k) == field["name"]), None)
+        kind = next((k for k in kinds if k.NAME == field["name"]), None)
         if kind is None:
             raise EncodeError("unknown", field["name"])
         builder.add(field["descriptor"], built(kind, field["values"]).encode())

@@ -101,7 +101,8 @@ mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_data *value,
 
 mip_error mip_3dm_poll_imu_data_encode(const struct mip_3dm_poll_imu_data *value,
                                        struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_POLL_IMU_DATA_DESCRIPTOR, write_poll_imu_data, value);
+    return mip_encode_field(builder, 0x0C, MIP_3DM_POLL_IMU_DATA_DESCRIPTOR, write_poll_imu_data,
+                            value);
 }
 
 struct mip_3dm_poll_imu_data mip_3dm_poll_imu_data_make(
@@ -159,7 +160,7 @@ mip_error mip_3dm_poll_estimation_filter_data_decode(
 
 mip_error mip_3dm_poll_estimation_filter_data_encode(
     const struct mip_3dm_poll_estimation_filter_data *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_POLL_ESTIMATION_FILTER_DATA_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_POLL_ESTIMATION_FILTER_DATA_DESCRIPTOR,
                             write_poll_estimation_filter_data, value);
 }
 
@@ -215,7 +216,7 @@ mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_data *value,
 
 mip_error mip_3dm_poll_nmea_data_encode(const struct mip_3dm_poll_nmea_data *value,
                                         struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_POLL_NMEA_DATA_DESCRIPTOR, write_poll_nmea_data,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_POLL_NMEA_DATA_DESCRIPTOR, write_poll_nmea_data,
                             value);
 }
 
@@ -248,8 +249,8 @@ mip_error mip_3dm_get_imu_data_base_rate_decode(struct mip_3dm_get_imu_data_base
 
 mip_error mip_3dm_get_imu_data_base_rate_encode(const struct mip_3dm_get_imu_data_base_rate *value,
                                                 struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GET_IMU_DATA_BASE_RATE_DESCRIPTOR, mip_write_nothing,
-                            value);
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_IMU_DATA_BASE_RATE_DESCRIPTOR,
+                            mip_write_nothing, value);
 }
 
 static void read_get_imu_data_base_rate_response(struct mip_reader *r, void *value) {
@@ -283,7 +284,7 @@ mip_error mip_3dm_get_imu_data_base_rate_response_decode(
 
 mip_error mip_3dm_get_imu_data_base_rate_response_encode(
     const struct mip_3dm_get_imu_data_base_rate_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GET_IMU_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_IMU_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
                             write_get_imu_data_base_rate_response, value);
 }
 
@@ -333,7 +334,7 @@ mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_message_format *v
 
 mip_error mip_3dm_imu_message_format_encode(const struct mip_3dm_imu_message_format *value,
                                             struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_IMU_MESSAGE_FORMAT_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_IMU_MESSAGE_FORMAT_DESCRIPTOR,
                             write_imu_message_format, value);
 }
 
@@ -412,7 +413,7 @@ mip_error mip_3dm_imu_message_format_response_decode(
 
 mip_error mip_3dm_imu_message_format_response_encode(
     const struct mip_3dm_imu_message_format_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
                             write_imu_message_format_response, value);
 }
 
@@ -465,7 +466,7 @@ mip_error mip_3dm_estimation_filter_message_format_decode(
 
 mip_error mip_3dm_estimation_filter_message_format_encode(
     const struct mip_3dm_estimation_filter_message_format *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_DESCRIPTOR,
                             write_estimation_filter_message_format, value);
 }
 
@@ -552,7 +553,8 @@ mip_error mip_3dm_estimation_filter_message_format_response_decode(
 mip_error mip_3dm_estimation_filter_message_format_response_encode(
     const struct mip_3dm_estimation_filter_message_format_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C,
+                            MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
                             write_estimation_filter_message_format_response, value);
 }
 
@@ -574,7 +576,7 @@ mip_error mip_3dm_get_estimation_filter_data_base_rate_decode(
 
 mip_error mip_3dm_get_estimation_filter_data_base_rate_encode(
     const struct mip_3dm_get_estimation_filter_data_base_rate *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_DESCRIPTOR,
                             mip_write_nothing, value);
 }
 
@@ -612,7 +614,7 @@ mip_error mip_3dm_get_estimation_filter_data_base_rate_response_decode(
 mip_error mip_3dm_get_estimation_filter_data_base_rate_response_encode(
     const struct mip_3dm_get_estimation_filter_data_base_rate_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x0C,
                             MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
                             write_get_estimation_filter_data_base_rate_response, value);
 }
@@ -663,7 +665,7 @@ mip_error mip_3dm_nmea_message_format_decode(struct mip_3dm_nmea_message_format 
 
 mip_error mip_3dm_nmea_message_format_encode(const struct mip_3dm_nmea_message_format *value,
                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_NMEA_MESSAGE_FORMAT_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_NMEA_MESSAGE_FORMAT_DESCRIPTOR,
                             write_nmea_message_format, value);
 }
 
@@ -742,7 +744,7 @@ mip_error mip_3dm_nmea_message_format_response_decode(
 
 mip_error mip_3dm_nmea_message_format_response_encode(
     const struct mip_3dm_nmea_message_format_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
                             write_nmea_message_format_response, value);
 }
 
@@ -784,7 +786,7 @@ mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value, const struct
 
 mip_error mip_3dm_poll_data_encode(const struct mip_3dm_poll_data *value,
                                    struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_POLL_DATA_DESCRIPTOR, write_poll_data, value);
+    return mip_encode_field(builder, 0x0C, MIP_3DM_POLL_DATA_DESCRIPTOR, write_poll_data, value);
 }
 
 struct mip_3dm_poll_data mip_3dm_poll_data_make(uint8_t desc_set, mip_bool suppress_ack,
@@ -828,7 +830,7 @@ mip_error mip_3dm_get_data_base_rate_decode(struct mip_3dm_get_data_base_rate *v
 
 mip_error mip_3dm_get_data_base_rate_encode(const struct mip_3dm_get_data_base_rate *value,
                                             struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GET_DATA_BASE_RATE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_DATA_BASE_RATE_DESCRIPTOR,
                             write_get_data_base_rate, value);
 }
 
@@ -871,7 +873,7 @@ mip_error mip_3dm_get_data_base_rate_response_decode(
 
 mip_error mip_3dm_get_data_base_rate_response_encode(
     const struct mip_3dm_get_data_base_rate_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GET_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
                             write_get_data_base_rate_response, value);
 }
 
@@ -924,7 +926,7 @@ mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
 
 mip_error mip_3dm_message_format_encode(const struct mip_3dm_message_format *value,
                                         struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR, write_message_format,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR, write_message_format,
                             value);
 }
 
@@ -1009,7 +1011,7 @@ mip_error mip_3dm_message_format_response_decode(struct mip_3dm_message_format_r
 
 mip_error mip_3dm_message_format_response_encode(
     const struct mip_3dm_message_format_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
                             write_message_format_response, value);
 }
 
@@ -1043,8 +1045,8 @@ mip_error mip_3dm_factory_streaming_decode(struct mip_3dm_factory_streaming *val
 
 mip_error mip_3dm_factory_streaming_encode(const struct mip_3dm_factory_streaming *value,
                                            struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_FACTORY_STREAMING_DESCRIPTOR, write_factory_streaming,
-                            value);
+    return mip_encode_field(builder, 0x0C, MIP_3DM_FACTORY_STREAMING_DESCRIPTOR,
+                            write_factory_streaming, value);
 }
 
 struct mip_3dm_factory_streaming mip_3dm_factory_streaming_make(
@@ -1099,7 +1101,7 @@ mip_error mip_3dm_data_stream_control_decode(struct mip_3dm_data_stream_control 
 
 mip_error mip_3dm_data_stream_control_encode(const struct mip_3dm_data_stream_control *value,
                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR,
                             write_data_stream_control, value);
 }
 
@@ -1177,7 +1179,7 @@ mip_error mip_3dm_data_stream_control_response_decode(
 
 mip_error mip_3dm_data_stream_control_response_encode(
     const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_DESCRIPTOR,
                             write_data_stream_control_response, value);
 }
 
@@ -1231,7 +1233,7 @@ mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sbas_settings *v
 
 mip_error mip_3dm_gnss_sbas_settings_encode(const struct mip_3dm_gnss_sbas_settings *value,
                                             struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GNSS_SBAS_SETTINGS_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_SBAS_SETTINGS_DESCRIPTOR,
                             write_gnss_sbas_settings, value);
 }
 
@@ -1313,7 +1315,7 @@ mip_error mip_3dm_gnss_sbas_settings_response_decode(
 
 mip_error mip_3dm_gnss_sbas_settings_response_encode(
     const struct mip_3dm_gnss_sbas_settings_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_DESCRIPTOR,
                             write_gnss_sbas_settings_response, value);
 }
 
@@ -1357,7 +1359,7 @@ mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_source_control *v
 
 mip_error mip_3dm_pps_source_control_encode(const struct mip_3dm_pps_source_control *value,
                                             struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR,
                             write_pps_source_control, value);
 }
 
@@ -1427,7 +1429,7 @@ mip_error mip_3dm_pps_source_control_response_decode(
 
 mip_error mip_3dm_pps_source_control_response_encode(
     const struct mip_3dm_pps_source_control_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
                             write_pps_source_control_response, value);
 }
 
@@ -1460,7 +1462,7 @@ mip_error mip_3dm_get_supported_events_decode(struct mip_3dm_get_supported_event
 
 mip_error mip_3dm_get_supported_events_encode(const struct mip_3dm_get_supported_events *value,
                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GET_SUPPORTED_EVENTS_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_SUPPORTED_EVENTS_DESCRIPTOR,
                             write_get_supported_events, value);
 }
 
@@ -1512,7 +1514,7 @@ mip_error mip_3dm_get_supported_events_response_decode(
 
 mip_error mip_3dm_get_supported_events_response_encode(
     const struct mip_3dm_get_supported_events_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GET_SUPPORTED_EVENTS_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_SUPPORTED_EVENTS_RESPONSE_DESCRIPTOR,
                             write_get_supported_events_response, value);
 }
 
@@ -1559,7 +1561,8 @@ mip_error mip_3dm_event_control_decode(struct mip_3dm_event_control *value,
 
 mip_error mip_3dm_event_control_encode(const struct mip_3dm_event_control *value,
                                        struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_EVENT_CONTROL_DESCRIPTOR, write_event_control, value);
+    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_CONTROL_DESCRIPTOR, write_event_control,
+                            value);
 }
 
 struct mip_3dm_event_control mip_3dm_event_control_write(uint8_t instance,
@@ -1635,7 +1638,7 @@ mip_error mip_3dm_event_control_response_decode(struct mip_3dm_event_control_res
 
 mip_error mip_3dm_event_control_response_encode(const struct mip_3dm_event_control_response *value,
                                                 struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_EVENT_CONTROL_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_CONTROL_RESPONSE_DESCRIPTOR,
                             write_event_control_response, value);
 }
 
@@ -1670,7 +1673,7 @@ mip_error mip_3dm_get_event_trigger_status_decode(struct mip_3dm_get_event_trigg
 
 mip_error mip_3dm_get_event_trigger_status_encode(
     const struct mip_3dm_get_event_trigger_status *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GET_EVENT_TRIGGER_STATUS_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_EVENT_TRIGGER_STATUS_DESCRIPTOR,
                             write_get_event_trigger_status, value);
 }
 
@@ -1721,7 +1724,7 @@ mip_error mip_3dm_get_event_trigger_status_response_decode(
 
 mip_error mip_3dm_get_event_trigger_status_response_encode(
     const struct mip_3dm_get_event_trigger_status_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_DESCRIPTOR,
                             write_get_event_trigger_status_response, value);
 }
 
@@ -1756,7 +1759,7 @@ mip_error mip_3dm_get_event_action_status_decode(struct mip_3dm_get_event_action
 
 mip_error mip_3dm_get_event_action_status_encode(
     const struct mip_3dm_get_event_action_status *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GET_EVENT_ACTION_STATUS_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_EVENT_ACTION_STATUS_DESCRIPTOR,
                             write_get_event_action_status, value);
 }
 
@@ -1807,7 +1810,7 @@ mip_error mip_3dm_get_event_action_status_response_decode(
 
 mip_error mip_3dm_get_event_action_status_response_encode(
     const struct mip_3dm_get_event_action_status_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_DESCRIPTOR,
                             write_get_event_action_status_response, value);
 }
 
@@ -1885,7 +1888,7 @@ mip_error mip_3dm_event_trigger_configuration_decode(
 
 mip_error mip_3dm_event_trigger_configuration_encode(
     const struct mip_3dm_event_trigger_configuration *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_EVENT_TRIGGER_CONFIGURATION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_TRIGGER_CONFIGURATION_DESCRIPTOR,
                             write_event_trigger_configuration, value);
 }
 
@@ -1998,7 +2001,7 @@ mip_error mip_3dm_event_trigger_configuration_response_decode(
 
 mip_error mip_3dm_event_trigger_configuration_response_encode(
     const struct mip_3dm_event_trigger_configuration_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_EVENT_TRIGGER_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_TRIGGER_CONFIGURATION_RESPONSE_DESCRIPTOR,
                             write_event_trigger_configuration_response, value);
 }
 
@@ -2074,7 +2077,7 @@ mip_error mip_3dm_event_action_configuration_decode(
 
 mip_error mip_3dm_event_action_configuration_encode(
     const struct mip_3dm_event_action_configuration *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_EVENT_ACTION_CONFIGURATION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_ACTION_CONFIGURATION_DESCRIPTOR,
                             write_event_action_configuration, value);
 }
 
@@ -2184,7 +2187,7 @@ mip_error mip_3dm_event_action_configuration_response_decode(
 
 mip_error mip_3dm_event_action_configuration_response_encode(
     const struct mip_3dm_event_action_configuration_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_EVENT_ACTION_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_EVENT_ACTION_CONFIGURATION_RESPONSE_DESCRIPTOR,
                             write_event_action_configuration_response, value);
 }
 
@@ -2217,7 +2220,7 @@ mip_error mip_3dm_device_start_up_settings_decode(struct mip_3dm_device_start_up
 
 mip_error mip_3dm_device_start_up_settings_encode(
     const struct mip_3dm_device_start_up_settings *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_DEVICE_START_UP_SETTINGS_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_DEVICE_START_UP_SETTINGS_DESCRIPTOR,
                             write_device_start_up_settings, value);
 }
 
@@ -2296,7 +2299,7 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_decode(
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_encode(
     const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x0C,
                             MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_DESCRIPTOR,
                             write_sensor_to_vehicle_frame_transformation_euler, value);
 }
@@ -2384,7 +2387,7 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_encode(
     const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response *value,
     struct mip_builder *builder) {
     return mip_encode_field(
-        builder, MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_DESCRIPTOR,
+        builder, 0x0C, MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_DESCRIPTOR,
         write_sensor_to_vehicle_frame_transformation_euler_response, value);
 }
 
@@ -2437,7 +2440,7 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_decode(
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_encode(
     const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x0C,
                             MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_DESCRIPTOR,
                             write_sensor_to_vehicle_frame_transformation_quaternion, value);
 }
@@ -2519,7 +2522,8 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_enc
     const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response *value,
     struct mip_builder *builder) {
     return mip_encode_field(
-        builder, MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_DESCRIPTOR,
+        builder, 0x0C,
+        MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_DESCRIPTOR,
         write_sensor_to_vehicle_frame_transformation_quaternion_response, value);
 }
 
@@ -2576,7 +2580,8 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
     const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *value,
     struct mip_builder *builder) {
     return mip_encode_field(
-        builder, MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_DESCRIPTOR,
+        builder, 0x0C,
+        MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_DESCRIPTOR,
         write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix, value);
 }
 
@@ -2659,7 +2664,7 @@ mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_
     const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *value,
     struct mip_builder *builder) {
     return mip_encode_field(
-        builder,
+        builder, 0x0C,
         MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_DESCRIPTOR,
         write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response, value);
 }
@@ -2713,7 +2718,7 @@ mip_error mip_3dm_accelerometer_bias_configuration_decode(
 
 mip_error mip_3dm_accelerometer_bias_configuration_encode(
     const struct mip_3dm_accelerometer_bias_configuration *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_DESCRIPTOR,
                             write_accelerometer_bias_configuration, value);
 }
 
@@ -2801,7 +2806,8 @@ mip_error mip_3dm_accelerometer_bias_configuration_response_decode(
 mip_error mip_3dm_accelerometer_bias_configuration_response_encode(
     const struct mip_3dm_accelerometer_bias_configuration_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C,
+                            MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR,
                             write_accelerometer_bias_configuration_response, value);
 }
 
@@ -2853,7 +2859,7 @@ mip_error mip_3dm_gyroscope_bias_configuration_decode(
 
 mip_error mip_3dm_gyroscope_bias_configuration_encode(
     const struct mip_3dm_gyroscope_bias_configuration *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_DESCRIPTOR,
                             write_gyroscope_bias_configuration, value);
 }
 
@@ -2935,7 +2941,7 @@ mip_error mip_3dm_gyroscope_bias_configuration_response_decode(
 mip_error mip_3dm_gyroscope_bias_configuration_response_encode(
     const struct mip_3dm_gyroscope_bias_configuration_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR,
                             write_gyroscope_bias_configuration_response, value);
 }
 
@@ -2968,7 +2974,7 @@ mip_error mip_3dm_capture_gyroscope_bias_decode(struct mip_3dm_capture_gyroscope
 
 mip_error mip_3dm_capture_gyroscope_bias_encode(const struct mip_3dm_capture_gyroscope_bias *value,
                                                 struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_CAPTURE_GYROSCOPE_BIAS_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_CAPTURE_GYROSCOPE_BIAS_DESCRIPTOR,
                             write_capture_gyroscope_bias, value);
 }
 
@@ -3022,7 +3028,7 @@ mip_error mip_3dm_magnetometer_hard_iron_offset_decode(
 
 mip_error mip_3dm_magnetometer_hard_iron_offset_encode(
     const struct mip_3dm_magnetometer_hard_iron_offset *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_DESCRIPTOR,
                             write_magnetometer_hard_iron_offset, value);
 }
 
@@ -3095,7 +3101,8 @@ mip_error mip_3dm_magnetometer_hard_iron_offset_response_decode(
 mip_error mip_3dm_magnetometer_hard_iron_offset_response_encode(
     const struct mip_3dm_magnetometer_hard_iron_offset_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C,
+                            MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR,
                             write_magnetometer_hard_iron_offset_response, value);
 }
 
@@ -3141,7 +3148,7 @@ mip_error mip_3dm_magnetometer_soft_iron_matrix_decode(
 
 mip_error mip_3dm_magnetometer_soft_iron_matrix_encode(
     const struct mip_3dm_magnetometer_soft_iron_matrix *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_DESCRIPTOR,
                             write_magnetometer_soft_iron_matrix, value);
 }
 
@@ -3214,7 +3221,8 @@ mip_error mip_3dm_magnetometer_soft_iron_matrix_response_decode(
 mip_error mip_3dm_magnetometer_soft_iron_matrix_response_encode(
     const struct mip_3dm_magnetometer_soft_iron_matrix_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C,
+                            MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR,
                             write_magnetometer_soft_iron_matrix_response, value);
 }
 
@@ -3260,7 +3268,7 @@ mip_error mip_3dm_coning_and_sculling_enable_decode(
 
 mip_error mip_3dm_coning_and_sculling_enable_encode(
     const struct mip_3dm_coning_and_sculling_enable *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_CONING_AND_SCULLING_ENABLE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_CONING_AND_SCULLING_ENABLE_DESCRIPTOR,
                             write_coning_and_sculling_enable, value);
 }
 
@@ -3332,7 +3340,7 @@ mip_error mip_3dm_coning_and_sculling_enable_response_decode(
 
 mip_error mip_3dm_coning_and_sculling_enable_response_encode(
     const struct mip_3dm_coning_and_sculling_enable_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_CONING_AND_SCULLING_ENABLE_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_CONING_AND_SCULLING_ENABLE_RESPONSE_DESCRIPTOR,
                             write_coning_and_sculling_enable_response, value);
 }
 
@@ -3375,7 +3383,7 @@ mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_rate *value,
 
 mip_error mip_3dm_uart_baud_rate_encode(const struct mip_3dm_uart_baud_rate *value,
                                         struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_UART_BAUD_RATE_DESCRIPTOR, write_uart_baud_rate,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_UART_BAUD_RATE_DESCRIPTOR, write_uart_baud_rate,
                             value);
 }
 
@@ -3444,7 +3452,7 @@ mip_error mip_3dm_uart_baud_rate_response_decode(struct mip_3dm_uart_baud_rate_r
 
 mip_error mip_3dm_uart_baud_rate_response_encode(
     const struct mip_3dm_uart_baud_rate_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_UART_BAUD_RATE_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_UART_BAUD_RATE_RESPONSE_DESCRIPTOR,
                             write_uart_baud_rate_response, value);
 }
 
@@ -3500,7 +3508,7 @@ mip_error mip_3dm_gpio_configuration_decode(struct mip_3dm_gpio_configuration *v
 
 mip_error mip_3dm_gpio_configuration_encode(const struct mip_3dm_gpio_configuration *value,
                                             struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GPIO_CONFIGURATION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GPIO_CONFIGURATION_DESCRIPTOR,
                             write_gpio_configuration, value);
 }
 
@@ -3586,7 +3594,7 @@ mip_error mip_3dm_gpio_configuration_response_decode(
 
 mip_error mip_3dm_gpio_configuration_response_encode(
     const struct mip_3dm_gpio_configuration_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GPIO_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GPIO_CONFIGURATION_RESPONSE_DESCRIPTOR,
                             write_gpio_configuration_response, value);
 }
 
@@ -3633,7 +3641,7 @@ mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *value,
 
 mip_error mip_3dm_gpio_state_encode(const struct mip_3dm_gpio_state *value,
                                     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GPIO_STATE_DESCRIPTOR, write_gpio_state, value);
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GPIO_STATE_DESCRIPTOR, write_gpio_state, value);
 }
 
 struct mip_3dm_gpio_state mip_3dm_gpio_state_write(uint8_t pin, mip_bool state) {
@@ -3683,7 +3691,7 @@ mip_error mip_3dm_gpio_state_response_decode(struct mip_3dm_gpio_state_response 
 
 mip_error mip_3dm_gpio_state_response_encode(const struct mip_3dm_gpio_state_response *value,
                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GPIO_STATE_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GPIO_STATE_RESPONSE_DESCRIPTOR,
                             write_gpio_state_response, value);
 }
 
@@ -3736,7 +3744,7 @@ mip_error mip_3dm_odometer_configuration_decode(struct mip_3dm_odometer_configur
 
 mip_error mip_3dm_odometer_configuration_encode(const struct mip_3dm_odometer_configuration *value,
                                                 struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_ODOMETER_CONFIGURATION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_ODOMETER_CONFIGURATION_DESCRIPTOR,
                             write_odometer_configuration, value);
 }
 
@@ -3814,7 +3822,7 @@ mip_error mip_3dm_odometer_configuration_response_decode(
 
 mip_error mip_3dm_odometer_configuration_response_encode(
     const struct mip_3dm_odometer_configuration_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_ODOMETER_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_ODOMETER_CONFIGURATION_RESPONSE_DESCRIPTOR,
                             write_odometer_configuration_response, value);
 }
 
@@ -3877,7 +3885,7 @@ mip_error mip_3dm_advanced_low_pass_filter_settings_decode(
 
 mip_error mip_3dm_advanced_low_pass_filter_settings_encode(
     const struct mip_3dm_advanced_low_pass_filter_settings *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_DESCRIPTOR,
                             write_advanced_low_pass_filter_settings, value);
 }
 
@@ -3971,7 +3979,8 @@ mip_error mip_3dm_advanced_low_pass_filter_settings_response_decode(
 mip_error mip_3dm_advanced_low_pass_filter_settings_response_encode(
     const struct mip_3dm_advanced_low_pass_filter_settings_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C,
+                            MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_DESCRIPTOR,
                             write_advanced_low_pass_filter_settings_response, value);
 }
 
@@ -4030,7 +4039,7 @@ mip_error mip_3dm_complementary_filter_configuration_decode(
 
 mip_error mip_3dm_complementary_filter_configuration_encode(
     const struct mip_3dm_complementary_filter_configuration *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_DESCRIPTOR,
                             write_complementary_filter_configuration, value);
 }
 
@@ -4119,7 +4128,8 @@ mip_error mip_3dm_complementary_filter_configuration_response_decode(
 mip_error mip_3dm_complementary_filter_configuration_response_encode(
     const struct mip_3dm_complementary_filter_configuration_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C,
+                            MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_DESCRIPTOR,
                             write_complementary_filter_configuration_response, value);
 }
 
@@ -4166,7 +4176,8 @@ mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range *value,
 
 mip_error mip_3dm_sensor_range_encode(const struct mip_3dm_sensor_range *value,
                                       struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_SENSOR_RANGE_DESCRIPTOR, write_sensor_range, value);
+    return mip_encode_field(builder, 0x0C, MIP_3DM_SENSOR_RANGE_DESCRIPTOR, write_sensor_range,
+                            value);
 }
 
 struct mip_3dm_sensor_range mip_3dm_sensor_range_write(mip_3dm_sensor_range_type sensor,
@@ -4242,7 +4253,7 @@ mip_error mip_3dm_sensor_range_response_decode(struct mip_3dm_sensor_range_respo
 
 mip_error mip_3dm_sensor_range_response_encode(const struct mip_3dm_sensor_range_response *value,
                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_SENSOR_RANGE_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_SENSOR_RANGE_RESPONSE_DESCRIPTOR,
                             write_sensor_range_response, value);
 }
 
@@ -4276,7 +4287,7 @@ mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
 
 mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
     const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_DESCRIPTOR,
                             write_get_calibrated_sensor_ranges, value);
 }
 
@@ -4328,7 +4339,7 @@ mip_error mip_3dm_get_calibrated_sensor_ranges_response_decode(
 mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
     const struct mip_3dm_get_calibrated_sensor_ranges_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_DESCRIPTOR,
                             write_get_calibrated_sensor_ranges_response, value);
 }
 
@@ -4390,7 +4401,7 @@ mip_error mip_3dm_low_pass_anti_aliasing_filter_decode(
 
 mip_error mip_3dm_low_pass_anti_aliasing_filter_encode(
     const struct mip_3dm_low_pass_anti_aliasing_filter *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_DESCRIPTOR,
                             write_low_pass_anti_aliasing_filter, value);
 }
 
@@ -4487,7 +4498,8 @@ mip_error mip_3dm_low_pass_anti_aliasing_filter_response_decode(
 mip_error mip_3dm_low_pass_anti_aliasing_filter_response_encode(
     const struct mip_3dm_low_pass_anti_aliasing_filter_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C,
+                            MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_DESCRIPTOR,
                             write_low_pass_anti_aliasing_filter_response, value);
 }
 
@@ -4521,7 +4533,8 @@ mip_error mip_3dm_device_status_decode(struct mip_3dm_device_status *value,
 
 mip_error mip_3dm_device_status_encode(const struct mip_3dm_device_status *value,
                                        struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_DEVICE_STATUS_DESCRIPTOR, write_device_status, value);
+    return mip_encode_field(builder, 0x0C, MIP_3DM_DEVICE_STATUS_DESCRIPTOR, write_device_status,
+                            value);
 }
 
 struct mip_3dm_device_status mip_3dm_device_status_make(
@@ -4570,7 +4583,7 @@ mip_error mip_3dm_device_status_basic_response_decode(
 
 mip_error mip_3dm_device_status_basic_response_encode(
     const struct mip_3dm_device_status_basic_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_DESCRIPTOR,
                             write_device_status_basic_response, value);
 }
 
@@ -4635,6 +4648,6 @@ mip_error mip_3dm_device_status_diagnostic_response_decode(
 
 mip_error mip_3dm_device_status_diagnostic_response_encode(
     const struct mip_3dm_device_status_diagnostic_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0C, MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR,
                             write_device_status_diagnostic_response, value);
 }

@@ -91,7 +91,7 @@ mip_error mip_aiding_frame_configuration_decode(struct mip_aiding_frame_configur
 
 mip_error mip_aiding_frame_configuration_encode(const struct mip_aiding_frame_configuration *value,
                                                 struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_AIDING_FRAME_CONFIGURATION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x13, MIP_AIDING_FRAME_CONFIGURATION_DESCRIPTOR,
                             write_frame_configuration, value);
 }
 
@@ -201,7 +201,7 @@ mip_error mip_aiding_frame_configuration_response_decode(
 
 mip_error mip_aiding_frame_configuration_response_encode(
     const struct mip_aiding_frame_configuration_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_AIDING_FRAME_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x13, MIP_AIDING_FRAME_CONFIGURATION_RESPONSE_DESCRIPTOR,
                             write_frame_configuration_response, value);
 }
 
@@ -244,7 +244,8 @@ mip_error mip_aiding_echo_control_decode(struct mip_aiding_echo_control *value,
 
 mip_error mip_aiding_echo_control_encode(const struct mip_aiding_echo_control *value,
                                          struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_AIDING_ECHO_CONTROL_DESCRIPTOR, write_echo_control, value);
+    return mip_encode_field(builder, 0x13, MIP_AIDING_ECHO_CONTROL_DESCRIPTOR, write_echo_control,
+                            value);
 }
 
 struct mip_aiding_echo_control mip_aiding_echo_control_write(mip_aiding_echo_mode mode) {
@@ -312,7 +313,7 @@ mip_error mip_aiding_echo_control_response_decode(struct mip_aiding_echo_control
 
 mip_error mip_aiding_echo_control_response_encode(
     const struct mip_aiding_echo_control_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_AIDING_ECHO_CONTROL_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x13, MIP_AIDING_ECHO_CONTROL_RESPONSE_DESCRIPTOR,
                             write_echo_control_response, value);
 }
 
@@ -352,7 +353,7 @@ mip_error mip_aiding_ecef_position_decode(struct mip_aiding_ecef_position *value
 
 mip_error mip_aiding_ecef_position_encode(const struct mip_aiding_ecef_position *value,
                                           struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_AIDING_ECEF_POSITION_DESCRIPTOR, write_ecef_position,
+    return mip_encode_field(builder, 0x13, MIP_AIDING_ECEF_POSITION_DESCRIPTOR, write_ecef_position,
                             value);
 }
 
@@ -409,7 +410,8 @@ mip_error mip_aiding_llh_position_decode(struct mip_aiding_llh_position *value,
 
 mip_error mip_aiding_llh_position_encode(const struct mip_aiding_llh_position *value,
                                          struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_AIDING_LLH_POSITION_DESCRIPTOR, write_llh_position, value);
+    return mip_encode_field(builder, 0x13, MIP_AIDING_LLH_POSITION_DESCRIPTOR, write_llh_position,
+                            value);
 }
 
 struct mip_aiding_llh_position mip_aiding_llh_position_make(
@@ -465,7 +467,7 @@ mip_error mip_aiding_height_above_ellipsoid_decode(struct mip_aiding_height_abov
 
 mip_error mip_aiding_height_above_ellipsoid_encode(
     const struct mip_aiding_height_above_ellipsoid *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID_DESCRIPTOR,
+    return mip_encode_field(builder, 0x13, MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID_DESCRIPTOR,
                             write_height_above_ellipsoid, value);
 }
 
@@ -518,7 +520,7 @@ mip_error mip_aiding_ecef_velocity_decode(struct mip_aiding_ecef_velocity *value
 
 mip_error mip_aiding_ecef_velocity_encode(const struct mip_aiding_ecef_velocity *value,
                                           struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_AIDING_ECEF_VELOCITY_DESCRIPTOR, write_ecef_velocity,
+    return mip_encode_field(builder, 0x13, MIP_AIDING_ECEF_VELOCITY_DESCRIPTOR, write_ecef_velocity,
                             value);
 }
 
@@ -571,7 +573,8 @@ mip_error mip_aiding_ned_velocity_decode(struct mip_aiding_ned_velocity *value,
 
 mip_error mip_aiding_ned_velocity_encode(const struct mip_aiding_ned_velocity *value,
                                          struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_AIDING_NED_VELOCITY_DESCRIPTOR, write_ned_velocity, value);
+    return mip_encode_field(builder, 0x13, MIP_AIDING_NED_VELOCITY_DESCRIPTOR, write_ned_velocity,
+                            value);
 }
 
 struct mip_aiding_ned_velocity mip_aiding_ned_velocity_make(
@@ -624,7 +627,7 @@ mip_error mip_aiding_body_frame_velocity_decode(struct mip_aiding_body_frame_vel
 
 mip_error mip_aiding_body_frame_velocity_encode(const struct mip_aiding_body_frame_velocity *value,
                                                 struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_AIDING_BODY_FRAME_VELOCITY_DESCRIPTOR,
+    return mip_encode_field(builder, 0x13, MIP_AIDING_BODY_FRAME_VELOCITY_DESCRIPTOR,
                             write_body_frame_velocity, value);
 }
 
@@ -677,7 +680,8 @@ mip_error mip_aiding_true_heading_decode(struct mip_aiding_true_heading *value,
 
 mip_error mip_aiding_true_heading_encode(const struct mip_aiding_true_heading *value,
                                          struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_AIDING_TRUE_HEADING_DESCRIPTOR, write_true_heading, value);
+    return mip_encode_field(builder, 0x13, MIP_AIDING_TRUE_HEADING_DESCRIPTOR, write_true_heading,
+                            value);
 }
 
 struct mip_aiding_true_heading mip_aiding_true_heading_make(
@@ -729,8 +733,8 @@ mip_error mip_aiding_magnetic_field_decode(struct mip_aiding_magnetic_field *val
 
 mip_error mip_aiding_magnetic_field_encode(const struct mip_aiding_magnetic_field *value,
                                            struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_AIDING_MAGNETIC_FIELD_DESCRIPTOR, write_magnetic_field,
-                            value);
+    return mip_encode_field(builder, 0x13, MIP_AIDING_MAGNETIC_FIELD_DESCRIPTOR,
+                            write_magnetic_field, value);
 }
 
 struct mip_aiding_magnetic_field mip_aiding_magnetic_field_make(
@@ -782,7 +786,7 @@ mip_error mip_aiding_pressure_decode(struct mip_aiding_pressure *value,
 
 mip_error mip_aiding_pressure_encode(const struct mip_aiding_pressure *value,
                                      struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_AIDING_PRESSURE_DESCRIPTOR, write_pressure, value);
+    return mip_encode_field(builder, 0x13, MIP_AIDING_PRESSURE_DESCRIPTOR, write_pressure, value);
 }
 
 struct mip_aiding_pressure mip_aiding_pressure_make(const struct mip_aiding_measurement_time *time,

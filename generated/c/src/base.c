@@ -37,7 +37,7 @@ mip_error mip_base_ping_decode(struct mip_base_ping *value, const struct mip_fie
 }
 
 mip_error mip_base_ping_encode(const struct mip_base_ping *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_PING_DESCRIPTOR, mip_write_nothing, value);
+    return mip_encode_field(builder, 0x01, MIP_BASE_PING_DESCRIPTOR, mip_write_nothing, value);
 }
 
 const struct mip_codec mip_base_set_to_idle_codec = {
@@ -58,7 +58,8 @@ mip_error mip_base_set_to_idle_decode(struct mip_base_set_to_idle *value,
 
 mip_error mip_base_set_to_idle_encode(const struct mip_base_set_to_idle *value,
                                       struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_SET_TO_IDLE_DESCRIPTOR, mip_write_nothing, value);
+    return mip_encode_field(builder, 0x01, MIP_BASE_SET_TO_IDLE_DESCRIPTOR, mip_write_nothing,
+                            value);
 }
 
 const struct mip_codec mip_base_get_device_information_codec = {
@@ -79,8 +80,8 @@ mip_error mip_base_get_device_information_decode(struct mip_base_get_device_info
 
 mip_error mip_base_get_device_information_encode(
     const struct mip_base_get_device_information *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_GET_DEVICE_INFORMATION_DESCRIPTOR, mip_write_nothing,
-                            value);
+    return mip_encode_field(builder, 0x01, MIP_BASE_GET_DEVICE_INFORMATION_DESCRIPTOR,
+                            mip_write_nothing, value);
 }
 
 static void read_get_device_information_response(struct mip_reader *r, void *value) {
@@ -114,7 +115,7 @@ mip_error mip_base_get_device_information_response_decode(
 
 mip_error mip_base_get_device_information_response_encode(
     const struct mip_base_get_device_information_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_GET_DEVICE_INFORMATION_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x01, MIP_BASE_GET_DEVICE_INFORMATION_RESPONSE_DESCRIPTOR,
                             write_get_device_information_response, value);
 }
 
@@ -136,8 +137,8 @@ mip_error mip_base_get_device_descriptors_decode(struct mip_base_get_device_desc
 
 mip_error mip_base_get_device_descriptors_encode(
     const struct mip_base_get_device_descriptors *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_GET_DEVICE_DESCRIPTORS_DESCRIPTOR, mip_write_nothing,
-                            value);
+    return mip_encode_field(builder, 0x01, MIP_BASE_GET_DEVICE_DESCRIPTORS_DESCRIPTOR,
+                            mip_write_nothing, value);
 }
 
 static void read_get_device_descriptors_response(struct mip_reader *r, void *value) {
@@ -172,7 +173,7 @@ mip_error mip_base_get_device_descriptors_response_decode(
 
 mip_error mip_base_get_device_descriptors_response_encode(
     const struct mip_base_get_device_descriptors_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x01, MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE_DESCRIPTOR,
                             write_get_device_descriptors_response, value);
 }
 
@@ -194,7 +195,8 @@ mip_error mip_base_built_in_test_decode(struct mip_base_built_in_test *value,
 
 mip_error mip_base_built_in_test_encode(const struct mip_base_built_in_test *value,
                                         struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_BUILT_IN_TEST_DESCRIPTOR, mip_write_nothing, value);
+    return mip_encode_field(builder, 0x01, MIP_BASE_BUILT_IN_TEST_DESCRIPTOR, mip_write_nothing,
+                            value);
 }
 
 static void read_built_in_test_response(struct mip_reader *r, void *value) {
@@ -226,7 +228,7 @@ mip_error mip_base_built_in_test_response_decode(struct mip_base_built_in_test_r
 
 mip_error mip_base_built_in_test_response_encode(
     const struct mip_base_built_in_test_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_BUILT_IN_TEST_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x01, MIP_BASE_BUILT_IN_TEST_RESPONSE_DESCRIPTOR,
                             write_built_in_test_response, value);
 }
 
@@ -246,7 +248,7 @@ mip_error mip_base_resume_decode(struct mip_base_resume *value, const struct mip
 }
 
 mip_error mip_base_resume_encode(const struct mip_base_resume *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_RESUME_DESCRIPTOR, mip_write_nothing, value);
+    return mip_encode_field(builder, 0x01, MIP_BASE_RESUME_DESCRIPTOR, mip_write_nothing, value);
 }
 
 const struct mip_codec mip_base_get_device_descriptors_extended_codec = {
@@ -267,7 +269,7 @@ mip_error mip_base_get_device_descriptors_extended_decode(
 
 mip_error mip_base_get_device_descriptors_extended_encode(
     const struct mip_base_get_device_descriptors_extended *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_DESCRIPTOR,
+    return mip_encode_field(builder, 0x01, MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_DESCRIPTOR,
                             mip_write_nothing, value);
 }
 
@@ -306,7 +308,8 @@ mip_error mip_base_get_device_descriptors_extended_response_decode(
 mip_error mip_base_get_device_descriptors_extended_response_encode(
     const struct mip_base_get_device_descriptors_extended_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x01,
+                            MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_RESPONSE_DESCRIPTOR,
                             write_get_device_descriptors_extended_response, value);
 }
 
@@ -328,7 +331,7 @@ mip_error mip_base_continuous_built_in_test_decode(struct mip_base_continuous_bu
 
 mip_error mip_base_continuous_built_in_test_encode(
     const struct mip_base_continuous_built_in_test *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_CONTINUOUS_BUILT_IN_TEST_DESCRIPTOR,
+    return mip_encode_field(builder, 0x01, MIP_BASE_CONTINUOUS_BUILT_IN_TEST_DESCRIPTOR,
                             mip_write_nothing, value);
 }
 
@@ -363,7 +366,7 @@ mip_error mip_base_continuous_built_in_test_response_decode(
 
 mip_error mip_base_continuous_built_in_test_response_encode(
     const struct mip_base_continuous_built_in_test_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x01, MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE_DESCRIPTOR,
                             write_continuous_built_in_test_response, value);
 }
 
@@ -410,8 +413,8 @@ mip_error mip_base_comm_port_speed_decode(struct mip_base_comm_port_speed *value
 
 mip_error mip_base_comm_port_speed_encode(const struct mip_base_comm_port_speed *value,
                                           struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_COMM_PORT_SPEED_DESCRIPTOR, write_comm_port_speed,
-                            value);
+    return mip_encode_field(builder, 0x01, MIP_BASE_COMM_PORT_SPEED_DESCRIPTOR,
+                            write_comm_port_speed, value);
 }
 
 struct mip_base_comm_port_speed mip_base_comm_port_speed_write(uint8_t port, uint32_t baud) {
@@ -486,7 +489,7 @@ mip_error mip_base_comm_port_speed_response_decode(struct mip_base_comm_port_spe
 
 mip_error mip_base_comm_port_speed_response_encode(
     const struct mip_base_comm_port_speed_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_COMM_PORT_SPEED_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x01, MIP_BASE_COMM_PORT_SPEED_RESPONSE_DESCRIPTOR,
                             write_comm_port_speed_response, value);
 }
 
@@ -538,8 +541,8 @@ mip_error mip_base_gps_time_update_decode(struct mip_base_gps_time_update *value
 
 mip_error mip_base_gps_time_update_encode(const struct mip_base_gps_time_update *value,
                                           struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_GPS_TIME_UPDATE_DESCRIPTOR, write_gps_time_update,
-                            value);
+    return mip_encode_field(builder, 0x01, MIP_BASE_GPS_TIME_UPDATE_DESCRIPTOR,
+                            write_gps_time_update, value);
 }
 
 struct mip_base_gps_time_update mip_base_gps_time_update_write(mip_base_gps_time_field field_id,
@@ -602,7 +605,7 @@ mip_error mip_base_gps_time_update_week_number_response_decode(
 mip_error mip_base_gps_time_update_week_number_response_encode(
     const struct mip_base_gps_time_update_week_number_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x01, MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_DESCRIPTOR,
                             write_gps_time_update_week_number_response, value);
 }
 
@@ -638,7 +641,8 @@ mip_error mip_base_gps_time_update_time_of_week_response_decode(
 mip_error mip_base_gps_time_update_time_of_week_response_encode(
     const struct mip_base_gps_time_update_time_of_week_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x01,
+                            MIP_BASE_GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_DESCRIPTOR,
                             write_gps_time_update_time_of_week_response, value);
 }
 
@@ -660,5 +664,6 @@ mip_error mip_base_reset_device_decode(struct mip_base_reset_device *value,
 
 mip_error mip_base_reset_device_encode(const struct mip_base_reset_device *value,
                                        struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_BASE_RESET_DEVICE_DESCRIPTOR, mip_write_nothing, value);
+    return mip_encode_field(builder, 0x01, MIP_BASE_RESET_DEVICE_DESCRIPTOR, mip_write_nothing,
+                            value);
 }

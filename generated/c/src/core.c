@@ -274,12 +274,27 @@ uint8_t mip_read_present(const struct mip_reader *r) {
 
 /* ------------------------------------------------------------------------------------- encoding */
 
-mip_error mip_encode_field(struct mip_builder *builder, uint8_t descriptor,
+/**
+ * Can a field stand in this packet? Commands and their responses only in their own set, the
+ * acknowledge field in every command set, data in every data set: sets share them.
+ */
+static bool belongs(const struct mip_builder *builder, uint8_t descriptor_set) {
+    const uint8_t packet = builder->buffer[2];
+    if (descriptor_set >= 0x80) {
+        return packet >= 0x80;
+    }
+    return descriptor_set == 0 ? packet < 0x80 : packet == descriptor_set;
+}
+
+mip_error mip_encode_field(struct mip_builder *builder, uint8_t descriptor_set, uint8_t descriptor,
                            mip_write_function write, const void *value) {
     struct mip_writer w;
     size_t room;
     if (!room_for_field(builder, &room)) {
         return MIP_ERROR_LENGTH;
+    }
+    if (!belongs(builder, descriptor_set)) {
+        return MIP_ERROR_SET;
     }
     memset(&w, 0, sizeof(w));
     w.at = builder->buffer + builder->length + 2;
@@ -296,7 +311,7 @@ mip_error mip_encode_field(struct mip_builder *builder, uint8_t descriptor,
 
 mip_error mip_encode(const struct mip_codec *codec, const void *value,
                      struct mip_builder *builder) {
-    return mip_encode_field(builder, codec->descriptor, codec->write, value);
+    return mip_encode_field(builder, codec->descriptor_set, codec->descriptor, codec->write, value);
 }
 
 static void fail_writing(struct mip_writer *w, mip_error error) {

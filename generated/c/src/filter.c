@@ -21,7 +21,7 @@ mip_error mip_filter_reset_navigation_filter_decode(
 
 mip_error mip_filter_reset_navigation_filter_encode(
     const struct mip_filter_reset_navigation_filter *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_RESET_NAVIGATION_FILTER_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_RESET_NAVIGATION_FILTER_DESCRIPTOR,
                             mip_write_nothing, value);
 }
 
@@ -58,7 +58,7 @@ mip_error mip_filter_set_initial_attitude_decode(struct mip_filter_set_initial_a
 
 mip_error mip_filter_set_initial_attitude_encode(
     const struct mip_filter_set_initial_attitude *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_SET_INITIAL_ATTITUDE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SET_INITIAL_ATTITUDE_DESCRIPTOR,
                             write_set_initial_attitude, value);
 }
 
@@ -102,7 +102,7 @@ mip_error mip_filter_set_initial_heading_control_decode(
 
 mip_error mip_filter_set_initial_heading_control_encode(
     const struct mip_filter_set_initial_heading_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_SET_INITIAL_HEADING_CONTROL_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SET_INITIAL_HEADING_CONTROL_DESCRIPTOR,
                             write_set_initial_heading_control, value);
 }
 
@@ -132,8 +132,8 @@ mip_error mip_filter_run_navigation_filter_decode(struct mip_filter_run_navigati
 
 mip_error mip_filter_run_navigation_filter_encode(
     const struct mip_filter_run_navigation_filter *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_RUN_NAVIGATION_FILTER_DESCRIPTOR, mip_write_nothing,
-                            value);
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_RUN_NAVIGATION_FILTER_DESCRIPTOR,
+                            mip_write_nothing, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -189,7 +189,8 @@ mip_error mip_filter_sensor_to_vehicle_frame_transformation_decode(
 mip_error mip_filter_sensor_to_vehicle_frame_transformation_encode(
     const struct mip_filter_sensor_to_vehicle_frame_transformation *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DESCRIPTOR,
                             write_sensor_to_vehicle_frame_transformation, value);
 }
 
@@ -275,7 +276,7 @@ mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_decode(
 mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_encode(
     const struct mip_filter_sensor_to_vehicle_frame_transformation_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_DESCRIPTOR,
                             write_sensor_to_vehicle_frame_transformation_response, value);
 }
@@ -322,7 +323,7 @@ mip_error mip_filter_gnss_antenna_offset_control_decode(
 
 mip_error mip_filter_gnss_antenna_offset_control_encode(
     const struct mip_filter_gnss_antenna_offset_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
                             write_gnss_antenna_offset_control, value);
 }
 
@@ -395,7 +396,8 @@ mip_error mip_filter_gnss_antenna_offset_control_response_decode(
 mip_error mip_filter_gnss_antenna_offset_control_response_encode(
     const struct mip_filter_gnss_antenna_offset_control_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR,
                             write_gnss_antenna_offset_control_response, value);
 }
 
@@ -441,7 +443,7 @@ mip_error mip_filter_estimation_control_flags_decode(
 
 mip_error mip_filter_estimation_control_flags_encode(
     const struct mip_filter_estimation_control_flags *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_ESTIMATION_CONTROL_FLAGS_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ESTIMATION_CONTROL_FLAGS_DESCRIPTOR,
                             write_estimation_control_flags, value);
 }
 
@@ -513,7 +515,7 @@ mip_error mip_filter_estimation_control_flags_response_decode(
 
 mip_error mip_filter_estimation_control_flags_response_encode(
     const struct mip_filter_estimation_control_flags_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_ESTIMATION_CONTROL_FLAGS_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ESTIMATION_CONTROL_FLAGS_RESPONSE_DESCRIPTOR,
                             write_estimation_control_flags_response, value);
 }
 
@@ -559,7 +561,7 @@ mip_error mip_filter_gnss_aiding_source_control_decode(
 
 mip_error mip_filter_gnss_aiding_source_control_encode(
     const struct mip_filter_gnss_aiding_source_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_DESCRIPTOR,
                             write_gnss_aiding_source_control, value);
 }
 
@@ -632,7 +634,8 @@ mip_error mip_filter_gnss_aiding_source_control_response_decode(
 mip_error mip_filter_gnss_aiding_source_control_response_encode(
     const struct mip_filter_gnss_aiding_source_control_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
                             write_gnss_aiding_source_control_response, value);
 }
 
@@ -670,7 +673,7 @@ mip_error mip_filter_external_heading_update_decode(
 
 mip_error mip_filter_external_heading_update_encode(
     const struct mip_filter_external_heading_update *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_EXTERNAL_HEADING_UPDATE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_EXTERNAL_HEADING_UPDATE_DESCRIPTOR,
                             write_external_heading_update, value);
 }
 
@@ -725,7 +728,7 @@ mip_error mip_filter_heading_update_control_decode(struct mip_filter_heading_upd
 
 mip_error mip_filter_heading_update_control_encode(
     const struct mip_filter_heading_update_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_HEADING_UPDATE_CONTROL_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_HEADING_UPDATE_CONTROL_DESCRIPTOR,
                             write_heading_update_control, value);
 }
 
@@ -797,7 +800,7 @@ mip_error mip_filter_heading_update_control_response_decode(
 
 mip_error mip_filter_heading_update_control_response_encode(
     const struct mip_filter_heading_update_control_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_HEADING_UPDATE_CONTROL_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_HEADING_UPDATE_CONTROL_RESPONSE_DESCRIPTOR,
                             write_heading_update_control_response, value);
 }
 
@@ -843,7 +846,7 @@ mip_error mip_filter_auto_initialization_control_decode(
 
 mip_error mip_filter_auto_initialization_control_encode(
     const struct mip_filter_auto_initialization_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_AUTO_INITIALIZATION_CONTROL_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_AUTO_INITIALIZATION_CONTROL_DESCRIPTOR,
                             write_auto_initialization_control, value);
 }
 
@@ -916,7 +919,8 @@ mip_error mip_filter_auto_initialization_control_response_decode(
 mip_error mip_filter_auto_initialization_control_response_encode(
     const struct mip_filter_auto_initialization_control_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_DESCRIPTOR,
                             write_auto_initialization_control_response, value);
 }
 
@@ -965,7 +969,8 @@ mip_error mip_filter_accelerometer_noise_standard_deviation_decode(
 mip_error mip_filter_accelerometer_noise_standard_deviation_encode(
     const struct mip_filter_accelerometer_noise_standard_deviation *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
                             write_accelerometer_noise_standard_deviation, value);
 }
 
@@ -1045,7 +1050,7 @@ mip_error mip_filter_accelerometer_noise_standard_deviation_response_decode(
 mip_error mip_filter_accelerometer_noise_standard_deviation_response_encode(
     const struct mip_filter_accelerometer_noise_standard_deviation_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
                             write_accelerometer_noise_standard_deviation_response, value);
 }
@@ -1094,7 +1099,7 @@ mip_error mip_filter_gyroscope_noise_standard_deviation_decode(
 mip_error mip_filter_gyroscope_noise_standard_deviation_encode(
     const struct mip_filter_gyroscope_noise_standard_deviation *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
                             write_gyroscope_noise_standard_deviation, value);
 }
 
@@ -1173,7 +1178,7 @@ mip_error mip_filter_gyroscope_noise_standard_deviation_response_decode(
 mip_error mip_filter_gyroscope_noise_standard_deviation_response_encode(
     const struct mip_filter_gyroscope_noise_standard_deviation_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
                             write_gyroscope_noise_standard_deviation_response, value);
 }
@@ -1226,7 +1231,8 @@ mip_error mip_filter_accelerometer_bias_model_parameters_decode(
 mip_error mip_filter_accelerometer_bias_model_parameters_encode(
     const struct mip_filter_accelerometer_bias_model_parameters *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
                             write_accelerometer_bias_model_parameters, value);
 }
 
@@ -1308,7 +1314,7 @@ mip_error mip_filter_accelerometer_bias_model_parameters_response_decode(
 mip_error mip_filter_accelerometer_bias_model_parameters_response_encode(
     const struct mip_filter_accelerometer_bias_model_parameters_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR,
                             write_accelerometer_bias_model_parameters_response, value);
 }
@@ -1360,7 +1366,7 @@ mip_error mip_filter_gyroscope_bias_model_parameters_decode(
 
 mip_error mip_filter_gyroscope_bias_model_parameters_encode(
     const struct mip_filter_gyroscope_bias_model_parameters *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
                             write_gyroscope_bias_model_parameters, value);
 }
 
@@ -1442,7 +1448,8 @@ mip_error mip_filter_gyroscope_bias_model_parameters_response_decode(
 mip_error mip_filter_gyroscope_bias_model_parameters_response_encode(
     const struct mip_filter_gyroscope_bias_model_parameters_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR,
                             write_gyroscope_bias_model_parameters_response, value);
 }
 
@@ -1485,7 +1492,7 @@ mip_error mip_filter_external_heading_update_with_time_decode(
 
 mip_error mip_filter_external_heading_update_with_time_encode(
     const struct mip_filter_external_heading_update_with_time *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_DESCRIPTOR,
                             write_external_heading_update_with_time, value);
 }
 
@@ -1550,7 +1557,7 @@ mip_error mip_filter_zero_angular_rate_update_control_decode(
 
 mip_error mip_filter_zero_angular_rate_update_control_encode(
     const struct mip_filter_zero_angular_rate_update_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_DESCRIPTOR,
                             write_zero_angular_rate_update_control, value);
 }
 
@@ -1632,7 +1639,7 @@ mip_error mip_filter_zero_angular_rate_update_control_response_decode(
 mip_error mip_filter_zero_angular_rate_update_control_response_encode(
     const struct mip_filter_zero_angular_rate_update_control_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_DESCRIPTOR,
                             write_zero_angular_rate_update_control_response, value);
 }
@@ -1676,8 +1683,8 @@ mip_error mip_filter_tare_orientation_decode(struct mip_filter_tare_orientation 
 
 mip_error mip_filter_tare_orientation_encode(const struct mip_filter_tare_orientation *value,
                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_TARE_ORIENTATION_DESCRIPTOR, write_tare_orientation,
-                            value);
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_TARE_ORIENTATION_DESCRIPTOR,
+                            write_tare_orientation, value);
 }
 
 struct mip_filter_tare_orientation mip_filter_tare_orientation_write(mip_filter_tare_axes axes) {
@@ -1728,7 +1735,7 @@ mip_error mip_filter_commanded_zero_angular_rate_update_decode(
 mip_error mip_filter_commanded_zero_angular_rate_update_encode(
     const struct mip_filter_commanded_zero_angular_rate_update *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_COMMANDED_ZERO_ANGULAR_RATE_UPDATE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_COMMANDED_ZERO_ANGULAR_RATE_UPDATE_DESCRIPTOR,
                             mip_write_nothing, value);
 }
 
@@ -1785,7 +1792,7 @@ mip_error mip_filter_set_reference_position_decode(struct mip_filter_set_referen
 
 mip_error mip_filter_set_reference_position_encode(
     const struct mip_filter_set_reference_position *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_SET_REFERENCE_POSITION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SET_REFERENCE_POSITION_DESCRIPTOR,
                             write_set_reference_position, value);
 }
 
@@ -1868,7 +1875,7 @@ mip_error mip_filter_set_reference_position_response_decode(
 
 mip_error mip_filter_set_reference_position_response_encode(
     const struct mip_filter_set_reference_position_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_SET_REFERENCE_POSITION_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SET_REFERENCE_POSITION_RESPONSE_DESCRIPTOR,
                             write_set_reference_position_response, value);
 }
 
@@ -1915,7 +1922,7 @@ mip_error mip_filter_gravity_noise_standard_deviation_decode(
 
 mip_error mip_filter_gravity_noise_standard_deviation_encode(
     const struct mip_filter_gravity_noise_standard_deviation *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
                             write_gravity_noise_standard_deviation, value);
 }
 
@@ -1994,7 +2001,7 @@ mip_error mip_filter_gravity_noise_standard_deviation_response_decode(
 mip_error mip_filter_gravity_noise_standard_deviation_response_encode(
     const struct mip_filter_gravity_noise_standard_deviation_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
                             write_gravity_noise_standard_deviation_response, value);
 }
@@ -2041,7 +2048,7 @@ mip_error mip_filter_enable_disable_measurements_decode(
 
 mip_error mip_filter_enable_disable_measurements_encode(
     const struct mip_filter_enable_disable_measurements *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_DESCRIPTOR,
                             write_enable_disable_measurements, value);
 }
 
@@ -2114,7 +2121,8 @@ mip_error mip_filter_enable_disable_measurements_response_decode(
 mip_error mip_filter_enable_disable_measurements_response_encode(
     const struct mip_filter_enable_disable_measurements_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR,
                             write_enable_disable_measurements_response, value);
 }
 
@@ -2168,7 +2176,7 @@ mip_error mip_filter_magnetic_field_declination_source_control_decode(
 mip_error mip_filter_magnetic_field_declination_source_control_encode(
     const struct mip_filter_magnetic_field_declination_source_control *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_DESCRIPTOR,
                             write_magnetic_field_declination_source_control, value);
 }
@@ -2254,7 +2262,7 @@ mip_error mip_filter_magnetic_field_declination_source_control_response_encode(
     const struct mip_filter_magnetic_field_declination_source_control_response *value,
     struct mip_builder *builder) {
     return mip_encode_field(
-        builder, MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
+        builder, 0x0D, MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
         write_magnetic_field_declination_source_control_response, value);
 }
 
@@ -2328,7 +2336,7 @@ mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_decode(
 mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_encode(
     const struct mip_filter_gravity_magnitude_error_adaptive_measurement *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
                             write_gravity_magnitude_error_adaptive_measurement, value);
 }
@@ -2423,7 +2431,7 @@ mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_encod
     const struct mip_filter_gravity_magnitude_error_adaptive_measurement_response *value,
     struct mip_builder *builder) {
     return mip_encode_field(
-        builder, MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
+        builder, 0x0D, MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
         write_gravity_magnitude_error_adaptive_measurement_response, value);
 }
 
@@ -2469,7 +2477,7 @@ mip_error mip_filter_pitch_roll_aiding_control_decode(
 
 mip_error mip_filter_pitch_roll_aiding_control_encode(
     const struct mip_filter_pitch_roll_aiding_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_DESCRIPTOR,
                             write_pitch_roll_aiding_control, value);
 }
 
@@ -2542,7 +2550,7 @@ mip_error mip_filter_pitch_roll_aiding_control_response_decode(
 mip_error mip_filter_pitch_roll_aiding_control_response_encode(
     const struct mip_filter_pitch_roll_aiding_control_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_RESPONSE_DESCRIPTOR,
                             write_pitch_roll_aiding_control_response, value);
 }
 
@@ -2592,7 +2600,7 @@ mip_error mip_filter_aiding_measurement_control_decode(
 
 mip_error mip_filter_aiding_measurement_control_encode(
     const struct mip_filter_aiding_measurement_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_AIDING_MEASUREMENT_CONTROL_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_AIDING_MEASUREMENT_CONTROL_DESCRIPTOR,
                             write_aiding_measurement_control, value);
 }
 
@@ -2676,7 +2684,8 @@ mip_error mip_filter_aiding_measurement_control_response_decode(
 mip_error mip_filter_aiding_measurement_control_response_encode(
     const struct mip_filter_aiding_measurement_control_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_AIDING_MEASUREMENT_CONTROL_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_AIDING_MEASUREMENT_CONTROL_RESPONSE_DESCRIPTOR,
                             write_aiding_measurement_control_response, value);
 }
 
@@ -2755,7 +2764,7 @@ mip_error mip_filter_navigation_filter_initialization_decode(
 
 mip_error mip_filter_navigation_filter_initialization_encode(
     const struct mip_filter_navigation_filter_initialization *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_DESCRIPTOR,
                             write_navigation_filter_initialization, value);
 }
 
@@ -2862,7 +2871,7 @@ mip_error mip_filter_navigation_filter_initialization_response_decode(
 mip_error mip_filter_navigation_filter_initialization_response_encode(
     const struct mip_filter_navigation_filter_initialization_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_RESPONSE_DESCRIPTOR,
                             write_navigation_filter_initialization_response, value);
 }
@@ -2913,7 +2922,7 @@ mip_error mip_filter_adaptive_filter_control_decode(
 
 mip_error mip_filter_adaptive_filter_control_encode(
     const struct mip_filter_adaptive_filter_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_ADAPTIVE_FILTER_CONTROL_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ADAPTIVE_FILTER_CONTROL_DESCRIPTOR,
                             write_adaptive_filter_control, value);
 }
 
@@ -2988,7 +2997,7 @@ mip_error mip_filter_adaptive_filter_control_response_decode(
 
 mip_error mip_filter_adaptive_filter_control_response_encode(
     const struct mip_filter_adaptive_filter_control_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_ADAPTIVE_FILTER_CONTROL_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ADAPTIVE_FILTER_CONTROL_RESPONSE_DESCRIPTOR,
                             write_adaptive_filter_control_response, value);
 }
 
@@ -3039,7 +3048,7 @@ mip_error mip_filter_gnss_multi_antenna_offset_control_decode(
 
 mip_error mip_filter_gnss_multi_antenna_offset_control_encode(
     const struct mip_filter_gnss_multi_antenna_offset_control *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
                             write_gnss_multi_antenna_offset_control, value);
 }
 
@@ -3126,7 +3135,7 @@ mip_error mip_filter_gnss_multi_antenna_offset_control_response_decode(
 mip_error mip_filter_gnss_multi_antenna_offset_control_response_encode(
     const struct mip_filter_gnss_multi_antenna_offset_control_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR,
                             write_gnss_multi_antenna_offset_control_response, value);
 }
@@ -3182,7 +3191,7 @@ mip_error mip_filter_relative_position_configuration_decode(
 
 mip_error mip_filter_relative_position_configuration_encode(
     const struct mip_filter_relative_position_configuration *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_DESCRIPTOR,
                             write_relative_position_configuration, value);
 }
 
@@ -3268,7 +3277,8 @@ mip_error mip_filter_relative_position_configuration_response_decode(
 mip_error mip_filter_relative_position_configuration_response_encode(
     const struct mip_filter_relative_position_configuration_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_RESPONSE_DESCRIPTOR,
                             write_relative_position_configuration_response, value);
 }
 
@@ -3318,7 +3328,7 @@ mip_error mip_filter_reference_point_lever_arm_decode(
 
 mip_error mip_filter_reference_point_lever_arm_encode(
     const struct mip_filter_reference_point_lever_arm *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_REFERENCE_POINT_LEVER_ARM_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_REFERENCE_POINT_LEVER_ARM_DESCRIPTOR,
                             write_reference_point_lever_arm, value);
 }
 
@@ -3394,7 +3404,7 @@ mip_error mip_filter_reference_point_lever_arm_response_decode(
 mip_error mip_filter_reference_point_lever_arm_response_encode(
     const struct mip_filter_reference_point_lever_arm_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_DESCRIPTOR,
                             write_reference_point_lever_arm_response, value);
 }
 
@@ -3444,7 +3454,7 @@ mip_error mip_filter_measurement_speed_lever_arm_decode(
 
 mip_error mip_filter_measurement_speed_lever_arm_encode(
     const struct mip_filter_measurement_speed_lever_arm *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_DESCRIPTOR,
                             write_measurement_speed_lever_arm, value);
 }
 
@@ -3524,7 +3534,8 @@ mip_error mip_filter_measurement_speed_lever_arm_response_decode(
 mip_error mip_filter_measurement_speed_lever_arm_response_encode(
     const struct mip_filter_measurement_speed_lever_arm_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR,
                             write_measurement_speed_lever_arm_response, value);
 }
 
@@ -3572,7 +3583,7 @@ mip_error mip_filter_wheeled_vehicle_constraint_control_decode(
 mip_error mip_filter_wheeled_vehicle_constraint_control_encode(
     const struct mip_filter_wheeled_vehicle_constraint_control *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR,
                             write_wheeled_vehicle_constraint_control, value);
 }
 
@@ -3651,7 +3662,7 @@ mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode(
 mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
     const struct mip_filter_wheeled_vehicle_constraint_control_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR,
                             write_wheeled_vehicle_constraint_control_response, value);
 }
@@ -3705,7 +3716,8 @@ mip_error mip_filter_gnss_antenna_offset_calibration_control_decode(
 mip_error mip_filter_gnss_antenna_offset_calibration_control_encode(
     const struct mip_filter_gnss_antenna_offset_calibration_control *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_DESCRIPTOR,
                             write_gnss_antenna_offset_calibration_control, value);
 }
 
@@ -3788,7 +3800,7 @@ mip_error mip_filter_gnss_antenna_offset_calibration_control_response_decode(
 mip_error mip_filter_gnss_antenna_offset_calibration_control_response_encode(
     const struct mip_filter_gnss_antenna_offset_calibration_control_response *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR,
                             write_gnss_antenna_offset_calibration_control_response, value);
 }

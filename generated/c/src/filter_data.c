@@ -38,8 +38,8 @@ mip_error mip_filter_data_llh_position_decode(struct mip_filter_data_llh_positio
 
 mip_error mip_filter_data_llh_position_encode(const struct mip_filter_data_llh_position *value,
                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_LLH_POSITION_DESCRIPTOR, write_llh_position,
-                            value);
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_LLH_POSITION_DESCRIPTOR,
+                            write_llh_position, value);
 }
 
 static void read_velocity_ned(struct mip_reader *r, void *value) {
@@ -77,8 +77,8 @@ mip_error mip_filter_data_velocity_ned_decode(struct mip_filter_data_velocity_ne
 
 mip_error mip_filter_data_velocity_ned_encode(const struct mip_filter_data_velocity_ned *value,
                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_VELOCITY_NED_DESCRIPTOR, write_velocity_ned,
-                            value);
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_VELOCITY_NED_DESCRIPTOR,
+                            write_velocity_ned, value);
 }
 
 static void read_attitude_quaternion(struct mip_reader *r, void *value) {
@@ -113,7 +113,7 @@ mip_error mip_filter_data_attitude_quaternion_decode(
 
 mip_error mip_filter_data_attitude_quaternion_encode(
     const struct mip_filter_data_attitude_quaternion *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_ATTITUDE_QUATERNION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_ATTITUDE_QUATERNION_DESCRIPTOR,
                             write_attitude_quaternion, value);
 }
 
@@ -148,8 +148,8 @@ mip_error mip_filter_data_attitude_dcm_decode(struct mip_filter_data_attitude_dc
 
 mip_error mip_filter_data_attitude_dcm_encode(const struct mip_filter_data_attitude_dcm *value,
                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_ATTITUDE_DCM_DESCRIPTOR, write_attitude_dcm,
-                            value);
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_ATTITUDE_DCM_DESCRIPTOR,
+                            write_attitude_dcm, value);
 }
 
 static void read_euler_angles(struct mip_reader *r, void *value) {
@@ -187,8 +187,8 @@ mip_error mip_filter_data_euler_angles_decode(struct mip_filter_data_euler_angle
 
 mip_error mip_filter_data_euler_angles_encode(const struct mip_filter_data_euler_angles *value,
                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_EULER_ANGLES_DESCRIPTOR, write_euler_angles,
-                            value);
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_EULER_ANGLES_DESCRIPTOR,
+                            write_euler_angles, value);
 }
 
 static void read_gyro_bias(struct mip_reader *r, void *value) {
@@ -221,7 +221,8 @@ mip_error mip_filter_data_gyro_bias_decode(struct mip_filter_data_gyro_bias *val
 
 mip_error mip_filter_data_gyro_bias_encode(const struct mip_filter_data_gyro_bias *value,
                                            struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_GYRO_BIAS_DESCRIPTOR, write_gyro_bias, value);
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_GYRO_BIAS_DESCRIPTOR, write_gyro_bias,
+                            value);
 }
 
 static void read_accel_bias(struct mip_reader *r, void *value) {
@@ -254,7 +255,7 @@ mip_error mip_filter_data_accel_bias_decode(struct mip_filter_data_accel_bias *v
 
 mip_error mip_filter_data_accel_bias_encode(const struct mip_filter_data_accel_bias *value,
                                             struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_ACCEL_BIAS_DESCRIPTOR, write_accel_bias,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_ACCEL_BIAS_DESCRIPTOR, write_accel_bias,
                             value);
 }
 
@@ -294,7 +295,7 @@ mip_error mip_filter_data_llh_position_uncertainty_decode(
 
 mip_error mip_filter_data_llh_position_uncertainty_encode(
     const struct mip_filter_data_llh_position_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY_DESCRIPTOR,
                             write_llh_position_uncertainty, value);
 }
 
@@ -334,7 +335,7 @@ mip_error mip_filter_data_ned_velocity_uncertainty_decode(
 
 mip_error mip_filter_data_ned_velocity_uncertainty_encode(
     const struct mip_filter_data_ned_velocity_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY_DESCRIPTOR,
                             write_ned_velocity_uncertainty, value);
 }
 
@@ -374,7 +375,7 @@ mip_error mip_filter_data_euler_angles_uncertainty_decode(
 
 mip_error mip_filter_data_euler_angles_uncertainty_encode(
     const struct mip_filter_data_euler_angles_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY_DESCRIPTOR,
                             write_euler_angles_uncertainty, value);
 }
 
@@ -410,7 +411,7 @@ mip_error mip_filter_data_gyro_bias_uncertainty_decode(
 
 mip_error mip_filter_data_gyro_bias_uncertainty_encode(
     const struct mip_filter_data_gyro_bias_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY_DESCRIPTOR,
                             write_gyro_bias_uncertainty, value);
 }
 
@@ -446,7 +447,7 @@ mip_error mip_filter_data_accel_bias_uncertainty_decode(
 
 mip_error mip_filter_data_accel_bias_uncertainty_encode(
     const struct mip_filter_data_accel_bias_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY_DESCRIPTOR,
                             write_accel_bias_uncertainty, value);
 }
 
@@ -481,8 +482,8 @@ mip_error mip_filter_data_linear_accel_decode(struct mip_filter_data_linear_acce
 
 mip_error mip_filter_data_linear_accel_encode(const struct mip_filter_data_linear_accel *value,
                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_LINEAR_ACCEL_DESCRIPTOR, write_linear_accel,
-                            value);
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_LINEAR_ACCEL_DESCRIPTOR,
+                            write_linear_accel, value);
 }
 
 static void read_comp_angular_rate(struct mip_reader *r, void *value) {
@@ -516,7 +517,7 @@ mip_error mip_filter_data_comp_angular_rate_decode(struct mip_filter_data_comp_a
 
 mip_error mip_filter_data_comp_angular_rate_encode(
     const struct mip_filter_data_comp_angular_rate *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_COMP_ANGULAR_RATE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_COMP_ANGULAR_RATE_DESCRIPTOR,
                             write_comp_angular_rate, value);
 }
 
@@ -553,7 +554,7 @@ mip_error mip_filter_data_wgs84_local_gravity_magnitude_decode(
 mip_error mip_filter_data_wgs84_local_gravity_magnitude_encode(
     const struct mip_filter_data_wgs84_local_gravity_magnitude *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_WGS84_LOCAL_GRAVITY_MAGNITUDE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_WGS84_LOCAL_GRAVITY_MAGNITUDE_DESCRIPTOR,
                             write_wgs84_local_gravity_magnitude, value);
 }
 
@@ -589,7 +590,7 @@ mip_error mip_filter_data_status_decode(struct mip_filter_data_status *value,
 
 mip_error mip_filter_data_status_encode(const struct mip_filter_data_status *value,
                                         struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_STATUS_DESCRIPTOR, write_status, value);
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_STATUS_DESCRIPTOR, write_status, value);
 }
 
 static void read_timestamp(struct mip_reader *r, void *value) {
@@ -624,7 +625,8 @@ mip_error mip_filter_data_timestamp_decode(struct mip_filter_data_timestamp *val
 
 mip_error mip_filter_data_timestamp_encode(const struct mip_filter_data_timestamp *value,
                                            struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_TIMESTAMP_DESCRIPTOR, write_timestamp, value);
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_TIMESTAMP_DESCRIPTOR, write_timestamp,
+                            value);
 }
 
 static void read_quaternion_attitude_uncertainty(struct mip_reader *r, void *value) {
@@ -661,7 +663,8 @@ mip_error mip_filter_data_quaternion_attitude_uncertainty_decode(
 mip_error mip_filter_data_quaternion_attitude_uncertainty_encode(
     const struct mip_filter_data_quaternion_attitude_uncertainty *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82,
+                            MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY_DESCRIPTOR,
                             write_quaternion_attitude_uncertainty, value);
 }
 
@@ -696,7 +699,7 @@ mip_error mip_filter_data_gravity_vector_decode(struct mip_filter_data_gravity_v
 
 mip_error mip_filter_data_gravity_vector_encode(const struct mip_filter_data_gravity_vector *value,
                                                 struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_GRAVITY_VECTOR_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_GRAVITY_VECTOR_DESCRIPTOR,
                             write_gravity_vector, value);
 }
 
@@ -736,7 +739,7 @@ mip_error mip_filter_data_heading_update_source_state_decode(
 
 mip_error mip_filter_data_heading_update_source_state_encode(
     const struct mip_filter_data_heading_update_source_state *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_HEADING_UPDATE_SOURCE_STATE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_HEADING_UPDATE_SOURCE_STATE_DESCRIPTOR,
                             write_heading_update_source_state, value);
 }
 
@@ -779,7 +782,7 @@ mip_error mip_filter_data_magnetic_model_decode(struct mip_filter_data_magnetic_
 
 mip_error mip_filter_data_magnetic_model_encode(const struct mip_filter_data_magnetic_model *value,
                                                 struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_MAGNETIC_MODEL_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_MAGNETIC_MODEL_DESCRIPTOR,
                             write_magnetic_model, value);
 }
 
@@ -815,7 +818,7 @@ mip_error mip_filter_data_compensated_acceleration_decode(
 
 mip_error mip_filter_data_compensated_acceleration_encode(
     const struct mip_filter_data_compensated_acceleration *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_COMPENSATED_ACCELERATION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_COMPENSATED_ACCELERATION_DESCRIPTOR,
                             write_compensated_acceleration, value);
 }
 
@@ -850,7 +853,7 @@ mip_error mip_filter_data_pressure_altitude_decode(struct mip_filter_data_pressu
 
 mip_error mip_filter_data_pressure_altitude_encode(
     const struct mip_filter_data_pressure_altitude *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_PRESSURE_ALTITUDE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_PRESSURE_ALTITUDE_DESCRIPTOR,
                             write_pressure_altitude, value);
 }
 
@@ -890,7 +893,8 @@ mip_error mip_filter_data_multi_antenna_offset_correction_decode(
 mip_error mip_filter_data_multi_antenna_offset_correction_encode(
     const struct mip_filter_data_multi_antenna_offset_correction *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82,
+                            MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR,
                             write_multi_antenna_offset_correction, value);
 }
 
@@ -932,7 +936,7 @@ mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_decode(
 mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_encode(
     const struct mip_filter_data_multi_antenna_offset_correction_uncertainty *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x82,
                             MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR,
                             write_multi_antenna_offset_correction_uncertainty, value);
 }
@@ -969,7 +973,7 @@ mip_error mip_filter_data_ecef_position_uncertainty_decode(
 
 mip_error mip_filter_data_ecef_position_uncertainty_encode(
     const struct mip_filter_data_ecef_position_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY_DESCRIPTOR,
                             write_ecef_position_uncertainty, value);
 }
 
@@ -1005,7 +1009,7 @@ mip_error mip_filter_data_ecef_velocity_uncertainty_decode(
 
 mip_error mip_filter_data_ecef_velocity_uncertainty_encode(
     const struct mip_filter_data_ecef_velocity_uncertainty *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY_DESCRIPTOR,
                             write_ecef_velocity_uncertainty, value);
 }
 
@@ -1040,8 +1044,8 @@ mip_error mip_filter_data_ecef_position_decode(struct mip_filter_data_ecef_posit
 
 mip_error mip_filter_data_ecef_position_encode(const struct mip_filter_data_ecef_position *value,
                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_ECEF_POSITION_DESCRIPTOR, write_ecef_position,
-                            value);
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_ECEF_POSITION_DESCRIPTOR,
+                            write_ecef_position, value);
 }
 
 static void read_ecef_velocity(struct mip_reader *r, void *value) {
@@ -1075,8 +1079,8 @@ mip_error mip_filter_data_ecef_velocity_decode(struct mip_filter_data_ecef_veloc
 
 mip_error mip_filter_data_ecef_velocity_encode(const struct mip_filter_data_ecef_velocity *value,
                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_ECEF_VELOCITY_DESCRIPTOR, write_ecef_velocity,
-                            value);
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_ECEF_VELOCITY_DESCRIPTOR,
+                            write_ecef_velocity, value);
 }
 
 static void read_ned_relative_position(struct mip_reader *r, void *value) {
@@ -1111,7 +1115,7 @@ mip_error mip_filter_data_ned_relative_position_decode(
 
 mip_error mip_filter_data_ned_relative_position_encode(
     const struct mip_filter_data_ned_relative_position *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_NED_RELATIVE_POSITION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_NED_RELATIVE_POSITION_DESCRIPTOR,
                             write_ned_relative_position, value);
 }
 
@@ -1151,7 +1155,7 @@ mip_error mip_filter_data_gnss_position_aiding_status_decode(
 
 mip_error mip_filter_data_gnss_position_aiding_status_encode(
     const struct mip_filter_data_gnss_position_aiding_status *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS_DESCRIPTOR,
                             write_gnss_position_aiding_status, value);
 }
 
@@ -1191,7 +1195,7 @@ mip_error mip_filter_data_aiding_measurement_summary_decode(
 
 mip_error mip_filter_data_aiding_measurement_summary_encode(
     const struct mip_filter_data_aiding_measurement_summary *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY_DESCRIPTOR,
                             write_aiding_measurement_summary, value);
 }
 
@@ -1227,7 +1231,7 @@ mip_error mip_filter_data_odometer_scale_factor_error_decode(
 
 mip_error mip_filter_data_odometer_scale_factor_error_encode(
     const struct mip_filter_data_odometer_scale_factor_error *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_DESCRIPTOR,
                             write_odometer_scale_factor_error, value);
 }
 
@@ -1266,7 +1270,7 @@ mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_decode(
 mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_encode(
     const struct mip_filter_data_odometer_scale_factor_error_uncertainty *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x82,
                             MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_DESCRIPTOR,
                             write_odometer_scale_factor_error_uncertainty, value);
 }
@@ -1311,7 +1315,7 @@ mip_error mip_filter_data_gnss_dual_antenna_status_decode(
 
 mip_error mip_filter_data_gnss_dual_antenna_status_encode(
     const struct mip_filter_data_gnss_dual_antenna_status *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS_DESCRIPTOR,
                             write_gnss_dual_antenna_status, value);
 }
 
@@ -1351,7 +1355,8 @@ mip_error mip_filter_data_aiding_frame_configuration_error_decode(
 mip_error mip_filter_data_aiding_frame_configuration_error_encode(
     const struct mip_filter_data_aiding_frame_configuration_error *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_DESCRIPTOR,
+    return mip_encode_field(builder, 0x82,
+                            MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_DESCRIPTOR,
                             write_aiding_frame_configuration_error, value);
 }
 
@@ -1393,7 +1398,7 @@ mip_error mip_filter_data_aiding_frame_configuration_error_uncertainty_decode(
 mip_error mip_filter_data_aiding_frame_configuration_error_uncertainty_encode(
     const struct mip_filter_data_aiding_frame_configuration_error_uncertainty *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x82,
                             MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_DESCRIPTOR,
                             write_aiding_frame_configuration_error_uncertainty, value);
 }

@@ -35,7 +35,8 @@ mip_error mip_gnss_receiver_info_decode(struct mip_gnss_receiver_info *value,
 
 mip_error mip_gnss_receiver_info_encode(const struct mip_gnss_receiver_info *value,
                                         struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_RECEIVER_INFO_DESCRIPTOR, mip_write_nothing, value);
+    return mip_encode_field(builder, 0x0E, MIP_GNSS_RECEIVER_INFO_DESCRIPTOR, mip_write_nothing,
+                            value);
 }
 
 static void read_receiver_info_response(struct mip_reader *r, void *value) {
@@ -73,7 +74,7 @@ mip_error mip_gnss_receiver_info_response_decode(struct mip_gnss_receiver_info_r
 
 mip_error mip_gnss_receiver_info_response_encode(
     const struct mip_gnss_receiver_info_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_RECEIVER_INFO_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0E, MIP_GNSS_RECEIVER_INFO_RESPONSE_DESCRIPTOR,
                             write_receiver_info_response, value);
 }
 
@@ -134,7 +135,7 @@ mip_error mip_gnss_signal_configuration_decode(struct mip_gnss_signal_configurat
 
 mip_error mip_gnss_signal_configuration_encode(const struct mip_gnss_signal_configuration *value,
                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_SIGNAL_CONFIGURATION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0E, MIP_GNSS_SIGNAL_CONFIGURATION_DESCRIPTOR,
                             write_signal_configuration, value);
 }
 
@@ -217,7 +218,7 @@ mip_error mip_gnss_signal_configuration_response_decode(
 
 mip_error mip_gnss_signal_configuration_response_encode(
     const struct mip_gnss_signal_configuration_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_SIGNAL_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0E, MIP_GNSS_SIGNAL_CONFIGURATION_RESPONSE_DESCRIPTOR,
                             write_signal_configuration_response, value);
 }
 
@@ -290,7 +291,7 @@ mip_error mip_gnss_spartn_configuration_decode(struct mip_gnss_spartn_configurat
 
 mip_error mip_gnss_spartn_configuration_encode(const struct mip_gnss_spartn_configuration *value,
                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_SPARTN_CONFIGURATION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0E, MIP_GNSS_SPARTN_CONFIGURATION_DESCRIPTOR,
                             write_spartn_configuration, value);
 }
 
@@ -384,6 +385,6 @@ mip_error mip_gnss_spartn_configuration_response_decode(
 
 mip_error mip_gnss_spartn_configuration_response_encode(
     const struct mip_gnss_spartn_configuration_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_SPARTN_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x0E, MIP_GNSS_SPARTN_CONFIGURATION_RESPONSE_DESCRIPTOR,
                             write_spartn_configuration_response, value);
 }

@@ -44,7 +44,7 @@ mip_error mip_gnss_1_gnss_llh_position_decode(struct mip_gnss_1_gnss_llh_positio
 
 mip_error mip_gnss_1_gnss_llh_position_encode(const struct mip_gnss_1_gnss_llh_position *value,
                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_1_GNSS_LLH_POSITION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_GNSS_LLH_POSITION_DESCRIPTOR,
                             write_gnss_llh_position, value);
 }
 
@@ -81,7 +81,7 @@ mip_error mip_gnss_1_gnss_ecef_position_decode(struct mip_gnss_1_gnss_ecef_posit
 
 mip_error mip_gnss_1_gnss_ecef_position_encode(const struct mip_gnss_1_gnss_ecef_position *value,
                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_1_GNSS_ECEF_POSITION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_GNSS_ECEF_POSITION_DESCRIPTOR,
                             write_gnss_ecef_position, value);
 }
 
@@ -125,7 +125,8 @@ mip_error mip_gnss_1_ned_velocity_decode(struct mip_gnss_1_ned_velocity *value,
 
 mip_error mip_gnss_1_ned_velocity_encode(const struct mip_gnss_1_ned_velocity *value,
                                          struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_1_NED_VELOCITY_DESCRIPTOR, write_ned_velocity, value);
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_NED_VELOCITY_DESCRIPTOR, write_ned_velocity,
+                            value);
 }
 
 static void read_gnss_ecef_velocity(struct mip_reader *r, void *value) {
@@ -161,7 +162,7 @@ mip_error mip_gnss_1_gnss_ecef_velocity_decode(struct mip_gnss_1_gnss_ecef_veloc
 
 mip_error mip_gnss_1_gnss_ecef_velocity_encode(const struct mip_gnss_1_gnss_ecef_velocity *value,
                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_1_GNSS_ECEF_VELOCITY_DESCRIPTOR,
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_GNSS_ECEF_VELOCITY_DESCRIPTOR,
                             write_gnss_ecef_velocity, value);
 }
 
@@ -205,7 +206,7 @@ mip_error mip_gnss_1_dop_decode(struct mip_gnss_1_dop *value, const struct mip_f
 }
 
 mip_error mip_gnss_1_dop_encode(const struct mip_gnss_1_dop *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_1_DOP_DESCRIPTOR, write_dop, value);
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_DOP_DESCRIPTOR, write_dop, value);
 }
 
 static void read_utc_time(struct mip_reader *r, void *value) {
@@ -250,7 +251,7 @@ mip_error mip_gnss_1_utc_time_decode(struct mip_gnss_1_utc_time *value,
 
 mip_error mip_gnss_1_utc_time_encode(const struct mip_gnss_1_utc_time *value,
                                      struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_1_UTC_TIME_DESCRIPTOR, write_utc_time, value);
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_UTC_TIME_DESCRIPTOR, write_utc_time, value);
 }
 
 static void read_gps_time(struct mip_reader *r, void *value) {
@@ -285,7 +286,7 @@ mip_error mip_gnss_1_gps_time_decode(struct mip_gnss_1_gps_time *value,
 
 mip_error mip_gnss_1_gps_time_encode(const struct mip_gnss_1_gps_time *value,
                                      struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_1_GPS_TIME_DESCRIPTOR, write_gps_time, value);
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_GPS_TIME_DESCRIPTOR, write_gps_time, value);
 }
 
 static void read_fix_info(struct mip_reader *r, void *value) {
@@ -322,7 +323,7 @@ mip_error mip_gnss_1_fix_info_decode(struct mip_gnss_1_fix_info *value,
 
 mip_error mip_gnss_1_fix_info_encode(const struct mip_gnss_1_fix_info *value,
                                      struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_1_FIX_INFO_DESCRIPTOR, write_fix_info, value);
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_FIX_INFO_DESCRIPTOR, write_fix_info, value);
 }
 
 static void read_gnss_hardware_status(struct mip_reader *r, void *value) {
@@ -360,7 +361,7 @@ mip_error mip_gnss_1_gnss_hardware_status_decode(struct mip_gnss_1_gnss_hardware
 
 mip_error mip_gnss_1_gnss_hardware_status_encode(
     const struct mip_gnss_1_gnss_hardware_status *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_1_GNSS_HARDWARE_STATUS_DESCRIPTOR,
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_GNSS_HARDWARE_STATUS_DESCRIPTOR,
                             write_gnss_hardware_status, value);
 }
 
@@ -400,7 +401,8 @@ mip_error mip_gnss_1_clock_info_2_decode(struct mip_gnss_1_clock_info_2 *value,
 
 mip_error mip_gnss_1_clock_info_2_encode(const struct mip_gnss_1_clock_info_2 *value,
                                          struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_1_CLOCK_INFO_2_DESCRIPTOR, write_clock_info_2, value);
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_CLOCK_INFO_2_DESCRIPTOR, write_clock_info_2,
+                            value);
 }
 
 static void read_gps_leap_seconds(struct mip_reader *r, void *value) {
@@ -433,8 +435,8 @@ mip_error mip_gnss_1_gps_leap_seconds_decode(struct mip_gnss_1_gps_leap_seconds 
 
 mip_error mip_gnss_1_gps_leap_seconds_encode(const struct mip_gnss_1_gps_leap_seconds *value,
                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_1_GPS_LEAP_SECONDS_DESCRIPTOR, write_gps_leap_seconds,
-                            value);
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_GPS_LEAP_SECONDS_DESCRIPTOR,
+                            write_gps_leap_seconds, value);
 }
 
 static void read_sbas_info(struct mip_reader *r, void *value) {
@@ -477,7 +479,7 @@ mip_error mip_gnss_1_sbas_info_decode(struct mip_gnss_1_sbas_info *value,
 
 mip_error mip_gnss_1_sbas_info_encode(const struct mip_gnss_1_sbas_info *value,
                                       struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_1_SBAS_INFO_DESCRIPTOR, write_sbas_info, value);
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_SBAS_INFO_DESCRIPTOR, write_sbas_info, value);
 }
 
 static void read_satellite_status(struct mip_reader *r, void *value) {
@@ -526,8 +528,8 @@ mip_error mip_gnss_1_satellite_status_decode(struct mip_gnss_1_satellite_status 
 
 mip_error mip_gnss_1_satellite_status_encode(const struct mip_gnss_1_satellite_status *value,
                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_1_SATELLITE_STATUS_DESCRIPTOR, write_satellite_status,
-                            value);
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_SATELLITE_STATUS_DESCRIPTOR,
+                            write_satellite_status, value);
 }
 
 static void read_raw(struct mip_reader *r, void *value) {
@@ -592,7 +594,7 @@ mip_error mip_gnss_1_raw_decode(struct mip_gnss_1_raw *value, const struct mip_f
 }
 
 mip_error mip_gnss_1_raw_encode(const struct mip_gnss_1_raw *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_1_RAW_DESCRIPTOR, write_raw, value);
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_RAW_DESCRIPTOR, write_raw, value);
 }
 
 static void read_gps_ephemeris(struct mip_reader *r, void *value) {
@@ -689,7 +691,7 @@ mip_error mip_gnss_1_gps_ephemeris_decode(struct mip_gnss_1_gps_ephemeris *value
 
 mip_error mip_gnss_1_gps_ephemeris_encode(const struct mip_gnss_1_gps_ephemeris *value,
                                           struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_1_GPS_EPHEMERIS_DESCRIPTOR, write_gps_ephemeris,
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_GPS_EPHEMERIS_DESCRIPTOR, write_gps_ephemeris,
                             value);
 }
 
@@ -770,7 +772,7 @@ mip_error mip_gnss_1_glonass_ephemeris_decode(struct mip_gnss_1_glonass_ephemeri
 
 mip_error mip_gnss_1_glonass_ephemeris_encode(const struct mip_gnss_1_glonass_ephemeris *value,
                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_1_GLONASS_EPHEMERIS_DESCRIPTOR,
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_GLONASS_EPHEMERIS_DESCRIPTOR,
                             write_glonass_ephemeris, value);
 }
 
@@ -869,7 +871,7 @@ mip_error mip_gnss_1_galileo_ephemeris_decode(struct mip_gnss_1_galileo_ephemeri
 
 mip_error mip_gnss_1_galileo_ephemeris_encode(const struct mip_gnss_1_galileo_ephemeris *value,
                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_1_GALILEO_EPHEMERIS_DESCRIPTOR,
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_GALILEO_EPHEMERIS_DESCRIPTOR,
                             write_galileo_ephemeris, value);
 }
 
@@ -967,6 +969,6 @@ mip_error mip_gnss_1_beidou_ephemeris_decode(struct mip_gnss_1_beidou_ephemeris 
 
 mip_error mip_gnss_1_beidou_ephemeris_encode(const struct mip_gnss_1_beidou_ephemeris *value,
                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_1_BEIDOU_EPHEMERIS_DESCRIPTOR, write_beidou_ephemeris,
-                            value);
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_BEIDOU_EPHEMERIS_DESCRIPTOR,
+                            write_beidou_ephemeris, value);
 }

@@ -45,7 +45,7 @@ mip_error mip_gnss_corrections_base_station_info_decode(
 
 mip_error mip_gnss_corrections_base_station_info_encode(
     const struct mip_gnss_corrections_base_station_info *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_DESCRIPTOR,
+    return mip_encode_field(builder, 0x93, MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_DESCRIPTOR,
                             write_base_station_info, value);
 }
 
@@ -97,6 +97,6 @@ mip_error mip_gnss_corrections_rtk_corrections_status_decode(
 
 mip_error mip_gnss_corrections_rtk_corrections_status_encode(
     const struct mip_gnss_corrections_rtk_corrections_status *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_DESCRIPTOR,
+    return mip_encode_field(builder, 0x93, MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_DESCRIPTOR,
                             write_rtk_corrections_status, value);
 }

@@ -31,7 +31,8 @@ mip_error mip_sensor_scaled_accel_decode(struct mip_sensor_scaled_accel *value,
 
 mip_error mip_sensor_scaled_accel_encode(const struct mip_sensor_scaled_accel *value,
                                          struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR, write_scaled_accel, value);
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR, write_scaled_accel,
+                            value);
 }
 
 static void read_scaled_gyro(struct mip_reader *r, void *value) {
@@ -62,7 +63,8 @@ mip_error mip_sensor_scaled_gyro_decode(struct mip_sensor_scaled_gyro *value,
 
 mip_error mip_sensor_scaled_gyro_encode(const struct mip_sensor_scaled_gyro *value,
                                         struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SENSOR_SCALED_GYRO_DESCRIPTOR, write_scaled_gyro, value);
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_SCALED_GYRO_DESCRIPTOR, write_scaled_gyro,
+                            value);
 }
 
 static void read_scaled_mag(struct mip_reader *r, void *value) {
@@ -93,7 +95,8 @@ mip_error mip_sensor_scaled_mag_decode(struct mip_sensor_scaled_mag *value,
 
 mip_error mip_sensor_scaled_mag_encode(const struct mip_sensor_scaled_mag *value,
                                        struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SENSOR_SCALED_MAG_DESCRIPTOR, write_scaled_mag, value);
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_SCALED_MAG_DESCRIPTOR, write_scaled_mag,
+                            value);
 }
 
 static void read_delta_theta(struct mip_reader *r, void *value) {
@@ -124,7 +127,8 @@ mip_error mip_sensor_delta_theta_decode(struct mip_sensor_delta_theta *value,
 
 mip_error mip_sensor_delta_theta_encode(const struct mip_sensor_delta_theta *value,
                                         struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SENSOR_DELTA_THETA_DESCRIPTOR, write_delta_theta, value);
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_DELTA_THETA_DESCRIPTOR, write_delta_theta,
+                            value);
 }
 
 static void read_delta_velocity(struct mip_reader *r, void *value) {
@@ -155,8 +159,8 @@ mip_error mip_sensor_delta_velocity_decode(struct mip_sensor_delta_velocity *val
 
 mip_error mip_sensor_delta_velocity_encode(const struct mip_sensor_delta_velocity *value,
                                            struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SENSOR_DELTA_VELOCITY_DESCRIPTOR, write_delta_velocity,
-                            value);
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_DELTA_VELOCITY_DESCRIPTOR,
+                            write_delta_velocity, value);
 }
 
 static void read_complementary_filter_orientation_matrix(struct mip_reader *r, void *value) {
@@ -192,7 +196,8 @@ mip_error mip_sensor_complementary_filter_orientation_matrix_decode(
 mip_error mip_sensor_complementary_filter_orientation_matrix_encode(
     const struct mip_sensor_complementary_filter_orientation_matrix *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SENSOR_COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_DESCRIPTOR,
+    return mip_encode_field(builder, 0x80,
+                            MIP_SENSOR_COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_DESCRIPTOR,
                             write_complementary_filter_orientation_matrix, value);
 }
 
@@ -227,7 +232,7 @@ mip_error mip_sensor_complementary_filter_quaternion_decode(
 
 mip_error mip_sensor_complementary_filter_quaternion_encode(
     const struct mip_sensor_complementary_filter_quaternion *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SENSOR_COMPLEMENTARY_FILTER_QUATERNION_DESCRIPTOR,
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_COMPLEMENTARY_FILTER_QUATERNION_DESCRIPTOR,
                             write_complementary_filter_quaternion, value);
 }
 
@@ -266,7 +271,7 @@ mip_error mip_sensor_complementary_filter_euler_angles_decode(
 
 mip_error mip_sensor_complementary_filter_euler_angles_encode(
     const struct mip_sensor_complementary_filter_euler_angles *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SENSOR_COMPLEMENTARY_FILTER_EULER_ANGLES_DESCRIPTOR,
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_COMPLEMENTARY_FILTER_EULER_ANGLES_DESCRIPTOR,
                             write_complementary_filter_euler_angles, value);
 }
 
@@ -304,7 +309,7 @@ mip_error mip_sensor_complementary_filter_stabilized_north_vector_decode(
 mip_error mip_sensor_complementary_filter_stabilized_north_vector_encode(
     const struct mip_sensor_complementary_filter_stabilized_north_vector *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x80,
                             MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_DESCRIPTOR,
                             write_complementary_filter_stabilized_north_vector, value);
 }
@@ -343,7 +348,7 @@ mip_error mip_sensor_complementary_filter_stabilized_up_vector_decode(
 mip_error mip_sensor_complementary_filter_stabilized_up_vector_encode(
     const struct mip_sensor_complementary_filter_stabilized_up_vector *value,
     struct mip_builder *builder) {
-    return mip_encode_field(builder,
+    return mip_encode_field(builder, 0x80,
                             MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_DESCRIPTOR,
                             write_complementary_filter_stabilized_up_vector, value);
 }
@@ -380,7 +385,7 @@ mip_error mip_sensor_gps_timestamp_decode(struct mip_sensor_gps_timestamp *value
 
 mip_error mip_sensor_gps_timestamp_encode(const struct mip_sensor_gps_timestamp *value,
                                           struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SENSOR_GPS_TIMESTAMP_DESCRIPTOR, write_gps_timestamp,
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_GPS_TIMESTAMP_DESCRIPTOR, write_gps_timestamp,
                             value);
 }
 
@@ -417,7 +422,7 @@ mip_error mip_sensor_temperature_statistics_decode(struct mip_sensor_temperature
 
 mip_error mip_sensor_temperature_statistics_encode(
     const struct mip_sensor_temperature_statistics *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SENSOR_TEMPERATURE_STATISTICS_DESCRIPTOR,
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_TEMPERATURE_STATISTICS_DESCRIPTOR,
                             write_temperature_statistics, value);
 }
 
@@ -449,8 +454,8 @@ mip_error mip_sensor_scaled_pressure_decode(struct mip_sensor_scaled_pressure *v
 
 mip_error mip_sensor_scaled_pressure_encode(const struct mip_sensor_scaled_pressure *value,
                                             struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SENSOR_SCALED_PRESSURE_DESCRIPTOR, write_scaled_pressure,
-                            value);
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_SCALED_PRESSURE_DESCRIPTOR,
+                            write_scaled_pressure, value);
 }
 
 static void read_overrange_status(struct mip_reader *r, void *value) {
@@ -481,8 +486,8 @@ mip_error mip_sensor_overrange_status_decode(struct mip_sensor_overrange_status 
 
 mip_error mip_sensor_overrange_status_encode(const struct mip_sensor_overrange_status *value,
                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SENSOR_OVERRANGE_STATUS_DESCRIPTOR, write_overrange_status,
-                            value);
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_OVERRANGE_STATUS_DESCRIPTOR,
+                            write_overrange_status, value);
 }
 
 static void read_odometer(struct mip_reader *r, void *value) {
@@ -517,5 +522,5 @@ mip_error mip_sensor_odometer_decode(struct mip_sensor_odometer *value,
 
 mip_error mip_sensor_odometer_encode(const struct mip_sensor_odometer *value,
                                      struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SENSOR_ODOMETER_DESCRIPTOR, write_odometer, value);
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_ODOMETER_DESCRIPTOR, write_odometer, value);
 }

@@ -31,7 +31,8 @@ mip_error mip_shared_event_source_decode(struct mip_shared_event_source *value,
 
 mip_error mip_shared_event_source_encode(const struct mip_shared_event_source *value,
                                          struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SHARED_EVENT_SOURCE_DESCRIPTOR, write_event_source, value);
+    return mip_encode_field(builder, 0xFF, MIP_SHARED_EVENT_SOURCE_DESCRIPTOR, write_event_source,
+                            value);
 }
 
 static void read_gps_timestamp(struct mip_reader *r, void *value) {
@@ -66,7 +67,7 @@ mip_error mip_shared_gps_timestamp_decode(struct mip_shared_gps_timestamp *value
 
 mip_error mip_shared_gps_timestamp_encode(const struct mip_shared_gps_timestamp *value,
                                           struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SHARED_GPS_TIMESTAMP_DESCRIPTOR, write_gps_timestamp,
+    return mip_encode_field(builder, 0xFF, MIP_SHARED_GPS_TIMESTAMP_DESCRIPTOR, write_gps_timestamp,
                             value);
 }
 
@@ -98,7 +99,8 @@ mip_error mip_shared_delta_time_decode(struct mip_shared_delta_time *value,
 
 mip_error mip_shared_delta_time_encode(const struct mip_shared_delta_time *value,
                                        struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SHARED_DELTA_TIME_DESCRIPTOR, write_delta_time, value);
+    return mip_encode_field(builder, 0xFF, MIP_SHARED_DELTA_TIME_DESCRIPTOR, write_delta_time,
+                            value);
 }
 
 static void read_reference_timestamp(struct mip_reader *r, void *value) {
@@ -130,7 +132,7 @@ mip_error mip_shared_reference_timestamp_decode(struct mip_shared_reference_time
 
 mip_error mip_shared_reference_timestamp_encode(const struct mip_shared_reference_timestamp *value,
                                                 struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SHARED_REFERENCE_TIMESTAMP_DESCRIPTOR,
+    return mip_encode_field(builder, 0xFF, MIP_SHARED_REFERENCE_TIMESTAMP_DESCRIPTOR,
                             write_reference_timestamp, value);
 }
 
@@ -163,7 +165,7 @@ mip_error mip_shared_reference_time_delta_decode(struct mip_shared_reference_tim
 
 mip_error mip_shared_reference_time_delta_encode(
     const struct mip_shared_reference_time_delta *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SHARED_REFERENCE_TIME_DELTA_DESCRIPTOR,
+    return mip_encode_field(builder, 0xFF, MIP_SHARED_REFERENCE_TIME_DELTA_DESCRIPTOR,
                             write_reference_time_delta, value);
 }
 
@@ -198,7 +200,7 @@ mip_error mip_shared_external_timestamp_decode(struct mip_shared_external_timest
 
 mip_error mip_shared_external_timestamp_encode(const struct mip_shared_external_timestamp *value,
                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SHARED_EXTERNAL_TIMESTAMP_DESCRIPTOR,
+    return mip_encode_field(builder, 0xFF, MIP_SHARED_EXTERNAL_TIMESTAMP_DESCRIPTOR,
                             write_external_timestamp, value);
 }
 
@@ -233,6 +235,6 @@ mip_error mip_shared_external_time_delta_decode(struct mip_shared_external_time_
 
 mip_error mip_shared_external_time_delta_encode(const struct mip_shared_external_time_delta *value,
                                                 struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SHARED_EXTERNAL_TIME_DELTA_DESCRIPTOR,
+    return mip_encode_field(builder, 0xFF, MIP_SHARED_EXTERNAL_TIME_DELTA_DESCRIPTOR,
                             write_external_time_delta, value);
 }

@@ -44,7 +44,7 @@ mip_error mip_system_communication_mode_decode(struct mip_system_communication_m
 
 mip_error mip_system_communication_mode_encode(const struct mip_system_communication_mode *value,
                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SYSTEM_COMMUNICATION_MODE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x7F, MIP_SYSTEM_COMMUNICATION_MODE_DESCRIPTOR,
                             write_communication_mode, value);
 }
 
@@ -115,6 +115,6 @@ mip_error mip_system_communication_mode_response_decode(
 
 mip_error mip_system_communication_mode_response_encode(
     const struct mip_system_communication_mode_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SYSTEM_COMMUNICATION_MODE_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x7F, MIP_SYSTEM_COMMUNICATION_MODE_RESPONSE_DESCRIPTOR,
                             write_communication_mode_response, value);
 }

@@ -32,8 +32,8 @@ mip_error mip_system_data_built_in_test_decode(struct mip_system_data_built_in_t
 
 mip_error mip_system_data_built_in_test_encode(const struct mip_system_data_built_in_test *value,
                                                struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SYSTEM_DATA_BUILT_IN_TEST_DESCRIPTOR, write_built_in_test,
-                            value);
+    return mip_encode_field(builder, 0xA0, MIP_SYSTEM_DATA_BUILT_IN_TEST_DESCRIPTOR,
+                            write_built_in_test, value);
 }
 
 static void read_time_sync_status(struct mip_reader *r, void *value) {
@@ -67,7 +67,7 @@ mip_error mip_system_data_time_sync_status_decode(struct mip_system_data_time_sy
 
 mip_error mip_system_data_time_sync_status_encode(
     const struct mip_system_data_time_sync_status *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SYSTEM_DATA_TIME_SYNC_STATUS_DESCRIPTOR,
+    return mip_encode_field(builder, 0xA0, MIP_SYSTEM_DATA_TIME_SYNC_STATUS_DESCRIPTOR,
                             write_time_sync_status, value);
 }
 
@@ -99,6 +99,6 @@ mip_error mip_system_data_gpio_state_decode(struct mip_system_data_gpio_state *v
 
 mip_error mip_system_data_gpio_state_encode(const struct mip_system_data_gpio_state *value,
                                             struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SYSTEM_DATA_GPIO_STATE_DESCRIPTOR, write_gpio_state,
+    return mip_encode_field(builder, 0xA0, MIP_SYSTEM_DATA_GPIO_STATE_DESCRIPTOR, write_gpio_state,
                             value);
 }

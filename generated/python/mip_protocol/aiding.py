@@ -72,7 +72,7 @@ class MeasurementTime(Structure):
         return out
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class AxisFlags(IntFlag):
     """Which axes of a measurement are valid; the others are ignored."""
 
@@ -84,7 +84,7 @@ class AxisFlags(IntFlag):
     """Third axis."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class LlhAxisFlags(IntFlag):
     """Which coordinates of a position are valid; the others are ignored."""
 

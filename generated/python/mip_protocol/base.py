@@ -131,7 +131,9 @@ class GetDeviceDescriptorsResponse(Response):
         return cls(descriptors), at
 
     def _write(self) -> bytes:
-        out = codec.write_numbers("H", codec.at_most("descriptors", self.descriptors, 126))
+        out = codec.write_numbers(
+            "descriptors", "H", codec.at_most("descriptors", self.descriptors, 126)
+        )
         return codec.finished(out)
 
 
@@ -268,7 +270,9 @@ class GetDeviceDescriptorsExtendedResponse(Response):
         return cls(descriptors), at
 
     def _write(self) -> bytes:
-        out = codec.write_numbers("H", codec.at_most("descriptors", self.descriptors, 126))
+        out = codec.write_numbers(
+            "descriptors", "H", codec.at_most("descriptors", self.descriptors, 126)
+        )
         return codec.finished(out)
 
 

@@ -13,10 +13,12 @@ Times are seconds on any clock that does not jump.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 
+from .errors import DecodeError, PacketError
 from .field import Command, Response
-from .packet import Packet, PacketBuilder
+from .packet import Packet, PacketBuilder, RawField
 from .parser import Parser
 from .protocol import Acknowledge
 from .types import AckCode
@@ -97,10 +99,14 @@ class Client:
 
     def receive(self, data: bytes, now: float) -> list[Event]:
         """What these bytes and this moment bring: answers, other packets, time-outs."""
-        events: list[Event] = []
-        for packet in self._parser.feed(data):
-            events += self._answers(packet)
-        return events + self.poll(now)
+        return self._events(self._parser.feed(data), now)
+
+    def flush(self, now: float) -> list[Event]:
+        """Gives up a packet that is not complete, after a silence say, and looks behind it.
+
+        Noise that looks like the beginning of a long packet holds an answer back until then.
+        """
+        return self._events(self._parser.flush(), now)
 
     def poll(self, now: float) -> list[Event]:
         """The commands whose time is over."""
@@ -108,34 +114,48 @@ class Client:
         self._pending = [p for p in self._pending if p.deadline > now]
         return [TimedOut(p.command) for p in late]
 
-    def _answers(self, packet: Packet) -> list[Event]:
-        if packet.set >= 0x80:
-            return [Received(packet)]
+    def _events(self, packets: Iterable[Packet], now: float) -> list[Event]:
         events: list[Event] = []
-        answer: Answer | None = None
+        for packet in packets:
+            events += self._answers(packet) or [Received(packet)]
+        return events + self.poll(now)
+
+    def _answers(self, packet: Packet) -> list[Answer]:
+        if packet.set >= 0x80:
+            return []
+        answers: list[Answer] = []
+        current = False  # does the last answer take the response that follows?
         try:
             for raw in packet:
                 if raw.descriptor == Acknowledge.DESCRIPTOR:
+                    answer = self._acknowledged(raw)
+                    current = answer is not None
                     if answer is not None:
-                        events.append(answer)
-                    answer = self._acknowledged(packet.set, Acknowledge.decode(raw.data))
-                elif answer is not None and answer.response is None:
-                    kinds = [
-                        r
-                        for r in answer.command.RESPONSES
-                        if r.DESCRIPTOR == raw.descriptor and r.matches(raw.data)
-                    ]
-                    if kinds:
-                        answer = Answer(answer.command, answer.code, kinds[0].decode(raw.data))
-        except ValueError:
+                        answers.append(answer)
+                elif current and answers[-1].response is None:
+                    answers[-1] = replace(answers[-1], response=_response(answers[-1].command, raw))
+        except PacketError:
             pass  # what stands before a malformed field still counts
-        if answer is not None:
-            events.append(answer)
-        return events or [Received(packet)]
+        return answers
 
-    def _acknowledged(self, set: int, ack: Acknowledge) -> Answer | None:
+    def _acknowledged(self, raw: RawField) -> Answer | None:
+        try:
+            ack = Acknowledge.decode(raw.data)
+        except DecodeError:
+            return None
         for i, waiting in enumerate(self._pending):
-            if waiting.command.SET == set and waiting.command.DESCRIPTOR == ack.command:
+            if waiting.command.SET == raw.set and waiting.command.DESCRIPTOR == ack.command:
                 del self._pending[i]
                 return Answer(waiting.command, ack.code)
         return None
+
+
+def _response(command: Command, raw: RawField) -> Response | None:
+    """The response of a command, if the field is one and can be decoded."""
+    for kind in command.RESPONSES:
+        if kind.DESCRIPTOR == raw.descriptor and kind.matches(raw.data):
+            try:
+                return kind.decode(raw.data)
+            except DecodeError:
+                return None
+    return None

@@ -14,7 +14,7 @@ from .field import Command, Field, Response
 from .protocol import FunctionSelector
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class EstimatedStates(IntFlag):
     """States that the filter estimates."""
 
@@ -53,7 +53,7 @@ class HeadingUpdateSource(codec.OpenEnum):
     """The heading messages that the user sends."""
 
 
-@codec.open_flag
+@codec.open_flag(8)
 class TareAxes(IntFlag):
     """Axes to tare; 0 resets all axes."""
 
@@ -65,7 +65,7 @@ class TareAxes(IntFlag):
     """Tare yaw."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class MeasurementFlags(IntFlag):
     """Measurements that the filter uses."""
 
@@ -144,7 +144,7 @@ class InitialConditionSource(codec.OpenEnum):
     """Position, velocity and attitude are given."""
 
 
-@codec.open_flag
+@codec.open_flag(8)
 class HeadingAlignment(IntFlag):
     """Ways in which the device may find its initial heading."""
 

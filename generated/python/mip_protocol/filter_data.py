@@ -9,11 +9,10 @@ from dataclasses import dataclass
 from enum import IntFlag
 
 from . import codec, types
-from .errors import EncodeError
 from .field import Data, Field
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class ValidFlags(IntFlag):
     """Whether the values of a field may be used."""
 
@@ -65,7 +64,7 @@ class Cv7DynamicsMode(codec.OpenEnum):
     """The only mode."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class Gx5StatusFlags(IntFlag):
     """Problems of the filter of a 5-series device. The `init` bits count in filter state `init`,
     the others while the filter runs.
@@ -118,7 +117,7 @@ class FilterCondition(codec.OpenEnum):
     """Estimates are unstable or recovering."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class Cv7StatusFlags(IntFlag):
     """Condition and warnings of the filter of a 3DM-CV7."""
 
@@ -152,8 +151,7 @@ class Cv7StatusFlags(IntFlag):
 
     def with_filter_condition(self, value: int) -> Cv7StatusFlags:
         """The same with bits 0 to 1 set to a number."""
-        if not 0 <= value <= 0x3:
-            raise EncodeError("range", f"filter_condition: {value} does not fit into 2 bits")
+        value = codec.fits("filter_condition", value, 2)
         return Cv7StatusFlags(int(self) & ~0x3 | value << 0)
 
     @property
@@ -163,12 +161,11 @@ class Cv7StatusFlags(IntFlag):
 
     def with_solution_error(self, value: int) -> Cv7StatusFlags:
         """The same with bits 12 to 15 set to a number."""
-        if not 0 <= value <= 0xF:
-            raise EncodeError("range", f"solution_error: {value} does not fit into 4 bits")
+        value = codec.fits("solution_error", value, 4)
         return Cv7StatusFlags(int(self) & ~0xF000 | value << 12)
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class HeadingSourceFlags(IntFlag):
     """Sources of heading updates; 0 if heading updates are disabled."""
 
@@ -176,7 +173,7 @@ class HeadingSourceFlags(IntFlag):
     """Heading messages that the user sends."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class GnssAidingStatus(IntFlag):
     """How the filter uses one GNSS receiver."""
 
@@ -251,7 +248,7 @@ class AidingMeasurementType(codec.OpenEnum):
     """Pressure by command."""
 
 
-@codec.open_flag
+@codec.open_flag(8)
 class AidingMeasurementIndicator(IntFlag):
     """What the filter did with an aiding measurement."""
 
@@ -280,7 +277,7 @@ class DualAntennaFixType(codec.OpenEnum):
     """Solution with fixed ambiguities."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class DualAntennaStatusFlags(IntFlag):
     """What the heading solution of two antennas has to work with."""
 

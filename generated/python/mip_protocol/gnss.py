@@ -44,7 +44,7 @@ class ReceiverInfoEntry(Structure):
         return out
 
 
-@codec.open_flag
+@codec.open_flag(8)
 class GpsSignals(IntFlag):
     """GPS signals that are enabled."""
 
@@ -56,7 +56,7 @@ class GpsSignals(IntFlag):
     """L5."""
 
 
-@codec.open_flag
+@codec.open_flag(8)
 class GlonassSignals(IntFlag):
     """GLONASS signals that are enabled."""
 
@@ -66,7 +66,7 @@ class GlonassSignals(IntFlag):
     """L2OF."""
 
 
-@codec.open_flag
+@codec.open_flag(8)
 class GalileoSignals(IntFlag):
     """Galileo signals that are enabled."""
 
@@ -78,7 +78,7 @@ class GalileoSignals(IntFlag):
     """E5a."""
 
 
-@codec.open_flag
+@codec.open_flag(8)
 class BeidouSignals(IntFlag):
     """BeiDou signals that are enabled."""
 
@@ -131,9 +131,7 @@ class ReceiverInfoResponse(Response):
         return cls(receiver_info), at
 
     def _write(self) -> bytes:
-        out = _RECEIVER_INFO_RESPONSE_0.write(
-            len(codec.at_most("receiver_info", self.receiver_info, 255))
-        )
+        out = _RECEIVER_INFO_RESPONSE_0.write(codec.count("receiver_info", self.receiver_info, 7))
         out += codec.write_structures(
             "receiver_info",
             codec.at_most("receiver_info", self.receiver_info, 7),

@@ -12,7 +12,7 @@ from . import codec, types
 from .field import Data, Field
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class GnssLlhPositionFlags(IntFlag):
     """Which parts of the position are valid."""
 
@@ -30,7 +30,7 @@ class GnssLlhPositionFlags(IntFlag):
     """All of them."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class GnssEcefPositionFlags(IntFlag):
     """Which parts of the position are valid."""
 
@@ -42,7 +42,7 @@ class GnssEcefPositionFlags(IntFlag):
     """All of them."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class NedVelocityFlags(IntFlag):
     """Which parts of the velocity are valid."""
 
@@ -62,7 +62,7 @@ class NedVelocityFlags(IntFlag):
     """All of them."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class GnssEcefVelocityFlags(IntFlag):
     """Which parts of the velocity are valid."""
 
@@ -74,7 +74,7 @@ class GnssEcefVelocityFlags(IntFlag):
     """All of them."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class DopFlags(IntFlag):
     """Which dilutions of precision are valid."""
 
@@ -96,7 +96,7 @@ class DopFlags(IntFlag):
     """All of them."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class UtcTimeFlags(IntFlag):
     """How far the UTC time is valid."""
 
@@ -108,7 +108,7 @@ class UtcTimeFlags(IntFlag):
     """All of them."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class GpsTimeFlags(IntFlag):
     """Which parts of the time are valid."""
 
@@ -120,7 +120,7 @@ class GpsTimeFlags(IntFlag):
     """All of them."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class FixFlags(IntFlag):
     """What the fix makes use of."""
 
@@ -130,7 +130,7 @@ class FixFlags(IntFlag):
     """Differential corrections."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class FixInfoFlags(IntFlag):
     """Which parts of the fix information are valid."""
 
@@ -181,7 +181,7 @@ class AntennaPower(codec.OpenEnum):
     """Not known."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class GnssHardwareStatusFlags(IntFlag):
     """Which parts of the hardware status are valid."""
 
@@ -195,7 +195,7 @@ class GnssHardwareStatusFlags(IntFlag):
     """All of them."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class ClockInfo2Flags(IntFlag):
     """Which clock parameters are valid."""
 
@@ -211,7 +211,7 @@ class ClockInfo2Flags(IntFlag):
     """All of them."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class GpsLeapSecondsFlags(IntFlag):
     """Whether the leap seconds are valid. Bit 0 is not used."""
 
@@ -234,7 +234,7 @@ class SbasSystem(codec.OpenEnum):
     """India."""
 
 
-@codec.open_flag
+@codec.open_flag(8)
 class SbasStatus(IntFlag):
     """What the SBAS service offers."""
 
@@ -248,7 +248,7 @@ class SbasStatus(IntFlag):
     """The service is in test mode."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class SbasInfoFlags(IntFlag):
     """Which parts of the SBAS status are valid."""
 
@@ -268,7 +268,7 @@ class SbasInfoFlags(IntFlag):
     """All of them."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class SatelliteStatusFlags(IntFlag):
     """Which parts of the satellite status are valid."""
 
@@ -307,7 +307,7 @@ class SignalQuality(codec.OpenEnum):
     """Fully locked."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class RawFlags(IntFlag):
     """Which parts of the observation are valid."""
 
@@ -347,7 +347,7 @@ class RawFlags(IntFlag):
     """All of them."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class EphemerisFlags(IntFlag):
     """What an ephemeris of GPS, Galileo or BeiDou holds."""
 
@@ -370,7 +370,7 @@ class GlonassSatelliteType(codec.OpenEnum):
     """GLONASS-M."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class GlonassEphemerisFlags(IntFlag):
     """Whether the ephemeris is valid."""
 

@@ -5,27 +5,261 @@ Measurements and status of the second internal GNSS receiver.
 
 from __future__ import annotations
 
+from . import gnss_1
 from .field import Field
-from .gnss_1 import (
-    BeidouEphemeris,
-    ClockInfo2,
-    Dop,
-    FixInfo,
-    GalileoEphemeris,
-    GlonassEphemeris,
-    GnssEcefPosition,
-    GnssEcefVelocity,
-    GnssHardwareStatus,
-    GnssLlhPosition,
-    GpsEphemeris,
-    GpsLeapSeconds,
-    GpsTime,
-    NedVelocity,
-    Raw,
-    SatelliteStatus,
-    SbasInfo,
-    UtcTime,
-)
+
+
+class GnssLlhPosition(gnss_1.GnssLlhPosition):
+    """GNSS LLH position (0x92,0x03).
+
+    Has the values of gnss_1.GnssLlhPosition.
+
+    - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.gnss_llh_position"
+
+
+class GnssEcefPosition(gnss_1.GnssEcefPosition):
+    """GNSS ECEF position (0x92,0x04).
+
+    Has the values of gnss_1.GnssEcefPosition.
+
+    - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.gnss_ecef_position"
+
+
+class NedVelocity(gnss_1.NedVelocity):
+    """NED velocity (0x92,0x05).
+
+    Has the values of gnss_1.NedVelocity.
+
+    - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.ned_velocity"
+
+
+class GnssEcefVelocity(gnss_1.GnssEcefVelocity):
+    """GNSS ECEF velocity (0x92,0x06).
+
+    Has the values of gnss_1.GnssEcefVelocity.
+
+    - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.gnss_ecef_velocity"
+
+
+class Dop(gnss_1.Dop):
+    """DOP (0x92,0x07).
+
+    Has the values of gnss_1.Dop.
+
+    - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.dop"
+
+
+class UtcTime(gnss_1.UtcTime):
+    """UTC time (0x92,0x08).
+
+    Has the values of gnss_1.UtcTime.
+
+    - 3dm-cv7-gnss-ins: UTC Time (0x92,0x08)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.utc_time"
+
+
+class GpsTime(gnss_1.GpsTime):
+    """GPS time (0x92,0x09).
+
+    Has the values of gnss_1.GpsTime.
+
+    - 3dm-cv7-gnss-ins: GPS Time (0x92,0x09)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.gps_time"
+
+
+class FixInfo(gnss_1.FixInfo):
+    """Fix info (0x92,0x0B).
+
+    Has the values of gnss_1.FixInfo.
+
+    - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.fix_info"
+
+
+class GnssHardwareStatus(gnss_1.GnssHardwareStatus):
+    """GNSS hardware status (0x92,0x0D).
+
+    Has the values of gnss_1.GnssHardwareStatus.
+
+    - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.gnss_hardware_status"
+
+
+class ClockInfo2(gnss_1.ClockInfo2):
+    """Clock info 2 (0x92,0x10).
+
+    Has the values of gnss_1.ClockInfo2.
+
+    - 3dm-cv7-gnss-ins: Clock Info 2 (0x92,0x10)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.clock_info_2"
+
+
+class GpsLeapSeconds(gnss_1.GpsLeapSeconds):
+    """GPS leap seconds (0x92,0x11).
+
+    Has the values of gnss_1.GpsLeapSeconds.
+
+    - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.gps_leap_seconds"
+
+
+class SbasInfo(gnss_1.SbasInfo):
+    """SBAS info (0x92,0x12).
+
+    Has the values of gnss_1.SbasInfo.
+
+    - 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.sbas_info"
+
+
+class SatelliteStatus(gnss_1.SatelliteStatus):
+    """Satellite status (0x92,0x20).
+
+    Has the values of gnss_1.SatelliteStatus.
+
+    - 3dm-cv7-gnss-ins: Satellite Status (0x92,0x20)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.satellite_status"
+
+
+class Raw(gnss_1.Raw):
+    """Raw (0x92,0x22).
+
+    Has the values of gnss_1.Raw.
+
+    - 3dm-cv7-gnss-ins: Raw (0x92,0x22)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.raw"
+
+
+class GpsEphemeris(gnss_1.GpsEphemeris):
+    """GPS ephemeris (0x92,0x61).
+
+    Has the values of gnss_1.GpsEphemeris.
+
+    - 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.gps_ephemeris"
+
+
+class GlonassEphemeris(gnss_1.GlonassEphemeris):
+    """GLONASS ephemeris (0x92,0x62).
+
+    Has the values of gnss_1.GlonassEphemeris.
+
+    - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x92,0x62)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.glonass_ephemeris"
+
+
+class GalileoEphemeris(gnss_1.GalileoEphemeris):
+    """Galileo ephemeris (0x92,0x63).
+
+    Has the values of gnss_1.GalileoEphemeris.
+
+    - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.galileo_ephemeris"
+
+
+class BeidouEphemeris(gnss_1.BeidouEphemeris):
+    """BeiDou ephemeris (0x92,0x64).
+
+    Has the values of gnss_1.BeidouEphemeris.
+
+    - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.beidou_ephemeris"
+
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {

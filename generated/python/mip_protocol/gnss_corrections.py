@@ -12,7 +12,7 @@ from . import codec, types
 from .field import Data, Field
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class BaseStationIndicators(IntFlag):
     """Properties of a base station, as its RTCM message gives them."""
 
@@ -36,7 +36,7 @@ class BaseStationIndicators(IntFlag):
     """Quarter cycle indicator."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class BaseStationInfoFlags(IntFlag):
     """Which values are valid."""
 
@@ -56,7 +56,7 @@ class BaseStationInfoFlags(IntFlag):
     """All of them."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class RtkEpochStatus(IntFlag):
     """Corrections that came during an epoch."""
 
@@ -80,7 +80,7 @@ class RtkEpochStatus(IntFlag):
     """The status of the dongle could not be read."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class RtkCorrectionsStatusFlags(IntFlag):
     """Which values are valid."""
 

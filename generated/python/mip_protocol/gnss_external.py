@@ -6,8 +6,79 @@ sentences; a value that NMEA does not give is not valid. Times are those of the 
 
 from __future__ import annotations
 
+from . import gnss_1
 from .field import Field
-from .gnss_1 import FixInfo, GnssLlhPosition, NedVelocity, SatelliteStatus, UtcTime
+
+
+class GnssLlhPosition(gnss_1.GnssLlhPosition):
+    """GNSS LLH position (0x94,0x03).
+
+    Has the values of gnss_1.GnssLlhPosition.
+
+    - 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03)
+    """
+
+    __slots__ = ()
+
+    SET = 0x94
+    NAME = "gnss_external.gnss_llh_position"
+
+
+class NedVelocity(gnss_1.NedVelocity):
+    """NED velocity (0x94,0x05).
+
+    Has the values of gnss_1.NedVelocity.
+
+    - 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05)
+    """
+
+    __slots__ = ()
+
+    SET = 0x94
+    NAME = "gnss_external.ned_velocity"
+
+
+class UtcTime(gnss_1.UtcTime):
+    """UTC time (0x94,0x08).
+
+    Has the values of gnss_1.UtcTime.
+
+    - 3dm-cv7-gnss-ins: UTC Time (0x94,0x08)
+    """
+
+    __slots__ = ()
+
+    SET = 0x94
+    NAME = "gnss_external.utc_time"
+
+
+class FixInfo(gnss_1.FixInfo):
+    """Fix info (0x94,0x0B).
+
+    Has the values of gnss_1.FixInfo.
+
+    - 3dm-cv7-gnss-ins: Fix Info (0x94,0x0B)
+    """
+
+    __slots__ = ()
+
+    SET = 0x94
+    NAME = "gnss_external.fix_info"
+
+
+class SatelliteStatus(gnss_1.SatelliteStatus):
+    """Satellite status (0x94,0x20).
+
+    Has the values of gnss_1.SatelliteStatus.
+
+    - 3dm-cv7-gnss-ins: Satellite Status (0x94,0x20)
+    """
+
+    __slots__ = ()
+
+    SET = 0x94
+    NAME = "gnss_external.satellite_status"
+
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {

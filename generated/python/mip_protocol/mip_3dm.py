@@ -62,7 +62,7 @@ class LegacyDataStream(codec.OpenEnum):
     """Estimation filter data (0x82)."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class SbasOptions(IntFlag):
     """How SBAS is used."""
 
@@ -261,9 +261,7 @@ class ImuMessageFormatResponse(Response):
         return cls(descriptors), at
 
     def _write(self) -> bytes:
-        out = _IMU_MESSAGE_FORMAT_RESPONSE_0.write(
-            len(codec.at_most("descriptors", self.descriptors, 255))
-        )
+        out = _IMU_MESSAGE_FORMAT_RESPONSE_0.write(codec.count("descriptors", self.descriptors, 84))
         out += codec.write_structures(
             "descriptors", codec.at_most("descriptors", self.descriptors, 84), types.DescriptorRate
         )
@@ -301,7 +299,7 @@ class EstimationFilterMessageFormatResponse(Response):
 
     def _write(self) -> bytes:
         out = _ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_0.write(
-            len(codec.at_most("descriptors", self.descriptors, 255))
+            codec.count("descriptors", self.descriptors, 84)
         )
         out += codec.write_structures(
             "descriptors", codec.at_most("descriptors", self.descriptors, 84), types.DescriptorRate
@@ -533,7 +531,7 @@ class NmeaMessageFormatResponse(Response):
 
     def _write(self) -> bytes:
         out = _NMEA_MESSAGE_FORMAT_RESPONSE_0.write(
-            len(codec.at_most("format_entries", self.format_entries, 255))
+            codec.count("format_entries", self.format_entries, 50)
         )
         out += codec.write_structures(
             "format_entries",
@@ -612,7 +610,7 @@ class MessageFormatResponse(Response):
 
     def _write(self) -> bytes:
         out = _MESSAGE_FORMAT_RESPONSE_0.write(
-            self.desc_set, len(codec.at_most("descriptors", self.descriptors, 255))
+            self.desc_set, codec.count("descriptors", self.descriptors, 83)
         )
         out += codec.write_structures(
             "descriptors", codec.at_most("descriptors", self.descriptors, 83), types.DescriptorRate
@@ -1087,9 +1085,11 @@ class GnssSbasSettingsResponse(Response):
         out = _GNSS_SBAS_SETTINGS_RESPONSE_0.write(
             self.enable_sbas,
             self.sbas_options,
-            len(codec.at_most("included_prns", self.included_prns, 255)),
+            codec.count("included_prns", self.included_prns, 124),
         )
-        out += codec.write_numbers("H", codec.at_most("included_prns", self.included_prns, 124))
+        out += codec.write_numbers(
+            "included_prns", "H", codec.at_most("included_prns", self.included_prns, 124)
+        )
         return codec.finished(out)
 
 
@@ -1282,7 +1282,7 @@ class GetSupportedEventsResponse(Response):
 
     def _write(self) -> bytes:
         out = _GET_SUPPORTED_EVENTS_RESPONSE_0.write(
-            self.query, self.max_instances, len(codec.at_most("entries", self.entries, 255))
+            self.query, self.max_instances, codec.count("entries", self.entries, 125)
         )
         out += codec.write_structures(
             "entries", codec.at_most("entries", self.entries, 125), SupportedEventInfo
@@ -1356,7 +1356,7 @@ class GetEventTriggerStatusResponse(Response):
 
     def _write(self) -> bytes:
         out = _GET_EVENT_TRIGGER_STATUS_RESPONSE_0.write(
-            len(codec.at_most("triggers", self.triggers, 255))
+            codec.count("triggers", self.triggers, 126)
         )
         out += codec.write_structures(
             "triggers", codec.at_most("triggers", self.triggers, 126), EventTriggerStatusEntry
@@ -1394,9 +1394,7 @@ class GetEventActionStatusResponse(Response):
         return cls(actions), at
 
     def _write(self) -> bytes:
-        out = _GET_EVENT_ACTION_STATUS_RESPONSE_0.write(
-            len(codec.at_most("actions", self.actions, 255))
-        )
+        out = _GET_EVENT_ACTION_STATUS_RESPONSE_0.write(codec.count("actions", self.actions, 126))
         out += codec.write_structures(
             "actions", codec.at_most("actions", self.actions, 126), EventActionStatusEntry
         )
@@ -1723,7 +1721,7 @@ class GetCalibratedSensorRangesResponse(Response):
 
     def _write(self) -> bytes:
         out = _GET_CALIBRATED_SENSOR_RANGES_RESPONSE_0.write(
-            self.sensor, len(codec.at_most("ranges", self.ranges, 255))
+            self.sensor, codec.count("ranges", self.ranges, 50)
         )
         out += codec.write_structures(
             "ranges", codec.at_most("ranges", self.ranges, 50), SensorRangeEntry
@@ -1820,7 +1818,7 @@ class PollImuData(Command):
 
     def _write(self) -> bytes:
         out = _POLL_IMU_DATA_0.write(
-            self.suppress_ack, len(codec.at_most("descriptors", self.descriptors, 255))
+            self.suppress_ack, codec.count("descriptors", self.descriptors, 83)
         )
         out += codec.write_structures(
             "descriptors", codec.at_most("descriptors", self.descriptors, 83), PollEntry
@@ -1869,7 +1867,7 @@ class PollEstimationFilterData(Command):
 
     def _write(self) -> bytes:
         out = _POLL_ESTIMATION_FILTER_DATA_0.write(
-            self.suppress_ack, len(codec.at_most("descriptors", self.descriptors, 255))
+            self.suppress_ack, codec.count("descriptors", self.descriptors, 83)
         )
         out += codec.write_structures(
             "descriptors", codec.at_most("descriptors", self.descriptors, 83), PollEntry
@@ -1919,7 +1917,7 @@ class PollNmeaData(Command):
 
     def _write(self) -> bytes:
         out = _POLL_NMEA_DATA_0.write(
-            self.suppress_ack, len(codec.at_most("format_entries", self.format_entries, 255))
+            self.suppress_ack, codec.count("format_entries", self.format_entries, 50)
         )
         out += codec.write_structures(
             "format_entries",
@@ -2035,9 +2033,7 @@ class ImuMessageFormat(Command):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _IMU_MESSAGE_FORMAT_GROUPS)
         if there >= 2:
-            out += _IMU_MESSAGE_FORMAT_1.write(
-                len(codec.at_most("descriptors", self.descriptors, 255))
-            )
+            out += _IMU_MESSAGE_FORMAT_1.write(codec.count("descriptors", self.descriptors, 83))
             out += codec.write_structures(
                 "descriptors",
                 codec.at_most("descriptors", self.descriptors, 83),
@@ -2130,7 +2126,7 @@ class EstimationFilterMessageFormat(Command):
         there = codec.present(self, required, _ESTIMATION_FILTER_MESSAGE_FORMAT_GROUPS)
         if there >= 2:
             out += _ESTIMATION_FILTER_MESSAGE_FORMAT_1.write(
-                len(codec.at_most("descriptors", self.descriptors, 255))
+                codec.count("descriptors", self.descriptors, 83)
             )
             out += codec.write_structures(
                 "descriptors",
@@ -2245,7 +2241,7 @@ class NmeaMessageFormat(Command):
         there = codec.present(self, required, _NMEA_MESSAGE_FORMAT_GROUPS)
         if there >= 2:
             out += _NMEA_MESSAGE_FORMAT_1.write(
-                len(codec.at_most("format_entries", self.format_entries, 255))
+                codec.count("format_entries", self.format_entries, 50)
             )
             out += codec.write_structures(
                 "format_entries",
@@ -2301,11 +2297,11 @@ class PollData(Command):
 
     def _write(self) -> bytes:
         out = _POLL_DATA_0.write(
-            self.desc_set,
-            self.suppress_ack,
-            len(codec.at_most("descriptors", self.descriptors, 255)),
+            self.desc_set, self.suppress_ack, codec.count("descriptors", self.descriptors, 250)
         )
-        out += codec.write_numbers("B", codec.at_most("descriptors", self.descriptors, 250))
+        out += codec.write_numbers(
+            "descriptors", "B", codec.at_most("descriptors", self.descriptors, 250)
+        )
         return codec.finished(out)
 
 
@@ -2437,7 +2433,7 @@ class MessageFormat(Command):
         if there >= 1:
             out += _MESSAGE_FORMAT_1.write(self.desc_set)
         if there >= 3:
-            out += _MESSAGE_FORMAT_2.write(len(codec.at_most("descriptors", self.descriptors, 255)))
+            out += _MESSAGE_FORMAT_2.write(codec.count("descriptors", self.descriptors, 83))
             out += codec.write_structures(
                 "descriptors",
                 codec.at_most("descriptors", self.descriptors, 83),
@@ -2698,9 +2694,11 @@ class GnssSbasSettings(Command):
             out += _GNSS_SBAS_SETTINGS_2.write(self.sbas_options)
         if there >= 4:
             out += _GNSS_SBAS_SETTINGS_3.write(
-                len(codec.at_most("included_prns", self.included_prns, 255))
+                codec.count("included_prns", self.included_prns, 124)
             )
-            out += codec.write_numbers("H", codec.at_most("included_prns", self.included_prns, 124))
+            out += codec.write_numbers(
+                "included_prns", "H", codec.at_most("included_prns", self.included_prns, 124)
+            )
         return codec.finished(out)
 
 
@@ -2948,10 +2946,12 @@ class GetEventTriggerStatus(Command):
 
     def _write(self) -> bytes:
         out = _GET_EVENT_TRIGGER_STATUS_0.write(
-            len(codec.at_most("requested_instances", self.requested_instances, 255))
+            codec.count("requested_instances", self.requested_instances, 252)
         )
         out += codec.write_numbers(
-            "B", codec.at_most("requested_instances", self.requested_instances, 252)
+            "requested_instances",
+            "B",
+            codec.at_most("requested_instances", self.requested_instances, 252),
         )
         return codec.finished(out)
 
@@ -2989,10 +2989,12 @@ class GetEventActionStatus(Command):
 
     def _write(self) -> bytes:
         out = _GET_EVENT_ACTION_STATUS_0.write(
-            len(codec.at_most("requested_instances", self.requested_instances, 255))
+            codec.count("requested_instances", self.requested_instances, 252)
         )
         out += codec.write_numbers(
-            "B", codec.at_most("requested_instances", self.requested_instances, 252)
+            "requested_instances",
+            "B",
+            codec.at_most("requested_instances", self.requested_instances, 252),
         )
         return codec.finished(out)
 

@@ -15,7 +15,9 @@ from . import (
     filter_data,
     gnss,
     gnss_1,
+    gnss_2,
     gnss_corrections,
+    gnss_external,
     mip_3dm,
     protocol,
     sensor,
@@ -2462,3 +2464,27 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
 }
+
+PARAMETERS[gnss_2.GnssLlhPosition] = PARAMETERS[gnss_1.GnssLlhPosition]
+PARAMETERS[gnss_2.GnssEcefPosition] = PARAMETERS[gnss_1.GnssEcefPosition]
+PARAMETERS[gnss_2.NedVelocity] = PARAMETERS[gnss_1.NedVelocity]
+PARAMETERS[gnss_2.GnssEcefVelocity] = PARAMETERS[gnss_1.GnssEcefVelocity]
+PARAMETERS[gnss_2.Dop] = PARAMETERS[gnss_1.Dop]
+PARAMETERS[gnss_2.UtcTime] = PARAMETERS[gnss_1.UtcTime]
+PARAMETERS[gnss_2.GpsTime] = PARAMETERS[gnss_1.GpsTime]
+PARAMETERS[gnss_2.FixInfo] = PARAMETERS[gnss_1.FixInfo]
+PARAMETERS[gnss_2.GnssHardwareStatus] = PARAMETERS[gnss_1.GnssHardwareStatus]
+PARAMETERS[gnss_2.ClockInfo2] = PARAMETERS[gnss_1.ClockInfo2]
+PARAMETERS[gnss_2.GpsLeapSeconds] = PARAMETERS[gnss_1.GpsLeapSeconds]
+PARAMETERS[gnss_2.SbasInfo] = PARAMETERS[gnss_1.SbasInfo]
+PARAMETERS[gnss_2.SatelliteStatus] = PARAMETERS[gnss_1.SatelliteStatus]
+PARAMETERS[gnss_2.Raw] = PARAMETERS[gnss_1.Raw]
+PARAMETERS[gnss_2.GpsEphemeris] = PARAMETERS[gnss_1.GpsEphemeris]
+PARAMETERS[gnss_2.GlonassEphemeris] = PARAMETERS[gnss_1.GlonassEphemeris]
+PARAMETERS[gnss_2.GalileoEphemeris] = PARAMETERS[gnss_1.GalileoEphemeris]
+PARAMETERS[gnss_2.BeidouEphemeris] = PARAMETERS[gnss_1.BeidouEphemeris]
+PARAMETERS[gnss_external.GnssLlhPosition] = PARAMETERS[gnss_1.GnssLlhPosition]
+PARAMETERS[gnss_external.NedVelocity] = PARAMETERS[gnss_1.NedVelocity]
+PARAMETERS[gnss_external.UtcTime] = PARAMETERS[gnss_1.UtcTime]
+PARAMETERS[gnss_external.FixInfo] = PARAMETERS[gnss_1.FixInfo]
+PARAMETERS[gnss_external.SatelliteStatus] = PARAMETERS[gnss_1.SatelliteStatus]

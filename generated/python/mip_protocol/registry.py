@@ -63,33 +63,6 @@ def all_types() -> list[tuple[int, type[Field]]]:
     return found
 
 
-def name(set: int, type: type[Field]) -> str:
-    """The full name of a field inside a packet of that set: a type may serve several sets."""
-    own = type.NAME.partition(".")[2]
-    table = _NAMES.get(set)
-    repeated = table is not None and set != type.SET and type.SET not in (0, SHARED_SET)
-    return f"{table}.{own}" if repeated else type.NAME
-
-
-#: Descriptor set -> its name in the specification.
-_NAMES: dict[int, str] = {
-    0x01: "base",
-    0x0C: "3dm",
-    0x0D: "filter",
-    0x0E: "gnss",
-    0x13: "aiding",
-    0x7F: "system",
-    0x80: "sensor",
-    0x82: "filter_data",
-    0x91: "gnss_1",
-    0x92: "gnss_2",
-    0x93: "gnss_corrections",
-    0x94: "gnss_external",
-    0xA0: "system_data",
-    0xFF: "shared",
-}
-
-
 def decode(raw: RawField) -> Field | None:
     """A field with its values; None if its descriptor is unknown. Raises DecodeError."""
     kind = chosen(types(raw.set, raw.descriptor), raw)

@@ -12,7 +12,7 @@ from . import codec, types
 from .field import Data, Field
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class OverrangeFlags(IntFlag):
     """Sensor axes that were near or outside their range."""
 
@@ -38,7 +38,7 @@ class OverrangeFlags(IntFlag):
     """Pressure sensor."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class OdometerFlags(IntFlag):
     """Whether the odometer values are valid."""
 

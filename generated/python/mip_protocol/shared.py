@@ -13,7 +13,7 @@ from . import codec
 from .field import Data, Field
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class GpsTimestampFlags(IntFlag):
     """Which parts of the GPS time are valid."""
 
@@ -25,7 +25,7 @@ class GpsTimestampFlags(IntFlag):
     """Both are set."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class ExternalTimestampFlags(IntFlag):
     """Whether the external time is valid."""
 
@@ -33,7 +33,7 @@ class ExternalTimestampFlags(IntFlag):
     """The time is valid."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class ExternalTimeDeltaFlags(IntFlag):
     """Whether the difference of external time is valid."""
 

@@ -12,7 +12,7 @@ from . import codec, types
 from .field import Data, Field
 
 
-@codec.open_flag
+@codec.open_flag(8)
 class GpioPinStates(IntFlag):
     """Level of each GPIO pin, set for high. Bits of pins that do not exist read 0."""
 

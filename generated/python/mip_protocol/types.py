@@ -10,7 +10,7 @@ from . import codec
 from .field import Structure
 
 
-@codec.open_flag
+@codec.open_flag(32)
 class Gx5BuiltInTest(IntFlag):
     """Result of the built-in test of the 3DM-GX5-15: processor board, sensor board, filter."""
 
@@ -26,7 +26,7 @@ class Gx5BuiltInTest(IntFlag):
     """Fault of the estimation filter solution."""
 
 
-@codec.open_flag
+@codec.open_flag(32)
 class Cv7BuiltInTest(IntFlag):
     """Result of the commanded built-in test of the 3DM-CV7-GNSS/INS."""
 
@@ -56,7 +56,7 @@ class Cv7BuiltInTest(IntFlag):
     """A fault of the filter subsystem that no other bit names."""
 
 
-@codec.open_flag
+@codec.open_flag(128)
 class Cv7ContinuousBuiltInTest(IntFlag):
     """Flags of the continuous built-in test of the 3DM-CV7-GNSS/INS: bits 0-31 system, 32-63
     inertial sensors, 64-95 navigation, 96-127 GNSS.
@@ -185,7 +185,7 @@ class EventTriggerMode(codec.OpenEnum):
     """The trigger is active for one event cycle and then goes back to its earlier mode."""
 
 
-@codec.open_flag
+@codec.open_flag(8)
 class EventTriggerStatus(IntFlag):
     """State of an event trigger."""
 
@@ -461,9 +461,11 @@ class EventActionMessage(Structure):
 
     def _write(self) -> bytes:
         out = _EVENT_ACTION_MESSAGE_0.write(
-            self.desc_set, self.decimation, len(codec.at_most("descriptors", self.descriptors, 255))
+            self.desc_set, self.decimation, codec.count("descriptors", self.descriptors, 249)
         )
-        out += codec.write_numbers("B", codec.at_most("descriptors", self.descriptors, 249))
+        out += codec.write_numbers(
+            "descriptors", "B", codec.at_most("descriptors", self.descriptors, 249)
+        )
         return out
 
 
@@ -719,7 +721,7 @@ class GpioUartBehavior(codec.OpenEnum):
     """UART 3 receives."""
 
 
-@codec.open_flag
+@codec.open_flag(8)
 class GpioPinMode(IntFlag):
     """Electrical options of a GPIO pin; which are allowed depends on device, pin, feature and
     behavior.
@@ -868,7 +870,7 @@ class DescriptorRate(Structure):
         return out
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class SensorGpsTimestampFlags(IntFlag):
     """State of the GPS time of sensor data."""
 
@@ -884,7 +886,7 @@ class SensorGpsTimestampFlags(IntFlag):
     """The week number is valid."""
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class Gx5SensorGpsTimestampFlags(IntFlag):
     """State of the GPS time of sensor data on the 3DM-GX5-15, which has no bits that vouch for
     the values.

@@ -23,7 +23,7 @@ _member = Escape(_KEYWORDS | frozenset(_LANGUAGE["members"]), digit_prefix="n")
 _property = Escape(_KEYWORDS | frozenset(_LANGUAGE["bits"]), digit_prefix="n")
 _module = Escape(_KEYWORDS | frozenset(_LANGUAGE["modules"]), digit_prefix="mip_")
 _class = Escape(_KEYWORDS | frozenset(str(k) for k in _LANGUAGE["classes"]), digit_prefix="Mip")
-_constant = Escape(frozenset({"mro"}), digit_prefix="N")
+_constant = Escape(frozenset(), digit_prefix="N")
 
 
 def files(model: m.Model) -> Iterator[File]:
@@ -44,7 +44,7 @@ def files(model: m.Model) -> Iterator[File]:
 def identifiers(model: m.Model) -> Iterator[Identifier]:
     for s in model.sets:
         yield Identifier("mip_protocol", module(s.name), f"set {s.name}", s.position)
-        yield from _classes(s.name, [*s.types, *s.own_fields])
+        yield from _classes(s.name, [*s.types, *s.fields])
     yield from _classes("types", model.types)
     for d in model.devices:
         yield Identifier("mip_protocol.devices", upper(d.name), f"device {d.id}", d.position)
@@ -78,15 +78,14 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "upper": upper,
         "stored": stored,
         "plan": plan,
-        "annotation": annotation,
+        "begun": begun,
         "hint": hint,
         "default": default,
         "keyword_only": keyword_only,
         "docstring": docstring,
-        "comment": comment,
         "call": call,
         "with_imports": lambda body, s=None: with_imports(body, s, model),
-        "response_classes": lambda f, s: response_classes(f, s),
+        "response_classes": response_classes,
         "commands_of": lambda f, s: [c for c in s.fields if f.name in c.responses],
         "constructor": constructor,
         "required_map": required_map,
@@ -103,7 +102,9 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "value": value,
         "sequence": sequence,
         "reference": reference,
-        "qualified": lambda t: qualified(t),
+        "origin": origin,
+        "tree": Tree,
+        "qualified": qualified,
         "by_descriptor": by_descriptor,
         "arguments": arguments,
         "declared": declared,
@@ -135,6 +136,12 @@ def qualified(t: m.Type) -> str:
     """A type as any module calls it: `types.AckCode`."""
     owner = getattr(t, "owner", None)
     return f"{module(owner) if owner else 'types'}.{class_name(t)}"
+
+
+def origin(f: m.Field) -> str:
+    """The class that a repeated field has its values from: `gnss_1.Dop`."""
+    assert f.definition is not None
+    return f"{module(f.definition.partition('.')[0])}.{class_name(f)}"
 
 
 # --------------------------------------------------------------------------- values
@@ -265,7 +272,7 @@ def sequence(items: Sequence[str], indent: int = 0) -> str:
 def value(v: object) -> str:
     """A plain value as Python writes it."""
     if isinstance(v, str):
-        return '"' + v.replace("\\", "\\\\").replace('"', '\\"') + '"'
+        return '"' + v.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n") + '"'
     return repr(v)
 
 
@@ -282,6 +289,7 @@ class Item:
     kind: str  # plain, bool, typed, the same with _array; bits, counter, constant
     type: str  # of an enumeration or bitfield
     counted: str = ""  # the array that a counter counts
+    capacity: int = 0  # how many elements that array holds at most
     value: int = 0  # of a constant
 
 
@@ -314,8 +322,9 @@ class Step:
 class _Plan:
     """Joins neighbouring numbers into blocks and numbers these."""
 
-    def __init__(self, name: str) -> None:
+    def __init__(self, name: str, capacities: Mapping[str, int]) -> None:
         self.name = name
+        self.capacities = capacities
         self.blocks: list[Block] = []
 
     def steps(self, operations: Sequence[m.Operation], member: str | None = None) -> tuple[Any, ...]:
@@ -336,7 +345,7 @@ class _Plan:
         return tuple(found)
 
     def block(self, ops: Sequence[m.Operation], member: str | None) -> Block:
-        block = _block(ops, f"_{upper(self.name)}_{len(self.blocks)}", member)
+        block = _block(ops, f"_{upper(self.name)}_{len(self.blocks)}", member, self.capacities)
         self.blocks.append(block)
         return block
 
@@ -360,13 +369,24 @@ class _Plan:
             case m.ArrayOp(item=m.ArrayOp(item=m.ScalarOp(scalar=scalar), count=width)):
                 return Step("vectors", op, name, "", _SCALARS[scalar.name][0], scalar.size * (width or 0), width or 0)
             case m.ArrayOp(item=m.ScalarOp() as item):
-                return Step("numbers", op, name, _type(item.type), _SCALARS[item.scalar.name][0], item.size)
+                kind = "codec.truth" if item.scalar.kind == "bool" else _type(item.type)
+                return Step("numbers", op, name, kind, _SCALARS[item.scalar.name][0], item.size)
         raise AssertionError(op)
 
 
 def plan(record: m.Field | m.Struct) -> dict[str, Any]:
-    found = _Plan(record.name)
+    arrays = [p.operation for p in record.parameters if isinstance(p.operation, (m.ArrayOp, m.TextOp))]
+    found = _Plan(record.name, {op.member: op.capacity for op in arrays})
     return {"steps": found.steps(record.operations), "blocks": found.blocks}
+
+
+def begun(group: Step) -> list[str]:
+    """The values of a group that a decoder may have read when the rest of the group is cut off."""
+    found = []
+    for step in group.body[:-1]:
+        items = step.items if isinstance(step, Block) else (step,)
+        found += [i.member for i in items if i.kind not in ("counter", "constant")]
+    return found
 
 
 def _check(case: m.Case) -> str:
@@ -381,7 +401,9 @@ def _fixed(op: m.Operation) -> bool:
     return isinstance(op, (m.ScalarOp, m.ConstantOp, m.CounterOp, m.BitsOp))
 
 
-def _block(ops: Sequence[m.Operation], name: str, member: str | None) -> Block:
+def _block(
+    ops: Sequence[m.Operation], name: str, member: str | None, capacities: Mapping[str, int]
+) -> Block:
     layout, items, at, size = "", [], 0, 0
     for op in ops:
         assert isinstance(op, (m.ScalarOp, m.ConstantOp, m.CounterOp, m.BitsOp, m.ArrayOp))
@@ -392,7 +414,8 @@ def _block(ops: Sequence[m.Operation], name: str, member: str | None) -> Block:
             case m.ConstantOp():
                 item, letters = Item(called, at, 1, "constant", "", value=op.value), _letter(op.scalar)
             case m.CounterOp():
-                item, letters = Item(called, at, 1, "counter", "", _member(op.array)), _letter(op.scalar)
+                item = Item(called, at, 1, "counter", "", _member(op.array), capacities[op.array])
+                letters = _letter(op.scalar)
             case m.ScalarOp():
                 item, letters = Item(called, at, 1, _how(op), _type(op.type)), _letter(op.scalar)
             case m.ArrayOp(item=m.ScalarOp() as inner, count=int(count)):
@@ -442,11 +465,6 @@ def docstring(text: str, indent: int, before: int = 0) -> str:
     first = wrapped[0].strip() if wrapped else ""
     lines = [first, *wrapped[1:]]
     return "\n".join(lines) if len(lines) == 1 or not before else "\n".join(lines) + f"\n{pad}"
-
-
-def comment(text: str, indent: int) -> str:
-    pad = " " * indent + "#: "
-    return "\n".join(pad + line for line in textwrap.wrap(text, WIDTH - len(pad), break_long_words=False))
 
 
 @dataclass(frozen=True, slots=True)
@@ -508,10 +526,7 @@ def with_imports(body: str, s: m.Set | None, model: m.Model) -> str:
     used = set(re.findall(r"(?<![\w.])[A-Za-z_]\w*", code))
     homes = {k: list(v) for k, v in _HOMES.items()}
     if s is not None:
-        for f in s.fields:
-            if f.definition:
-                home = "." + module(f.definition.partition(".")[0])
-                homes.setdefault(home, []).append(class_name(f))
+        homes["."] += [origin(f).partition(".")[0] for f in s.fields if f.definition]
     lines = []
     for local in (False, True):
         for home in sorted(h for h in homes if h.startswith(".") == local):

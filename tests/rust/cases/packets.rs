@@ -125,6 +125,8 @@ fn sets_take_their_own_the_repeated_and_the_shared_fields() {
     assert!(PacketBuilder::new(0x01).push(&ack).is_ok());
     assert!(PacketBuilder::new(0x7F).push(&ack).is_ok());
     assert_eq!(PacketBuilder::new(0x80).push(&ack), Err(EncodeError::Set));
+    assert_eq!(PacketBuilder::new(0).push(&ack), Err(EncodeError::Set));
+    assert_eq!(PacketBuilder::new(0).push_raw(1, &[]), Err(EncodeError::Set));
 }
 
 // ----------------------------------------------------------------------------------------- parser

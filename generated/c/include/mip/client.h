@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 /** How long a device may take to answer, in milliseconds, unless the command says otherwise. */
-#define MIP_DEFAULT_TIMEOUT 500
+#define MIP_DEFAULT_TIMEOUT 1000
 
 /** No answer yet. */
 #define MIP_REQUEST_WAITING 0
@@ -72,8 +72,8 @@ void mip_client_init(struct mip_client *client);
 
 /**
  * Adds a command to a packet and waits for its answer. `now` is the time in milliseconds, which may
- * wrap around. On an error the packet and the client stay as they were. `command` may be NULL where
- * the command has no parameters.
+ * wrap around. On an error the packet stays as it was, and the request is cancelled: nothing waits
+ * for it. `command` may be NULL where the command has no parameters.
  */
 mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
                          struct mip_builder *packet, const struct mip_codec *codec,

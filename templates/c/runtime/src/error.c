@@ -21,6 +21,8 @@ const char *mip_error_name(mip_error error) {
         return "constant";
     case MIP_ERROR_MISSING:
         return "missing";
+    case MIP_ERROR_SET:
+        return "set";
     }
     return "unknown";
 }

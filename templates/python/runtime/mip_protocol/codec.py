@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import struct
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from enum import IntEnum, IntFlag
 from functools import lru_cache
 from typing import Any, Protocol, TypeVar
@@ -38,13 +38,25 @@ class OpenEnum(IntEnum):
         return member
 
 
-def open_flag(kind: type[T]) -> type[T]:
-    """Makes a bitfield keep the bits that it has no name for, in `flags & ~Flags.X` too.
+def open_flag(bits: int) -> Callable[[type[T]], type[T]]:
+    """Makes `~` invert all bits of a bitfield, so that `flags & ~Flags.X` takes away nothing but X.
 
-    Some versions of Python drop them there: they invert only the bits that have names.
+    Python's own inverts only those that have names, or, in older versions, gives a negative number.
     """
-    kind.__invert__ = lambda self: ~int(self)  # type: ignore[method-assign,assignment,return-value]
-    return kind
+
+    def opened(kind: type[T]) -> type[T]:
+        every = (1 << bits) - 1
+        kind.__invert__ = lambda self: type(self)(int(self) ^ every)  # type: ignore[method-assign]
+        return kind
+
+    return opened
+
+
+def fits(name: str, value: int, bits: int) -> int:
+    """A number for some bits of a bitfield, if they can hold it."""
+    if not 0 <= value < 1 << bits:
+        raise EncodeError("range", f"{name}: {value} does not fit into {bits} bits")
+    return value
 
 
 class Block:
@@ -152,25 +164,26 @@ def remaining(data: bytes, at: int, size: int) -> int:
 
 
 @lru_cache(maxsize=256)
-def _array(letter: str, count: int) -> Block:
-    return Block(letter * count, *["element"] * count)
+def _array(name: str, letter: str, count: int) -> Block:
+    return Block(letter * count, *[name] * count)
 
 
 def read_numbers(letter: str, data: bytes, at: int, count: int) -> tuple[Any, ...]:
-    return _array(letter, count).read(data, at)
+    return _array("", letter, count).read(data, at)
 
 
-def write_numbers(letter: str, values: Sequence[Any]) -> bytes:
-    return _array(letter, len(values)).write(*values)
+def write_numbers(name: str, letter: str, values: Sequence[Any]) -> bytes:
+    return _array(name, letter, len(values)).write(*values)
 
 
 def read_vectors(letter: str, width: int, data: bytes, at: int, count: int) -> tuple[Any, ...]:
-    values = _array(letter, width * count).read(data, at)
+    values = _array("", letter, width * count).read(data, at)
     return tuple(values[i : i + width] for i in range(0, width * count, width))
 
 
-def write_vectors(letter: str, width: int, values: Sequence[Sequence[Any]]) -> bytes:
-    return b"".join(write_numbers(letter, exactly("element", v, width)) for v in values)
+def write_vectors(name: str, letter: str, width: int, values: Sequence[Sequence[Any]]) -> bytes:
+    item = f"an item of {name}"
+    return b"".join(write_numbers(item, letter, exactly(item, v, width)) for v in values)
 
 
 def read_structures(kind: type[S], data: bytes, at: int, count: int) -> tuple[tuple[S, ...], int]:
@@ -198,8 +211,10 @@ def little(name: str, value: int, size: int) -> bytes:
     """A bitfield in bytes, least significant byte first."""
     if value is None:
         raise EncodeError("missing", f"{name} is None")
+    if not isinstance(value, int):
+        raise EncodeError("range", f"{name} is {value!r}, needs a number")
     try:
-        return int(value).to_bytes(size, "little")
+        return value.to_bytes(size, "little")
     except OverflowError:
         raise EncodeError("range", f"{name}: {value} does not fit into {size} bytes") from None
 
@@ -221,6 +236,11 @@ def at_most(name: str, value: Any, capacity: int) -> Sequence[Any]:
     if len(sized(name, value)) > capacity:
         raise EncodeError("count", f"{name} has {len(value)} elements, a field holds {capacity}")
     return sized(name, value)
+
+
+def count(name: str, value: Any, capacity: int) -> int:
+    """The number of elements, if a field can hold them."""
+    return len(at_most(name, value, capacity))
 
 
 def sized(name: str, value: Any) -> Sequence[Any]:

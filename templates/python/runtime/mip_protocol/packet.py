@@ -49,7 +49,7 @@ class Packet:
         if checksum(data[:-2]) != data[-2:]:
             right = checksum(data[:-2]).hex()
             raise PacketError("checksum", f"{data[-2:].hex()} should be {right}")
-        self._data = data
+        self._data = bytes(data)  # a bytearray may change later
 
     @classmethod
     def _trusted(cls, data: bytes) -> Packet:

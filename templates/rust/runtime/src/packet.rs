@@ -175,7 +175,7 @@ pub struct PacketBuilder {
 }
 
 impl PacketBuilder {
-    /// A packet of this descriptor set, without fields. Set 0 is no packet.
+    /// A packet of this descriptor set, without fields. Set 0 is no packet, and takes no field.
     #[must_use]
     pub fn new(set: u8) -> Self {
         let mut bytes = [0; MAX_PACKET];
@@ -239,6 +239,9 @@ impl PacketBuilder {
         descriptor: u8,
         encode: impl FnOnce(&mut [u8]) -> Result<usize, EncodeError>,
     ) -> Result<(), EncodeError> {
+        if self.set() == 0 {
+            return Err(EncodeError::Set);
+        }
         let start = HEADER.saturating_add(self.payload.into());
         let most = FIELD_HEADER.saturating_add(MAX_FIELD_DATA);
         let end = start.saturating_add(most).min(HEADER.saturating_add(MAX_PAYLOAD));

@@ -37,7 +37,7 @@ mip_error mip_3d_default_decode(struct mip_3d_default *value, const struct mip_f
 }
 
 mip_error mip_3d_default_encode(const struct mip_3d_default *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_3D_DEFAULT_DESCRIPTOR, write_default, value);
+    return mip_encode_field(builder, 0x0C, MIP_3D_DEFAULT_DESCRIPTOR, write_default, value);
 }
 
 struct mip_3d_default mip_3d_default_make(uint8_t class_, uint8_t type, uint8_t register_,

@@ -10,10 +10,11 @@ mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
                          struct mip_builder *packet, const struct mip_codec *codec,
                          const void *command, uint32_t now) {
     const mip_error error = mip_encode(codec, command, packet);
+    mip_client_cancel(client, request); /* it could still wait for an earlier answer */
     if (error != MIP_OK) {
+        request->state = MIP_REQUEST_CANCELLED; /* so that nobody waits for it */
         return error;
     }
-    mip_client_cancel(client, request); /* it could still wait for an earlier answer */
     request->state = MIP_REQUEST_WAITING;
     request->code = 0;
     request->responded = false;

@@ -149,7 +149,8 @@ const struct mip_device_field *mip_device_supports(const struct mip_device *devi
                                                    uint8_t descriptor_set, uint8_t descriptor) {
     for (size_t i = 0; i < device->field_count; i++) {
         const struct mip_device_field *f = &device->fields[i];
-        if (f->descriptor_set == descriptor_set && f->descriptor == descriptor) {
+        const bool shared = f->descriptor_set == 0xFF && descriptor_set >= 0x80;
+        if ((f->descriptor_set == descriptor_set || shared) && f->descriptor == descriptor) {
             return f;
         }
     }

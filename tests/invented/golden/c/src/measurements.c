@@ -33,7 +33,7 @@ mip_error mip_measurements_accel_decode(struct mip_measurements_accel *value,
 
 mip_error mip_measurements_accel_encode(const struct mip_measurements_accel *value,
                                         struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_MEASUREMENTS_ACCEL_DESCRIPTOR, write_accel, value);
+    return mip_encode_field(builder, 0x80, MIP_MEASUREMENTS_ACCEL_DESCRIPTOR, write_accel, value);
 }
 
 static void read_numbers(struct mip_reader *r, void *value) {
@@ -86,7 +86,8 @@ mip_error mip_measurements_numbers_decode(struct mip_measurements_numbers *value
 
 mip_error mip_measurements_numbers_encode(const struct mip_measurements_numbers *value,
                                           struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_MEASUREMENTS_NUMBERS_DESCRIPTOR, write_numbers, value);
+    return mip_encode_field(builder, 0x80, MIP_MEASUREMENTS_NUMBERS_DESCRIPTOR, write_numbers,
+                            value);
 }
 
 static void read_strings(struct mip_reader *r, void *value) {
@@ -124,7 +125,8 @@ mip_error mip_measurements_strings_decode(struct mip_measurements_strings *value
 
 mip_error mip_measurements_strings_encode(const struct mip_measurements_strings *value,
                                           struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_MEASUREMENTS_STRINGS_DESCRIPTOR, write_strings, value);
+    return mip_encode_field(builder, 0x80, MIP_MEASUREMENTS_STRINGS_DESCRIPTOR, write_strings,
+                            value);
 }
 
 static void read_health(struct mip_reader *r, void *value) {
@@ -157,7 +159,7 @@ mip_error mip_measurements_health_decode(struct mip_measurements_health *value,
 
 mip_error mip_measurements_health_encode(const struct mip_measurements_health *value,
                                          struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_MEASUREMENTS_HEALTH_DESCRIPTOR, write_health, value);
+    return mip_encode_field(builder, 0x80, MIP_MEASUREMENTS_HEALTH_DESCRIPTOR, write_health, value);
 }
 
 static void read_arrays(struct mip_reader *r, void *value) {
@@ -206,7 +208,7 @@ mip_error mip_measurements_arrays_decode(struct mip_measurements_arrays *value,
 
 mip_error mip_measurements_arrays_encode(const struct mip_measurements_arrays *value,
                                          struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_MEASUREMENTS_ARRAYS_DESCRIPTOR, write_arrays, value);
+    return mip_encode_field(builder, 0x80, MIP_MEASUREMENTS_ARRAYS_DESCRIPTOR, write_arrays, value);
 }
 
 static void read_growing(struct mip_reader *r, void *value) {
@@ -247,5 +249,6 @@ mip_error mip_measurements_growing_decode(struct mip_measurements_growing *value
 
 mip_error mip_measurements_growing_encode(const struct mip_measurements_growing *value,
                                           struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_MEASUREMENTS_GROWING_DESCRIPTOR, write_growing, value);
+    return mip_encode_field(builder, 0x80, MIP_MEASUREMENTS_GROWING_DESCRIPTOR, write_growing,
+                            value);
 }

@@ -29,5 +29,5 @@ mip_error mip_more_own_decode(struct mip_more_own *value, const struct mip_field
 }
 
 mip_error mip_more_own_encode(const struct mip_more_own *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_MORE_OWN_DESCRIPTOR, write_own, value);
+    return mip_encode_field(builder, 0x81, MIP_MORE_OWN_DESCRIPTOR, write_own, value);
 }

@@ -31,5 +31,6 @@ mip_error mip_protocol_acknowledge_decode(struct mip_protocol_acknowledge *value
 
 mip_error mip_protocol_acknowledge_encode(const struct mip_protocol_acknowledge *value,
                                           struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_PROTOCOL_ACKNOWLEDGE_DESCRIPTOR, write_acknowledge, value);
+    return mip_encode_field(builder, 0x00, MIP_PROTOCOL_ACKNOWLEDGE_DESCRIPTOR, write_acknowledge,
+                            value);
 }

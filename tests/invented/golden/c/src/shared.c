@@ -33,5 +33,5 @@ mip_error mip_shared_timestamp_decode(struct mip_shared_timestamp *value,
 
 mip_error mip_shared_timestamp_encode(const struct mip_shared_timestamp *value,
                                       struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_SHARED_TIMESTAMP_DESCRIPTOR, write_timestamp, value);
+    return mip_encode_field(builder, 0xFF, MIP_SHARED_TIMESTAMP_DESCRIPTOR, write_timestamp, value);
 }

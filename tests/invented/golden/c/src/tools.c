@@ -75,7 +75,7 @@ mip_error mip_tools_ping_decode(struct mip_tools_ping *value, const struct mip_f
 }
 
 mip_error mip_tools_ping_encode(const struct mip_tools_ping *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_PING_DESCRIPTOR, mip_write_nothing, value);
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_PING_DESCRIPTOR, mip_write_nothing, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -137,7 +137,7 @@ mip_error mip_tools_settings_decode(struct mip_tools_settings *value,
 
 mip_error mip_tools_settings_encode(const struct mip_tools_settings *value,
                                     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_SETTINGS_DESCRIPTOR, write_settings, value);
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_SETTINGS_DESCRIPTOR, write_settings, value);
 }
 
 struct mip_tools_settings mip_tools_settings_write(uint8_t port, mip_mode mode, uint32_t baud) {
@@ -235,7 +235,7 @@ mip_error mip_tools_settings_response_decode(struct mip_tools_settings_response 
 
 mip_error mip_tools_settings_response_encode(const struct mip_tools_settings_response *value,
                                              struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_SETTINGS_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_SETTINGS_RESPONSE_DESCRIPTOR,
                             write_settings_response, value);
 }
 
@@ -286,7 +286,7 @@ mip_error mip_tools_set_time_decode(struct mip_tools_set_time *value,
 
 mip_error mip_tools_set_time_encode(const struct mip_tools_set_time *value,
                                     struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_SET_TIME_DESCRIPTOR, write_set_time, value);
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_SET_TIME_DESCRIPTOR, write_set_time, value);
 }
 
 struct mip_tools_set_time mip_tools_set_time_write(mip_mode part, uint32_t value) {
@@ -344,7 +344,7 @@ mip_error mip_tools_set_time_fast_response_decode(struct mip_tools_set_time_fast
 
 mip_error mip_tools_set_time_fast_response_encode(
     const struct mip_tools_set_time_fast_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_SET_TIME_FAST_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_SET_TIME_FAST_RESPONSE_DESCRIPTOR,
                             write_set_time_fast_response, value);
 }
 
@@ -377,7 +377,7 @@ mip_error mip_tools_set_time_slow_response_decode(struct mip_tools_set_time_slow
 
 mip_error mip_tools_set_time_slow_response_encode(
     const struct mip_tools_set_time_slow_response *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_SET_TIME_SLOW_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_SET_TIME_SLOW_RESPONSE_DESCRIPTOR,
                             write_set_time_slow_response, value);
 }
 
@@ -410,7 +410,7 @@ mip_error mip_tools_status_decode(struct mip_tools_status *value, const struct m
 
 mip_error mip_tools_status_encode(const struct mip_tools_status *value,
                                   struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_STATUS_DESCRIPTOR, write_status, value);
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_STATUS_DESCRIPTOR, write_status, value);
 }
 
 struct mip_tools_status mip_tools_status_make(uint8_t selector) {
@@ -452,7 +452,8 @@ mip_error mip_tools_status_short_decode(struct mip_tools_status_short *value,
 
 mip_error mip_tools_status_short_encode(const struct mip_tools_status_short *value,
                                         struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_STATUS_SHORT_DESCRIPTOR, write_status_short, value);
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_STATUS_SHORT_DESCRIPTOR, write_status_short,
+                            value);
 }
 
 static void read_status_long(struct mip_reader *r, void *value) {
@@ -489,7 +490,8 @@ mip_error mip_tools_status_long_decode(struct mip_tools_status_long *value,
 
 mip_error mip_tools_status_long_encode(const struct mip_tools_status_long *value,
                                        struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_STATUS_LONG_DESCRIPTOR, write_status_long, value);
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_STATUS_LONG_DESCRIPTOR, write_status_long,
+                            value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -528,7 +530,7 @@ mip_error mip_tools_bias_decode(struct mip_tools_bias *value, const struct mip_f
 }
 
 mip_error mip_tools_bias_encode(const struct mip_tools_bias *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_BIAS_DESCRIPTOR, write_bias, value);
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_BIAS_DESCRIPTOR, write_bias, value);
 }
 
 struct mip_tools_bias mip_tools_bias_write(const float bias[3]) {
@@ -595,7 +597,8 @@ mip_error mip_tools_bias_vector_decode(struct mip_tools_bias_vector *value,
 
 mip_error mip_tools_bias_vector_encode(const struct mip_tools_bias_vector *value,
                                        struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_BIAS_VECTOR_DESCRIPTOR, write_bias_vector, value);
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_BIAS_VECTOR_DESCRIPTOR, write_bias_vector,
+                            value);
 }
 
 static void read_capture_bias(struct mip_reader *r, void *value) {
@@ -626,7 +629,8 @@ mip_error mip_tools_capture_bias_decode(struct mip_tools_capture_bias *value,
 
 mip_error mip_tools_capture_bias_encode(const struct mip_tools_capture_bias *value,
                                         struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_CAPTURE_BIAS_DESCRIPTOR, write_capture_bias, value);
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_CAPTURE_BIAS_DESCRIPTOR, write_capture_bias,
+                            value);
 }
 
 struct mip_tools_capture_bias mip_tools_capture_bias_make(uint16_t time) {
@@ -678,7 +682,7 @@ mip_error mip_tools_formats_decode(struct mip_tools_formats *value, const struct
 
 mip_error mip_tools_formats_encode(const struct mip_tools_formats *value,
                                    struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_FORMATS_DESCRIPTOR, write_formats, value);
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_FORMATS_DESCRIPTOR, write_formats, value);
 }
 
 struct mip_tools_formats mip_tools_formats_make(mip_bool suppress_ack, uint8_t num_segments,
@@ -768,7 +772,7 @@ mip_error mip_tools_choice_decode(struct mip_tools_choice *value, const struct m
 
 mip_error mip_tools_choice_encode(const struct mip_tools_choice *value,
                                   struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_CHOICE_DESCRIPTOR, write_choice, value);
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_CHOICE_DESCRIPTOR, write_choice, value);
 }
 
 struct mip_tools_choice mip_tools_choice_write(
@@ -854,8 +858,8 @@ mip_error mip_tools_choice_response_decode(struct mip_tools_choice_response *val
 
 mip_error mip_tools_choice_response_encode(const struct mip_tools_choice_response *value,
                                            struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_CHOICE_RESPONSE_DESCRIPTOR, write_choice_response,
-                            value);
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_CHOICE_RESPONSE_DESCRIPTOR,
+                            write_choice_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -896,7 +900,7 @@ mip_error mip_tools_list_decode(struct mip_tools_list *value, const struct mip_f
 }
 
 mip_error mip_tools_list_encode(const struct mip_tools_list *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_LIST_DESCRIPTOR, write_list, value);
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_LIST_DESCRIPTOR, write_list, value);
 }
 
 struct mip_tools_list mip_tools_list_write(uint8_t count, const uint16_t items[]) {
@@ -952,7 +956,7 @@ mip_error mip_tools_list_response_decode(struct mip_tools_list_response *value,
 
 mip_error mip_tools_list_response_encode(const struct mip_tools_list_response *value,
                                          struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_LIST_RESPONSE_DESCRIPTOR, write_list_response,
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_LIST_RESPONSE_DESCRIPTOR, write_list_response,
                             value);
 }
 
@@ -974,7 +978,8 @@ mip_error mip_tools_inventory_decode(struct mip_tools_inventory *value,
 
 mip_error mip_tools_inventory_encode(const struct mip_tools_inventory *value,
                                      struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_INVENTORY_DESCRIPTOR, mip_write_nothing, value);
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_INVENTORY_DESCRIPTOR, mip_write_nothing,
+                            value);
 }
 
 static void read_inventory_response(struct mip_reader *r, void *value) {
@@ -1007,7 +1012,7 @@ mip_error mip_tools_inventory_response_decode(struct mip_tools_inventory_respons
 
 mip_error mip_tools_inventory_response_encode(const struct mip_tools_inventory_response *value,
                                               struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_INVENTORY_RESPONSE_DESCRIPTOR,
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_INVENTORY_RESPONSE_DESCRIPTOR,
                             write_inventory_response, value);
 }
 
@@ -1051,7 +1056,7 @@ mip_error mip_tools_pin_decode(struct mip_tools_pin *value, const struct mip_fie
 }
 
 mip_error mip_tools_pin_encode(const struct mip_tools_pin *value, struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_PIN_DESCRIPTOR, write_pin, value);
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_PIN_DESCRIPTOR, write_pin, value);
 }
 
 struct mip_tools_pin mip_tools_pin_write(mip_tools_drive drive, uint8_t use) {
@@ -1101,5 +1106,6 @@ mip_error mip_tools_pin_response_decode(struct mip_tools_pin_response *value,
 
 mip_error mip_tools_pin_response_encode(const struct mip_tools_pin_response *value,
                                         struct mip_builder *builder) {
-    return mip_encode_field(builder, MIP_TOOLS_PIN_RESPONSE_DESCRIPTOR, write_pin_response, value);
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_PIN_RESPONSE_DESCRIPTOR, write_pin_response,
+                            value);
 }

@@ -6,15 +6,17 @@ from __future__ import annotations
 class MipError(ValueError):
     """`kind` is one word that says what is wrong."""
 
-    kind: str = "error"
+    def __init__(self, kind: str, detail: str) -> None:
+        # `args` stays what the class was called with, so that errors can be pickled.
+        self.kind = kind
+        self.detail = detail
+
+    def __str__(self) -> str:
+        return f"{self.kind}: {self.detail}"
 
 
 class DecodeError(MipError):
     """Bytes that are not what they should be."""
-
-    def __init__(self, kind: str, detail: str) -> None:
-        super().__init__(f"{kind}: {detail}")
-        self.kind = kind
 
 
 class Truncated(DecodeError):
@@ -34,7 +36,3 @@ class EncodeError(MipError):
     `missing`: a required value is None. `range`: a number does not fit. `count`: a wrong number of
     elements. `tag`: a union's member is not the one that its tag selects. `length`: too long.
     """
-
-    def __init__(self, kind: str, detail: str) -> None:
-        super().__init__(f"{kind}: {detail}")
-        self.kind = kind

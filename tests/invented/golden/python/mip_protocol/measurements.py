@@ -184,7 +184,7 @@ class Strings(Data):
     def _write(self) -> bytes:
         codec.exactly("model", self.model, 16)
         out = codec.text("model", self.model)
-        out += _STRINGS_0.write(len(codec.at_most("name", self.name, 255)))
+        out += _STRINGS_0.write(codec.count("name", self.name, 236))
         codec.at_most("name", self.name, 236)
         out += codec.text("name", self.name)
         codec.at_most("rest", self.rest, 236)
@@ -297,7 +297,7 @@ class Arrays(Data):
         out = _ARRAYS_0.write(
             *codec.exactly("modes", self.modes, 3), *codec.exactly("flags", self.flags, 2)
         )
-        out += codec.write_vectors("f", 3, codec.exactly("vectors", self.vectors, 2))
+        out += codec.write_vectors("vectors", "f", 3, codec.exactly("vectors", self.vectors, 2))
         out += codec.write_structures(
             "points", codec.exactly("points", self.points, 2), types.Point
         )

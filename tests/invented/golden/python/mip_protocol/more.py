@@ -7,9 +7,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from . import codec, types
+from . import codec, measurements, types
 from .field import Data, Field
-from .measurements import Accel, Strings
 
 _OWN_0 = codec.Block("B", "mode")
 
@@ -41,6 +40,34 @@ class Own(Data):
     def _write(self) -> bytes:
         out = _OWN_0.write(self.mode)
         return codec.finished(out)
+
+
+class Accel(measurements.Accel):
+    """Second acceleration (0x81,0x01).
+
+    Has the values of measurements.Accel.
+
+    - guide: Second acceleration
+    """
+
+    __slots__ = ()
+
+    SET = 0x81
+    NAME = "more.accel"
+
+
+class Strings(measurements.Strings):
+    """Strings (0x81,0x03).
+
+    Has the values of measurements.Strings.
+
+    - guide: Second strings
+    """
+
+    __slots__ = ()
+
+    SET = 0x81
+    NAME = "more.strings"
 
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.

@@ -253,3 +253,6 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=types.StateFlags),
     ),
 }
+
+PARAMETERS[more.Accel] = PARAMETERS[measurements.Accel]
+PARAMETERS[more.Strings] = PARAMETERS[measurements.Strings]

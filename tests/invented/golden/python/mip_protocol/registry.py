@@ -54,24 +54,6 @@ def all_types() -> list[tuple[int, type[Field]]]:
     return found
 
 
-def name(set: int, type: type[Field]) -> str:
-    """The full name of a field inside a packet of that set: a type may serve several sets."""
-    own = type.NAME.partition(".")[2]
-    table = _NAMES.get(set)
-    repeated = table is not None and set != type.SET and type.SET not in (0, SHARED_SET)
-    return f"{table}.{own}" if repeated else type.NAME
-
-
-#: Descriptor set -> its name in the specification.
-_NAMES: dict[int, str] = {
-    0x01: "tools",
-    0x0C: "3d",
-    0x80: "measurements",
-    0x81: "more",
-    0xFF: "shared",
-}
-
-
 def decode(raw: RawField) -> Field | None:
     """A field with its values; None if its descriptor is unknown. Raises DecodeError."""
     kind = chosen(types(raw.set, raw.descriptor), raw)

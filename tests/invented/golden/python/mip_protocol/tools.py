@@ -14,7 +14,7 @@ from .field import Command, Field, Response, Structure
 from .protocol import FunctionSelector
 
 
-@codec.open_flag
+@codec.open_flag(32)
 class ModelAFaults(IntFlag):
     """Of the model A."""
 
@@ -23,7 +23,7 @@ class ModelAFaults(IntFlag):
     SOLUTION = 1 << 24
 
 
-@codec.open_flag
+@codec.open_flag(32)
 class ModelBFaults(IntFlag):
     """Of the model B."""
 
@@ -144,7 +144,7 @@ class Path(Structure):
         return cls(closed, points), at
 
     def _write(self) -> bytes:
-        out = _PATH_0.write(self.closed, len(codec.at_most("points", self.points, 255)))
+        out = _PATH_0.write(self.closed, codec.count("points", self.points, 62))
         out += codec.write_structures(
             "points", codec.at_most("points", self.points, 62), types.Point
         )
@@ -384,8 +384,8 @@ class ListResponse(Response):
         return cls(items), at
 
     def _write(self) -> bytes:
-        out = _LIST_RESPONSE_0.write(len(codec.at_most("items", self.items, 255)))
-        out += codec.write_numbers("H", codec.at_most("items", self.items, 126))
+        out = _LIST_RESPONSE_0.write(codec.count("items", self.items, 126))
+        out += codec.write_numbers("items", "H", codec.at_most("items", self.items, 126))
         return codec.finished(out)
 
 
@@ -414,7 +414,9 @@ class InventoryResponse(Response):
         return cls(descriptors), at
 
     def _write(self) -> bytes:
-        out = codec.write_numbers("H", codec.at_most("descriptors", self.descriptors, 126))
+        out = codec.write_numbers(
+            "descriptors", "H", codec.at_most("descriptors", self.descriptors, 126)
+        )
         return codec.finished(out)
 
 
@@ -1057,7 +1059,7 @@ class Formats(Command):
 
     def _write(self) -> bytes:
         out = _FORMATS_0.write(
-            self.suppress_ack, len(codec.at_most("segments", self.segments, 255)), self.checkpoint
+            self.suppress_ack, codec.count("segments", self.segments, 25), self.checkpoint
         )
         out += codec.write_structures(
             "segments", codec.at_most("segments", self.segments, 25), types.Segment
@@ -1253,8 +1255,8 @@ class List(Command):
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _LIST_GROUPS)
         if there >= 2:
-            out += _LIST_1.write(len(codec.at_most("items", self.items, 255)))
-            out += codec.write_numbers("H", codec.at_most("items", self.items, 125))
+            out += _LIST_1.write(codec.count("items", self.items, 125))
+            out += codec.write_numbers("items", "H", codec.at_most("items", self.items, 125))
         return codec.finished(out)
 
 

@@ -7,7 +7,6 @@ from enum import IntFlag
 from typing import TypeAlias
 
 from . import codec
-from .errors import EncodeError
 from .field import Structure
 
 Vector3f: TypeAlias = tuple[float, float, float]
@@ -45,7 +44,7 @@ class WideCode(codec.OpenEnum):
     HIGH = 0xFFFF0000
 
 
-@codec.open_flag
+@codec.open_flag(16)
 class StateFlags(IntFlag):
     """Bits of all kinds."""
 
@@ -67,8 +66,7 @@ class StateFlags(IntFlag):
 
     def with_level(self, value: int) -> StateFlags:
         """The same with bits 4 to 6 set to a number."""
-        if not 0 <= value <= 0x7:
-            raise EncodeError("range", f"level: {value} does not fit into 3 bits")
+        value = codec.fits("level", value, 3)
         return StateFlags(int(self) & ~0x70 | value << 4)
 
     @property
@@ -78,12 +76,11 @@ class StateFlags(IntFlag):
 
     def with_mode(self, value: int) -> StateFlags:
         """The same with bits 8 to 9 set to a number."""
-        if not 0 <= value <= 0x3:
-            raise EncodeError("range", f"mode: {value} does not fit into 2 bits")
+        value = codec.fits("mode", value, 2)
         return StateFlags(int(self) & ~0x300 | value << 8)
 
 
-@codec.open_flag
+@codec.open_flag(128)
 class Health(IntFlag):
     """One hundred and twenty-eight bits, least significant byte first."""
 
@@ -103,8 +100,7 @@ class Health(IntFlag):
 
     def with_count(self, value: int) -> Health:
         """The same with bits 30 to 33 set to a number."""
-        if not 0 <= value <= 0xF:
-            raise EncodeError("range", f"count: {value} does not fit into 4 bits")
+        value = codec.fits("count", value, 4)
         return Health(int(self) & ~0x3C0000000 | value << 30)
 
 

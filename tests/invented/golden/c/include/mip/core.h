@@ -54,7 +54,9 @@ typedef enum mip_error {
     /** A value that is always the same is another one. */
     MIP_ERROR_CONSTANT,
     /** The number of present parameters ends between a counter and its array, or exceeds them. */
-    MIP_ERROR_MISSING
+    MIP_ERROR_MISSING,
+    /** The field does not stand in packets of this descriptor set. */
+    MIP_ERROR_SET
 } mip_error;
 
 /** The error as one word in lower case: "truncated"; "ok" if there is none. */
@@ -272,7 +274,7 @@ struct mip_writer {
 
 mip_error mip_decode_field(const struct mip_field *field, mip_read_function read, void *value,
                            size_t size, size_t *trailing);
-mip_error mip_encode_field(struct mip_builder *builder, uint8_t descriptor,
+mip_error mip_encode_field(struct mip_builder *builder, uint8_t descriptor_set, uint8_t descriptor,
                            mip_write_function write, const void *value);
 
 /** Of fields without parameters. */
