@@ -91,7 +91,7 @@ def check(options: argparse.Namespace) -> int:
     for name, files in _make(options).items():
         for difference in render.compare(files, options.out / name):
             print(
-                f"{options.out / name / difference.path}: error: {difference.what}; run 'make generate'",
+                f"{options.out / name / difference.path}: error: {difference.what}; run 'make generate golden'",
                 file=sys.stderr,
             )
             found += 1

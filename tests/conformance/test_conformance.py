@@ -269,6 +269,10 @@ def test_no_request_kills_a_driver(language: str) -> None:
         1, None, [], {}, {"op": 1}, {"op": "none"}, {"op": "decode"}, {"op": "decode", "packet": "xx"},
         {"op": "decode", "packet": 5}, {"op": "decode", "packet": "756"}, {"op": "parse", "stream": "00"},
         {"op": "encode", "set": 1}, {"op": "encode", "set": 1, "fields": 3}, {"op": "encode", "fields": []},
+        {"op": "encode", "set": 0, "fields": []}, {"op": "encode", "set": 256, "fields": []},
+        {"op": "encode", "set": 1, "fields": [{"descriptor": 256, "raw": ""}]},
+        {"op": "encode", "set": 1, "fields": [{"descriptor": -1, "raw": ""}]},
+        {"op": "parse", "stream": "7565", "chunk": 0}, {"op": "parse", "stream": "7565", "chunk": -1},
     ]  # fmt: skip
     assert driver(language, "invented").ask(requests) == [{"error": "request"}] * len(requests)
 

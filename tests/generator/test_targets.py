@@ -252,6 +252,7 @@ def test_counts_agree(first: Path) -> None:
     """Each field of the specification is a type in each language and a section in the reference."""
     of = model("real")
     own = [f for s in of.sets for f in s.own_fields]
+
     def count(pattern: str, folder: str, files: str) -> int:
         texts = (p.read_text("utf-8") for p in sorted((first / folder).rglob(files)))
         return sum(len(re.findall(pattern, text, re.M)) for text in texts)

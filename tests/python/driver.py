@@ -27,7 +27,9 @@ def answer(request: Any) -> dict[str, Any]:
 
 def parse(request: dict[str, Any]) -> dict[str, Any]:
     parser, packets = Parser(), []
-    stream, chunk = bytes.fromhex(request["stream"]), max(1, int(request["chunk"]))
+    stream, chunk = bytes.fromhex(request["stream"]), request["chunk"]
+    if chunk < 1:
+        raise ValueError("no chunk")
     for at in range(0, len(stream), chunk):
         packets += parser.feed(stream[at : at + chunk])
     packets += parser.flush()
@@ -123,13 +125,15 @@ def number(p: Parameter, value: Any) -> Any:
 
 
 def encode(request: dict[str, Any]) -> dict[str, Any]:
+    if not 1 <= request["set"] <= 255 or not all(0 <= f["descriptor"] <= 255 for f in request["fields"]):
+        raise ValueError("neither a set nor a descriptor")
     builder = PacketBuilder(request["set"])
     for field in request["fields"]:
         if "raw" in field:
             builder.add(field["descriptor"], bytes.fromhex(field["raw"]))
             continue
         kinds = registry.types(request["set"], field["descriptor"])
-        kind = next((k for k in kinds if k.NAME == field["name"]), None)
+        kind = next((k for k in kinds if field["name"] == k.NAME), None)
         if kind is None:
             raise EncodeError("unknown", field["name"])
         builder.add(field["descriptor"], built(kind, field["values"]).encode())

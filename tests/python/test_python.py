@@ -16,6 +16,8 @@ from typing import Any
 
 import pytest
 from mipgen import model as m
+from mipgen import render
+from mipgen.resolve import load_model
 from mipgen.targets import python as target
 from support import ROOT, SPECS, all_fields, model
 
@@ -75,7 +77,7 @@ def test_every_field_has_a_class_with_its_numbers_and_its_links(spec: str) -> No
         if field is None:
             assert of.protocol.acknowledge.full_name == kind.NAME
             continue
-        assert (kind.SET, kind.NAME) == (field.set, field.full_name)
+        assert (field.set, field.full_name) == (kind.SET, kind.NAME)
         assert field.role == kind.ROLE
         assert kind.__doc__ and field.title in kind.__doc__
         if field.role == m.COMMAND:
@@ -111,6 +113,8 @@ def test_unknown_values_survive() -> None:
     with pytest.raises(mip.errors.EncodeError, match="3 bits"):
         flags.with_level(8)
     assert flags.mode == 3 and isinstance(flags.mode, mip.types.Mode)
+    rest = ~mip.types.StateFlags.READY
+    assert int(rest) == 0xFFFE and isinstance(rest, mip.types.StateFlags) and ~rest == mip.types.StateFlags.READY
 
 
 def test_wide_bits() -> None:
@@ -165,6 +169,7 @@ def test_what_cannot_be_sent_is_refused() -> None:
             tools.Settings.save(256),
             tools.Settings.save(-1),
             tools.Settings.save("x"),
+            mip.measurements.Health("1", 0),
             tools.CaptureBias(1 << 16),
         ],
         "count": [tools.Bias.write((1, 2)), tools.Bias.write(5), tools.List.write(tuple(range(200)))],
@@ -175,6 +180,36 @@ def test_what_cannot_be_sent_is_refused() -> None:
             with pytest.raises(mip.errors.EncodeError) as error:
                 value.encode()
             assert error.value.kind == kind, value
+
+
+def test_complaints_name_the_value() -> None:
+    tools, types = mip.tools, mip.types
+    zero = types.Point(0, 0)
+    track = types.Segment(zero, zero, (0, 0))
+    vectors = mip.measurements.Arrays((0, 0, 0), (0, 0), ((0, 0, 0), (0, 0)), (zero, zero), track)
+    for value, text in (
+        (tools.List.write(tuple(range(200))), "items has 200 elements, a field holds 125"),
+        (tools.List.write((1, 1 << 16)), "an item of items: .* number"),
+        (tools.List.write(tuple(range(300))), "items has 300 elements, a field holds 125"),
+        (tools.List.write((1, None)), "an item of items is None"),
+        (vectors, "an item of vectors has 2 elements, needs 3"),
+        (mip.measurements.Health("1", 0), "result is '1'"),
+    ):
+        with pytest.raises(mip.errors.EncodeError, match=text):
+            value.encode()
+
+
+def test_errors_can_be_pickled() -> None:
+    """A pool of processes hands them over so."""
+    code = """
+import pickle
+from mip_protocol import *
+for error in (Truncated(2, 1), DecodeError("count", "x"), PacketError("sync", "y"), EncodeError("range", "z")):
+    again = pickle.loads(pickle.dumps(error))
+    assert (type(again), str(again), again.kind) == (type(error), str(error), error.kind), again
+print(Truncated(2, 1))
+"""
+    assert user(REAL, code) == "truncated: 2 bytes wanted, 1 left\n"
 
 
 def test_signalling_nan_keeps_its_bits() -> None:
@@ -191,6 +226,16 @@ def test_meaning_depends_on_a_sibling_or_the_device() -> None:
     assert mip.tools.ModelAFaults.CLOCK not in status.meaning("flags", "model-a")
 
 
+def test_repeated_fields_belong_to_their_own_set() -> None:
+    """Two receivers send the same fields; neither is taken for the other."""
+    one, two = real.gnss_1.FixInfo, real.gnss_2.FixInfo
+    sent = two(*[0] * 4)
+    packet = sent.packet()
+    assert packet.set == 0x92 and two.find(packet) == sent and one.find(packet) is None
+    assert type(real.registry.decode(next(iter(packet)))) is two and issubclass(two, one)
+    assert real.reflection.PARAMETERS[two] is real.reflection.PARAMETERS[one]
+
+
 # --------------------------------------------------------------------------- core
 
 
@@ -201,6 +246,13 @@ def test_builder_refuses_and_stays_valid() -> None:
     assert len(builder.add(1, b"\x00").build().payload) == 255
     with pytest.raises(mip.errors.EncodeError):
         mip.packet.PacketBuilder(0)
+
+
+def test_packet_keeps_its_own_bytes() -> None:
+    buffer = bytearray(bytes(mip.tools.Ping().packet()))
+    packet = mip.packet.Packet(buffer)
+    buffer[3] = 99
+    assert packet == mip.tools.Ping().packet() and hash(packet) and len(bytes(packet)) == 8
 
 
 def test_malformed_field_leaves_those_before_it() -> None:
@@ -287,6 +339,21 @@ def test_client_survives_a_reply_that_cannot_be_decoded() -> None:
     assert event.accepted and event.response is None
 
 
+def test_client_reads_on_behind_a_reply_that_cannot_be_decoded() -> None:
+    client = mip.top.Client()
+    client.send(mip.tools.CaptureBias(1), mip.tools.Ping(), mip.tools.Ping(), now=0.0)
+    events = client.receive(reply("f1 06 00", "9b 00", "f1 01 00", "f1 01", "f1 01 03"), now=0.1)
+    assert [e.code for e in events] == [0, 0, 3] and client.pending == ()
+
+
+def test_client_flush_finds_an_answer_behind_noise() -> None:
+    client = mip.top.Client()
+    client.send(mip.tools.Ping(), now=0.0)
+    assert client.receive(b"ue\x80\xff" + reply("f1 01 00"), now=0.1) == []
+    (event,) = client.flush(now=0.2)
+    assert event.accepted and client.pending == () and client.skipped == 4
+
+
 def test_client_refuses_what_does_not_fit_and_waits_for_nothing() -> None:
     client = mip.top.Client()
     with pytest.raises(ValueError, match="one descriptor set"):
@@ -310,6 +377,76 @@ def test_devices(spec: str) -> None:
             assert f is not None and device.supports(f.set, f.descriptor)
         assert set(device.readings) == {name for name, _ in d.readings}
         assert device.ack_codes == set(d.ack_codes)
+
+
+# --------------------------------------------------------------------------- a specification that is hard on Python
+
+AWKWARD = """# yaml-language-server: $schema=../../../../../spec/schema/set.schema.json
+set: 0x62
+name: awkward
+title: 'A "quoted" \\title\\'
+description: Names that generated code uses itself, and groups of several steps.
+types:
+  pair: {struct: [{name: one, type: u16}, {name: two, type: u16}]}
+  kind: {enum: u8, values: {a: 1}}
+  long_bits: {bitfield: u8, bits: {a_name_that_leaves_hardly_any_room_in_a_line: {bits: 0-3}}}
+fields:
+  - command: 0x01
+    name: halves
+    title: Halves
+    description: A counter whose array comes late.
+    sources: [{manual: guide, section: S}]
+    functions: WR
+    parameters:
+      - {name: count, type: u8, for: W}
+      - {name: first, type: pair, for: W}
+      - {name: second, type: pair, for: W}
+      - {name: bools, type: bool, count: count, for: W}
+    responses: [{response: 0x81, parameters: as_command}]
+  - command: 0x02
+    name: words
+    title: Words
+    description: Names of functions.
+    sources: [{manual: guide, section: S}]
+    functions: WR
+    parameters:
+      - {name: len, type: u8, for: W}
+      - {name: map, type: kind, count: 2, for: W}
+      - {name: gap, type: u8, optional: true, reserved: 7}
+      - {name: field, type: u8, optional: true}
+    responses: [{response: 0x82, parameters: as_command}]
+  - command: 0x03
+    name: kept
+    title: Kept
+    description: A reserved value in front.
+    sources: [{manual: guide, section: S}]
+    parameters:
+      - {name: field, type: u8, reserved: 3}
+      - {name: gap, type: u8, reserved: 0}
+      - {name: isinstance, type: kind, count: 5}
+"""
+
+
+def test_awkward_specification(tmp_path: Path) -> None:
+    spec, out = tmp_path / "spec", tmp_path / "python"
+    shutil.copytree(SPECS["invented"][0], spec)
+    (spec / "sets/awkward.yaml").write_text(AWKWARD, "utf-8")
+    render.write(render.render("python", load_model(spec)), out)
+    for check in (["format", "--check"], ["check"]):
+        done = subprocess.run([Path(sys.executable).parent / "ruff", *check, "--no-cache", out], capture_output=True)
+        assert done.returncode == 0, done.stdout.decode()
+    it = Package(out).awkward
+    whole = bytes.fromhex("01 02 00010002 00030004 0100")
+    assert it.Halves.decode(whole).encode() == whole and it.Halves.decode(whole).bools == (True, False)
+    assert all(type(b) is bool for b in it.Halves.decode(whole).bools)
+    for n in range(1, 10):  # a read may carry what it does not need, but no half of it
+        short, trailing = it.Halves.decode_with_trailing(b"\x02" + whole[1:n])
+        assert (short, trailing) == (it.Halves.read(), n - 1) and short.encode() == b"\x02"
+    words = it.Words.write(1, (it.Kind.A, 9))
+    assert it.Words.decode(words.encode()) == words and words.encode().hex() == "01010109"
+    assert it.Words.write(1, (1, 2), 5).encode().hex() == "010101020705"
+    kept = it.Kept((1, 2, 3, 4, 5))
+    assert kept.encode().hex() == "03000102030405" and it.Kept.decode(kept.encode()) == kept
 
 
 # --------------------------------------------------------------------------- examples, as a user writes them
@@ -454,6 +591,7 @@ def test_other_python_versions(version: str) -> None:
                 "from mip_protocol import registry, devices, reflection, types\n"
                 "F = types.GpioPinMode\n"
                 "assert int(F(0xFF) & ~F.PULLUP) == 0xFB and int(F(0x80) | F.PULLUP) == 0x84 and F.PULLUP in F(0xFF)\n"
+                "assert isinstance(~F.PULLUP, F) and ~~F.PULLUP is F.PULLUP\n"
                 "assert types.AckCode(200) == 200 and types.AckCode(0) is types.AckCode.OK\n"
                 "print(len(registry.all_types()))"
             )

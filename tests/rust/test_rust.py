@@ -113,11 +113,12 @@ panic = "abort"
 
 
 def cargo(folder: Path, *arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    done = subprocess.run(
-        [need("cargo"), *arguments], cwd=folder, capture_output=True, text=True,
-        env={**os.environ, "CARGO_TARGET_DIR": str(WORK / "target"), "CARGO_TERM_COLOR": "never", **environment},
-    )  # fmt: skip
-    return done
+    """One at a time: both specifications make a crate of the same name in one target folder."""
+    with locked(WORK / "cargo"):
+        return subprocess.run(
+            [need("cargo"), *arguments], cwd=folder, capture_output=True, text=True,
+            env={**os.environ, "CARGO_TARGET_DIR": str(WORK / "target"), "CARGO_TERM_COLOR": "never", **environment},
+        )  # fmt: skip
 
 
 def passes(folder: Path, *arguments: str, **environment: str) -> str:

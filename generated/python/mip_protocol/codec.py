@@ -173,7 +173,7 @@ def read_numbers(letter: str, data: bytes, at: int, count: int) -> tuple[Any, ..
 
 
 def write_numbers(name: str, letter: str, values: Sequence[Any]) -> bytes:
-    return _array(name, letter, len(values)).write(*values)
+    return _array(f"an item of {name}", letter, len(values)).write(*values)
 
 
 def read_vectors(letter: str, width: int, data: bytes, at: int, count: int) -> tuple[Any, ...]:
@@ -183,7 +183,7 @@ def read_vectors(letter: str, width: int, data: bytes, at: int, count: int) -> t
 
 def write_vectors(name: str, letter: str, width: int, values: Sequence[Sequence[Any]]) -> bytes:
     item = f"an item of {name}"
-    return b"".join(write_numbers(item, letter, exactly(item, v, width)) for v in values)
+    return b"".join(write_numbers(name, letter, exactly(item, v, width)) for v in values)
 
 
 def read_structures(kind: type[S], data: bytes, at: int, count: int) -> tuple[tuple[S, ...], int]:

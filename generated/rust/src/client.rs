@@ -146,7 +146,7 @@ impl Event<'_> {
 }
 
 /// How long a reply may take where neither the command nor the caller says otherwise.
-pub const DEFAULT_TIMEOUT_MS: u32 = 500;
+pub const DEFAULT_TIMEOUT_MS: u32 = 1000;
 
 impl<const N: usize> Default for Client<N> {
     fn default() -> Self {

@@ -92,10 +92,13 @@ impl Device {
         ALL.iter().copied().find(|device| device.id == id)
     }
 
-    /// The entry of a field, if the device supports it.
+    /// The entry of a field, if the device supports it in packets of this set.
+    ///
+    /// Shared data count in every data set.
     #[must_use]
     pub fn supports(&self, set: u8, descriptor: u8) -> Option<&'static Supported> {
-        self.fields.iter().find(|f| f.set == set && f.descriptor == descriptor)
+        let matches = |f: &&Supported| f.set == set || (f.set == 0xFF && set >= 0x80);
+        self.fields.iter().find(|f| f.descriptor == descriptor && matches(f))
     }
 
     /// Does it support this field?

@@ -209,6 +209,9 @@ impl PacketBuilder {
 
     /// Appends a field that is given by its bytes.
     pub fn push_raw(&mut self, descriptor: u8, data: &[u8]) -> Result<(), EncodeError> {
+        if self.set() == 0 {
+            return Err(EncodeError::Set);
+        }
         self.append(descriptor, |free| {
             free.get_mut(..data.len()).ok_or(EncodeError::Length)?.copy_from_slice(data);
             Ok(data.len())

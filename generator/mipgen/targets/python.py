@@ -238,7 +238,12 @@ def constructor(f: m.Function, field: m.Field) -> dict[str, Any]:
     passed = [f"FunctionSelector.{constant(f.name)}"]
     for p in required:
         passed.append(f"{_member(p.name)}={_member(p.name) if p.reserved is None else sent(p)}")
-    passed += [f"{_member(p.name)}={_member(p.name)}" for p in settable if p.reserved is None]
+    for i, p in enumerate(settable):
+        later = [q for q in settable[i:] if q.reserved is None]  # a reserved value goes with what follows it
+        if later:
+            own = _member(p.name)
+            sending = own if p.reserved is None else f"{sent(p)} if {_member(later[0].name)} is not None else None"
+            passed.append(f"{own}={sending}")
     return {"parameters": given, "arguments": passed}
 
 
@@ -401,9 +406,7 @@ def _fixed(op: m.Operation) -> bool:
     return isinstance(op, (m.ScalarOp, m.ConstantOp, m.CounterOp, m.BitsOp))
 
 
-def _block(
-    ops: Sequence[m.Operation], name: str, member: str | None, capacities: Mapping[str, int]
-) -> Block:
+def _block(ops: Sequence[m.Operation], name: str, member: str | None, capacities: Mapping[str, int]) -> Block:
     layout, items, at, size = "", [], 0, 0
     for op in ops:
         assert isinstance(op, (m.ScalarOp, m.ConstantOp, m.CounterOp, m.BitsOp, m.ArrayOp))

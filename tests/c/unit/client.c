@@ -144,8 +144,21 @@ static void several(void) {
     add(&r[1], &mip_tools_ping_codec, NULL, 100);
     add(&r[2], &mip_tools_ping_codec, NULL, 200);
     CHECK(RECEIVE(0x01, "\x04\xF1\x01\0") && r[0].state == MIP_REQUEST_ACKNOWLEDGED);
-    CHECK(mip_client_expire(&client, 600) == 1 && r[1].state == MIP_REQUEST_TIMED_OUT);
+    CHECK(mip_client_expire(&client, 1100) == 1 && r[1].state == MIP_REQUEST_TIMED_OUT);
     CHECK(r[2].state == MIP_REQUEST_WAITING && mip_client_expire(&client, 10000) == 1);
+
+    /* What cannot be sent is not waited for. */
+    fresh();
+    struct mip_builder small;
+    uint8_t six[6];
+    struct mip_request stuck = {.state = MIP_REQUEST_WAITING};
+    CHECK(mip_builder_start(&small, six, sizeof(six), MIP_TOOLS_SET) == MIP_OK);
+    CHECK(mip_client_add(&client, &stuck, &small, &mip_tools_ping_codec, NULL, 0) == MIP_ERROR_LENGTH);
+    CHECK(stuck.state == MIP_REQUEST_CANCELLED && client.waiting == NULL);
+    uint8_t wrong[MIP_MAX_PACKET];
+    CHECK(mip_builder_start(&small, wrong, sizeof(wrong), 0x7F) == MIP_OK);
+    CHECK(mip_client_add(&client, &stuck, &small, &mip_tools_ping_codec, NULL, 0) == MIP_ERROR_SET);
+    CHECK(stuck.state == MIP_REQUEST_CANCELLED && small.length == MIP_HEADER_SIZE);
 
     /* A request that still waits and is used again waits once. */
     fresh();

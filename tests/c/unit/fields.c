@@ -14,8 +14,9 @@ static struct mip_builder *fresh(uint8_t set) {
     return &packet;
 }
 
-#define ENCODES(name, value, hex) \
-    (mip_##name##_encode(value, fresh(MIP_TOOLS_SET)) == MIP_OK && strcmp(only_field(&packet), hex) == 0)
+#define ENCODES(name, value, hex)                                                      \
+    (mip_##name##_encode(value, fresh(mip_##name##_codec.descriptor_set)) == MIP_OK && \
+     strcmp(only_field(&packet), hex) == 0)
 
 static void presence(void) {
     /* Constructors build the shortest form. */

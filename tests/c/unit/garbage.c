@@ -30,7 +30,8 @@ static void decode(const struct mip_codec *codec) {
     if (mip_decode(codec, value, &field, &trailing) == MIP_OK) {
         uint8_t buffer[MIP_MAX_PACKET];
         struct mip_builder b;
-        CHECK(mip_builder_start(&b, buffer, sizeof(buffer), 1) == MIP_OK);
+        const uint8_t set = codec->descriptor_set != 0 ? codec->descriptor_set : 1;
+        CHECK(mip_builder_start(&b, buffer, sizeof(buffer), set) == MIP_OK);
         CHECK(mip_encode(codec, value, &b) == MIP_OK);
         CHECK(b.length == MIP_HEADER_SIZE + 2 + size - trailing);
         CHECK(size == 0 || memcmp(buffer + MIP_HEADER_SIZE + 2, data, size - trailing) == 0);
@@ -51,7 +52,8 @@ static void encode(const struct mip_codec *codec) {
     for (size_t i = 0; i < codec->size; i++) {
         value[i] = random_byte();
     }
-    CHECK(mip_builder_start(&b, buffer, 6 + random_byte(), 1) == MIP_OK);
+    const uint8_t set = codec->descriptor_set != 0 ? codec->descriptor_set : 1;
+    CHECK(mip_builder_start(&b, buffer, 6 + random_byte(), set) == MIP_OK);
     const size_t before = b.length;
     const mip_error error = mip_encode(codec, value, &b);
     CHECK(error == MIP_OK || error == MIP_ERROR_COUNT || error == MIP_ERROR_LENGTH || error == MIP_ERROR_MISSING);

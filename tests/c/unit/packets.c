@@ -114,6 +114,7 @@ static void names(void) {
     CHECK(strcmp(mip_error_name(MIP_OK), "ok") == 0);
     CHECK(strcmp(mip_error_name(MIP_ERROR_FIELD_LENGTH), "field_length") == 0);
     CHECK(strcmp(mip_error_name(MIP_ERROR_MISSING), "missing") == 0);
+    CHECK(strcmp(mip_error_name(MIP_ERROR_SET), "set") == 0);
 }
 
 int main(void) {

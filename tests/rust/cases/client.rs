@@ -204,7 +204,7 @@ fn the_same_command_twice_is_answered_in_order() {
     let reply = Reply::new().ack(1, AckCode::OK);
     let event = only(&mut client, &reply);
     assert!(event.answer(&first).is_some() && event.answer(&second).is_none());
-    assert_eq!(client.deadline(), Some(600));
+    assert_eq!(client.deadline(), Some(1100));
     client.cancel(&second);
     assert_eq!(client.pending(), 0);
     client.cancel(&second);

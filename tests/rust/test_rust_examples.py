@@ -11,7 +11,7 @@ from mipgen.targets import rust
 from support import SPECS, model
 from test_rust import passes, project
 
-HEAD = """//! Made by test_examples.py.
+HEAD = """//! Made by test_rust_examples.py.
 
 #![allow(deprecated)]
 
