@@ -268,6 +268,10 @@ def _put(op: m.Operation, value: Any, values: Values, out: bytearray) -> None:
             for item in value:
                 _put(op.item, item, {}, out)
         case m.StructOp():
+            known = {p.name for p in op.struct.parameters if p.constant is None}
+            for name in value:
+                if name not in known:
+                    raise CodecError("unknown", f"{op.struct.name} has no parameter {name}")
             for part in op.struct.operations:
                 _write(part, value, out)
         case m.SwitchOp():

@@ -217,7 +217,11 @@ class _Build:
     @property
     def least(self) -> int:
         """The fewest bytes that all parameters so far take."""
-        return self.before + (1 if self.functions else 0) + sum(size(p.operation)[0] for p in self.done)
+        return self.taken(self.done)
+
+    def taken(self, parameters: Sequence[m.Parameter]) -> int:
+        """The fewest bytes that a field has with these parameters."""
+        return self.before + (1 if self.functions else 0) + sum(size(p.operation)[0] for p in parameters)
 
     def earlier(self, name: str) -> m.Parameter | None:
         return next((p for p in self.done if p.name == name), None)
@@ -500,6 +504,12 @@ class _Build:
                     end = max(end, names.index(counted))
                 j += 1
             members = parameters[i : end + 1]
+            if all(p.constant is not None for p in members):
+                self.problem(
+                    members[0].position,
+                    f"the constant '{members[0].name}' may be absent, so nothing tells whether it is there; "
+                    "it must come before every parameter that may be absent",
+                )
             for p in members:
                 if p.functions != members[0].functions or p.optional != members[0].optional:
                     what = f"'{members[0].name}' up to '{members[-1].name}'"
@@ -523,14 +533,16 @@ class _Build:
                 return
 
     def capacities(self) -> dict[str, int]:
-        """How many items each array of open length can hold at most."""
+        """How many items each array of open length can hold at most, where nothing comes that may be absent."""
         found = {}
-        for p in self.done:
+        for i, p in enumerate(self.done):
             if isinstance(p.length, str):
                 op = p.operation
                 assert isinstance(op, (m.ArrayOp, m.TextOp))
                 item = 1 if isinstance(op, m.TextOp) else size(op.item)[1]
-                most = max(0, m.MAX_FIELD_DATA - self.least) // max(1, item)
+                before, behind = self.done[: i + 1], self.done[i + 1 :]
+                always = [*before, *(q for q in behind if not (self.functions or q.optional))]
+                most = max(0, m.MAX_FIELD_DATA - self.taken(always)) // max(1, item)
                 counter = self.earlier(p.length)
                 if counter is not None and isinstance(counter.element, m.Scalar):
                     most = min(most, (1 << (8 * counter.element.size)) - 1)

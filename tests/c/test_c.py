@@ -11,8 +11,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import awkward
 import pytest
-from mipgen import codec
+from mipgen import cli, codec
 from mipgen import model as m
 from mipgen.render import language
 from mipgen.targets import c as target
@@ -474,3 +475,17 @@ def test_readme_shows_programs_that_run(tmp_path: Path) -> None:
     prototype = "bool set_pps_source(struct mip_client *client, mip_3dm_pps_source source);\n"
     program.write_text(f"{includes}#include{header}\n{outside}{prototype}{rest}")
     run(need("gcc"), "-std=c99", *WARNINGS, include("real"), "-fsyntax-only", program)
+
+
+def test_awkward_names_and_shapes(tmp_path: Path) -> None:
+    """Keywords as names, text and arrays to the end in commands, very long names."""
+    spec = tmp_path / "spec"
+    shutil.copytree(ROOT / "tests/invented/spec", spec)
+    for name, text in awkward.FILES.items():
+        (spec / "sets" / name).write_text(text, "utf-8")
+    assert cli.main(["generate", "--spec", str(spec), "--out", str(tmp_path / "out"), "--target", "c"]) == 0
+    where = tmp_path / "out/c"
+    for source in sorted((where / "src").glob("*.c")):
+        for compiler, standard in (("gcc", "-std=c99"), ("g++", "-std=c++11")):
+            language = ["-x", "c++"] if compiler == "g++" else []
+            run(need(compiler), standard, *WARNINGS, f"-I{where}/include", "-fsyntax-only", *language, source)

@@ -218,8 +218,13 @@ def test_wrong_values_are_refused(language: str, spec: str) -> None:
     assert kinds >= {"missing", "range", "count", "unknown"}
 
 
+def _structure(f: m.Field, name: str) -> bool:
+    return any(p.name == name and isinstance(p.element, m.Struct) and p.length is None for p in f.parameters)
+
+
 def faults(f: Any, values: dict[str, Any]) -> list[dict[str, Any]]:
     found: list[dict[str, Any]] = [{**values, "no_such_parameter": 1}]
+    found += [{**values, name: {**v, "no_such_parameter": 1}} for name, v in values.items() if _structure(f, name)]
     counters = {p.name for p in f.parameters if p.counts}
     tags = {p.tag for p in f.parameters if p.tag}
     for name, value in values.items():

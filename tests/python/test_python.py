@@ -336,7 +336,7 @@ def test_client_survives_a_reply_that_cannot_be_decoded() -> None:
     client = mip.top.Client()
     client.send(mip.tools.CaptureBias(1), now=0.0)
     (event,) = client.receive(reply("f1 06 00", "9b 00"), now=0.1)
-    assert event.accepted and event.response is None
+    assert event.accepted and event.response is None and event.error.kind == "truncated"
 
 
 def test_client_reads_on_behind_a_reply_that_cannot_be_decoded() -> None:
@@ -352,6 +352,35 @@ def test_client_flush_finds_an_answer_behind_noise() -> None:
     assert client.receive(b"ue\x80\xff" + reply("f1 01 00"), now=0.1) == []
     (event,) = client.flush(now=0.2)
     assert event.accepted and client.pending == () and client.skipped == 4
+
+
+def test_client_deadline_and_cancel() -> None:
+    client, ping = mip.top.Client(timeout=1.0), mip.tools.Ping()
+    assert client.deadline is None
+    client.send(ping, now=5.0)
+    assert client.deadline == 6.0
+    client.cancel(ping)
+    assert client.pending == () and client.deadline is None
+    for wrong in ((), (mip.measurements.Accel((0, 0, 0), 0),)):
+        with pytest.raises(mip.errors.EncodeError):
+            client.send(*wrong, now=0.0)
+
+
+def test_readme_client_runs() -> None:
+    """The program of the README, with a port that answers."""
+    text = (REAL / "README.md").read_text("utf-8")
+    program = text.split("## Commands")[1].split("```python\n")[1].split("```")[0]
+    port = """
+from mip_protocol import PacketBuilder
+class Port:
+    def write(self, data): self.sent = data
+    def read(self, size):
+        answer = PacketBuilder(1).add(0xF1, bytes([self.sent[5], 0])).add(0x81, bytes(82)).build()
+        return bytes(PacketBuilder(0x80).add(4, bytes(12)).build()) + bytes(answer)
+port = Port()
+"""
+    printed = user(REAL, port + program).splitlines()
+    assert printed[0].startswith("data: Packet(7565800e") and printed[1].startswith("GetDeviceInformationResponse(")
 
 
 def test_client_refuses_what_does_not_fit_and_waits_for_nothing() -> None:

@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from .errors import DecodeError, PacketError
+from .errors import DecodeError, EncodeError, PacketError
 from .field import Command, Response
 from .packet import Packet, PacketBuilder, RawField
 from .parser import Parser
@@ -26,11 +26,15 @@ from .types import AckCode
 
 @dataclass(frozen=True)
 class Answer:
-    """The device has answered a command; `response` is there if it sent one."""
+    """The device has answered a command; `response` is there if it sent one.
+
+    `error` says what is wrong with a response that came and could not be decoded.
+    """
 
     command: Command
     code: AckCode
     response: Response | None = None
+    error: DecodeError | None = None
 
     @property
     def accepted(self) -> bool:
@@ -85,11 +89,13 @@ class Client:
         Raises EncodeError, and waits for nothing, if they do not fit into one packet.
         """
         if not commands:
-            raise ValueError("send needs at least one command")
+            raise EncodeError("missing", "send needs at least one command")
         builder = PacketBuilder(commands[0].SET)
         for command in commands:
+            if not isinstance(command, Command):
+                raise EncodeError("set", f"{command!r} is no command")
             if command.SET != commands[0].SET:
-                raise ValueError("the commands of one packet must be of one descriptor set")
+                raise EncodeError("set", "the commands of one packet must be of one descriptor set")
             builder.add(command.DESCRIPTOR, command.encode())
         for command in commands:
             if command.answered:
@@ -107,6 +113,15 @@ class Client:
         Noise that looks like the beginning of a long packet holds an answer back until then.
         """
         return self._events(self._parser.flush(), now)
+
+    @property
+    def deadline(self) -> float | None:
+        """When the next command times out; None if nothing waits."""
+        return min((p.deadline for p in self._pending), default=None)
+
+    def cancel(self, command: Command) -> None:
+        """Waits for this command no longer."""
+        self._pending = [p for p in self._pending if p.command is not command]
 
     def poll(self, now: float) -> list[Event]:
         """The commands whose time is over."""
@@ -132,8 +147,8 @@ class Client:
                     current = answer is not None
                     if answer is not None:
                         answers.append(answer)
-                elif current and answers[-1].response is None:
-                    answers[-1] = replace(answers[-1], response=_response(answers[-1].command, raw))
+                elif current and answers[-1].response is None and answers[-1].error is None:
+                    answers[-1] = _completed(answers[-1], raw)
         except PacketError:
             pass  # what stands before a malformed field still counts
         return answers
@@ -150,12 +165,12 @@ class Client:
         return None
 
 
-def _response(command: Command, raw: RawField) -> Response | None:
-    """The response of a command, if the field is one and can be decoded."""
-    for kind in command.RESPONSES:
+def _completed(answer: Answer, raw: RawField) -> Answer:
+    """The answer with its response, if the field is one."""
+    for kind in answer.command.RESPONSES:
         if kind.DESCRIPTOR == raw.descriptor and kind.matches(raw.data):
             try:
-                return kind.decode(raw.data)
-            except DecodeError:
-                return None
-    return None
+                return replace(answer, response=kind.decode(raw.data))
+            except DecodeError as error:
+                return replace(answer, error=error)
+    return answer

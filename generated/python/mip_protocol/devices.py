@@ -62,7 +62,9 @@ class Device:
         Ask the device itself for its base rate where that is possible.
         """
         base = self.base_rates.get(set, 0.0)
-        if base <= 0 or rate <= 0:
+        if not rate > 0:
+            raise ValueError(f"a rate of {rate} Hz is none; it must be above 0")
+        if base <= 0:
             raise ValueError(f"{self.title} sends set 0x{set:02X} at no fixed rate")
         return max(1, min(0xFFFF, round(base / rate)))
 

@@ -338,11 +338,11 @@ def argument(p: m.Parameter, f: m.Field) -> str:
     if p.element is None:
         return f"const union {union_name(f, p)} *{name}"
     one = spelled(p.element)
+    count = f"uint8_t {name}_count, " if p.length == "rest" else ""
     if isinstance(op, m.TextOp):
-        return f"const char *{name}"
+        return f"{count}const char *{name}"
     if isinstance(op, m.ArrayOp):
         first = f"[{op.count}]" if op.count is not None else "[]"
-        count = f"uint8_t {name}_count, " if p.length == "rest" else ""
         return f"{count}const {one} {name}{first}{dimensions(op.item)}"
     return f"const {one} *{name}" if one.startswith("struct ") else f"{one} {name}"
 

@@ -319,9 +319,23 @@ static const char *decode(struct output *out, struct arena *arena, const struct 
 
 static const char *get_value(const struct json *values, const struct mip_parameter *p, const struct mip_parameter *all, uint8_t *record);
 
+static bool is_known(const struct mip_record *r, const struct json *key) {
+    for (size_t i = 0; i < r->count; i++) {
+        if (r->parameters[i].kind != MIP_KIND_CONSTANT && json_equals(key, r->parameters[i].name)) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static const char *get_record(const struct json *values, const struct mip_record *r, uint8_t *record) {
     if (values->kind != JSON_OBJECT) {
         return REQUEST;
+    }
+    for (const struct json *item = values->first; item != NULL; item = item->next) {
+        if (!is_known(r, item->key)) {
+            return "unknown";
+        }
     }
     for (size_t i = 0; i < r->count; i++) {
         const char *error = get_value(values, &r->parameters[i], r->parameters, record);
@@ -450,15 +464,6 @@ static const char *get_value(const struct json *values, const struct mip_paramet
     default:
         return p->length == MIP_LENGTH_ONE ? get_item(j, p, at) : get_items(j, p, record);
     }
-}
-
-static bool is_known(const struct mip_record *r, const struct json *key) {
-    for (size_t i = 0; i < r->count; i++) {
-        if (r->parameters[i].kind != MIP_KIND_CONSTANT && json_equals(key, r->parameters[i].name)) {
-            return true;
-        }
-    }
-    return false;
 }
 
 static bool is_there(const struct json *values, const struct mip_parameter *p) {

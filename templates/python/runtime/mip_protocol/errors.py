@@ -35,4 +35,5 @@ class EncodeError(MipError):
 
     `missing`: a required value is None. `range`: a number does not fit. `count`: a wrong number of
     elements. `tag`: a union's member is not the one that its tag selects. `length`: too long.
+    `set`: not of the descriptor set of the packet.
     """
