@@ -437,6 +437,7 @@ class Field:
     responses: tuple[str, ...] = ()  # of a command: names of its responses, in the same set
     silent_when: tuple[Condition, ...] = ()  # of a command: it is not acknowledged then
     definition: str | None = None  # "gnss_1.dop": the field of another set that this one repeats
+    devices: tuple[str, ...] = ()  # titles of the devices that support it; of a response: its command
     max_rate: float | None = None
     timeout: float | None = None
     advanced: bool = False

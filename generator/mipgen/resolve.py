@@ -34,7 +34,7 @@ def load_model(spec: Path) -> m.Model:
     types, model = definitions(roots, problems)
     checks.check_definitions(model, problems)
     sound = not problems
-    model = replace(model, devices=_Devices(model, types, problems).resolve(roots["device"]))
+    model = _supported(replace(model, devices=_Devices(model, types, problems).resolve(roots["device"])))
     if sound:
         manuals = types.vocabulary.manuals
         examples = evidence.examples(roots["examples"], model, problems)
@@ -66,6 +66,17 @@ def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types
     protocol = _protocol(root, types, functions, problems)
     sets = _Sets(types, problems).resolve(roots["set"])
     return types, m.Model(protocol, shared, sets, (), (), ())
+
+
+def _supported(model: m.Model) -> m.Model:
+    """The same with the titles of the devices that support each field."""
+
+    def titles(f: m.Field) -> tuple[str, ...]:
+        name = f"{f.set_name}.{f.command}" if f.command else f.full_name
+        return tuple(d.title for d in model.devices if name in d.fields)
+
+    sets = (replace(s, fields=tuple(replace(f, devices=titles(f)) for f in s.fields)) for s in model.sets)
+    return replace(model, sets=tuple(sets))
 
 
 # --------------------------------------------------------------------------- protocol

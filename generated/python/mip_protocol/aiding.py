@@ -110,6 +110,7 @@ class FrameConfigurationResponse(Response):
     """Frame configuration response (0x13,0x81).
 
     Answers Frame configuration (0x13,0x01).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -182,6 +183,7 @@ class EchoControlResponse(Response):
     """Echo control response (0x13,0x9F).
 
     Answers Echo control (0x13,0x1F).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
     - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -232,6 +234,7 @@ class FrameConfiguration(Command):
     p_vehicle = R * p_frame + t, with the rotation R and the translation t.
     The rotation does not matter for GNSS positions and velocities; set it to zero.
     A read names the format that the answer shall have.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -387,6 +390,7 @@ class EchoControl(Command):
 
     How the device answers aiding measurements.
     The manual does not give the layout of the responses that carry the data back.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
     - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -480,6 +484,7 @@ class EcefPosition(Command):
     Use only one form of position: ECEF or LLH.
     The uncertainty of a valid axis must be greater than 0.
     The echo control (0x13,0x1F) decides how the device answers.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Position (0x13,0x21)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Position
@@ -546,6 +551,7 @@ class LlhPosition(Command):
     Use only one form of position: ECEF or LLH.
     The uncertainty of a valid axis must be greater than 0.
     The echo control (0x13,0x1F) decides how the device answers.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: LLH Position (0x13,0x22)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > LLH Position
@@ -608,6 +614,7 @@ class HeightAboveEllipsoid(Command):
 
     A measured height.
     The echo control (0x13,0x1F) decides how the device answers.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23)
     """
@@ -669,6 +676,7 @@ class EcefVelocity(Command):
     Not for a sensor that is fixed to the vehicle; that takes body_frame_velocity.
     The uncertainty of a valid axis must be greater than 0.
     The echo control (0x13,0x1F) decides how the device answers.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Velocity
@@ -736,6 +744,7 @@ class NedVelocity(Command):
     Not for a sensor that is fixed to the vehicle; that takes body_frame_velocity.
     The uncertainty of a valid axis must be greater than 0.
     The echo control (0x13,0x1F) decides how the device answers.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > NED Velocity
@@ -806,6 +815,7 @@ class BodyFrameVelocity(Command):
     A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold of the
     user.
     The echo control (0x13,0x1F) decides how the device answers.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > Body Frame Velocity
@@ -864,6 +874,7 @@ class TrueHeading(Command):
     A measured heading relative to true north.
     The uncertainty of a valid measurement must be greater than 0.
     The echo control (0x13,0x1F) decides how the device answers.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: True Heading (0x13,0x31)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > True Heading
@@ -925,6 +936,7 @@ class MagneticField(Command):
     The magnetometer must be calibrated.
     The uncertainty of a valid axis must be greater than 0.
     The echo control (0x13,0x1F) decides how the device answers.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetic Field (0x13,0x32)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Magnetometer
@@ -982,6 +994,7 @@ class Pressure(Command):
     A static air pressure measured by an external sensor.
     The uncertainty of a valid measurement must be greater than 0.
     The echo control (0x13,0x1F) decides how the device answers.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Pressure (0x13,0x33)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Pressure

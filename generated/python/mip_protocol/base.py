@@ -80,6 +80,7 @@ class GetDeviceInformationResponse(Response):
     """Get device information response (0x01,0x81).
 
     Answers Get device information (0x01,0x03).
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -108,6 +109,7 @@ class GetDeviceDescriptorsResponse(Response):
     """Get device descriptors response (0x01,0x82).
 
     Answers Get device descriptors (0x01,0x04).
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -145,6 +147,7 @@ class BuiltInTestResponse(Response):
     """Built-in test response (0x01,0x83).
 
     Answers Built-in test (0x01,0x05).
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
     - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -184,6 +187,7 @@ class GpsTimeUpdateWeekNumberResponse(Response):
     """GPS time update, week number (0x01,0x84).
 
     The current week number.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -217,6 +221,7 @@ class GpsTimeUpdateTimeOfWeekResponse(Response):
     """GPS time update, time of week (0x01,0x85).
 
     The current time of week.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -247,6 +252,7 @@ class GetDeviceDescriptorsExtendedResponse(Response):
     """Get device descriptors (extended) response (0x01,0x86).
 
     Answers Get device descriptors (extended) (0x01,0x07).
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
     - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -302,6 +308,7 @@ class ContinuousBuiltInTestResponse(Response):
     """Continuous built-in test response (0x01,0x88).
 
     Answers Continuous built-in test (0x01,0x08).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
     """
@@ -342,6 +349,7 @@ class CommPortSpeedResponse(Response):
     """Comm port speed response (0x01,0x89).
 
     Answers Comm port speed (0x01,0x09).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
     """
@@ -375,6 +383,7 @@ class Ping(Command):
 
     Asks whether a device is there and answers commands.
     A device that is not in a normal operating mode may refuse the command.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)
     - 3dm-cv7-gnss-ins: Ping (0x01,0x01)
@@ -400,6 +409,7 @@ class SetToIdle(Command):
     Stops all data streams, and wakes a sleeping device, so that it can be set up.
     The resume command restores the previous mode.
     While idle the device sends no NMEA sentences either.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.2 Set To Idle (0x01, 0x02)
     - 3dm-cv7-gnss-ins: Set to idle (0x01,0x02)
@@ -423,6 +433,7 @@ class GetDeviceInformation(Command):
     """Get device information (0x01,0x03).
 
     Gets the firmware version and the identity strings of the device.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -448,6 +459,7 @@ class GetDeviceDescriptors(Command):
 
     Gets the command and data descriptors that the device supports.
     When the list contains (0x01,0x07), more descriptors come from the extended command.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -475,6 +487,7 @@ class BuiltInTest(Command):
     The test interrupts normal operation for up to several seconds; no data is available meanwhile.
     The device must be at rest; acceleration, rotation or vibration cause false failures.
     The continuous built-in test, where there is one, tells more about a failure.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
     - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -501,6 +514,7 @@ class Resume(Command):
 
     Ends idle mode and returns the device to the mode that it was in before.
     If the device was not idle, it enters its default mode (3DM-GX5-15).
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.6 Resume (0x01, 0x06)
     - 3dm-cv7-gnss-ins: Resume (0x01,0x06)
@@ -525,6 +539,7 @@ class GetDeviceDescriptorsExtended(Command):
 
     Gets the supported descriptors that did not fit into the reply of get device descriptors.
     Only supported if get device descriptors lists (0x01,0x07).
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
     - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -553,6 +568,7 @@ class ContinuousBuiltInTest(Command):
     Each flag stays set until it is reported by this command, apart from the copy of the streamed
     field.
     The self-test flags change only when the built-in test command runs.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
     """
@@ -585,6 +601,7 @@ class CommPortSpeed(Command):
     The change waits until pending data is sent and received, at most 250 ms.
     Send it alone in a packet while the device is idle, and wait 250 ms before going on.
     Commands and data during the change may be lost or come at either rate.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
     """
@@ -684,6 +701,7 @@ class GpsTimeUpdate(Command):
     The 3DM-GX5-15 wants it once per second; the 3DM-CV7-GNSS/INS at least once.
     Send it again after a glitch of the PPS. An internal GNSS receiver as PPS source mostly makes it
     needless.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -768,6 +786,7 @@ class ResetDevice(Command):
     """Reset device (0x01,0x7E).
 
     Acknowledges the command, then resets the device at once.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
     - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)

@@ -204,6 +204,7 @@ class SensorToVehicleFrameTransformationResponse(Response):
     """Sensor to vehicle frame transformation response (0x0D,0x81).
 
     Answers Sensor to vehicle frame transformation (0x0D,0x11).
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -244,6 +245,7 @@ class GnssAntennaOffsetControlResponse(Response):
     """GNSS antenna offset response (0x0D,0x83).
 
     Answers GNSS antenna offset (0x0D,0x13).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -278,6 +280,7 @@ class EstimationControlFlagsResponse(Response):
     """Estimation control flags response (0x0D,0x84).
 
     Answers Estimation control flags (0x0D,0x14).
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -310,6 +313,7 @@ class GnssAidingSourceControlResponse(Response):
     """GNSS aiding source response (0x0D,0x86).
 
     Answers GNSS aiding source (0x0D,0x15).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
@@ -342,6 +346,7 @@ class HeadingUpdateControlResponse(Response):
     """Heading update control response (0x0D,0x87).
 
     Answers Heading update control (0x0D,0x18).
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -374,6 +379,7 @@ class AutoInitializationControlResponse(Response):
     """Automatic initialization response (0x0D,0x88).
 
     Answers Automatic initialization (0x0D,0x19).
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -406,6 +412,7 @@ class AccelerometerNoiseStandardDeviationResponse(Response):
     """Accelerometer noise response (0x0D,0x89).
 
     Answers Accelerometer noise (0x0D,0x1A).
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -441,6 +448,7 @@ class GyroscopeNoiseStandardDeviationResponse(Response):
     """Gyroscope noise response (0x0D,0x8A).
 
     Answers Gyroscope noise (0x0D,0x1B).
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -478,6 +486,7 @@ class AccelerometerBiasModelParametersResponse(Response):
     """Accelerometer bias model response (0x0D,0x8B).
 
     Answers Accelerometer bias model (0x0D,0x1C).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -517,6 +526,7 @@ class GyroscopeBiasModelParametersResponse(Response):
     """Gyroscope bias model response (0x0D,0x8C).
 
     Answers Gyroscope bias model (0x0D,0x1D).
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -555,6 +565,7 @@ class ZeroAngularRateUpdateControlResponse(Response):
     """Zero angular rate update response (0x0D,0x8E).
 
     Answers Zero angular rate update (0x0D,0x20).
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -593,6 +604,7 @@ class SetReferencePositionResponse(Response):
     """Set reference position response (0x0D,0x90).
 
     Answers Set reference position (0x0D,0x26).
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -636,6 +648,7 @@ class GravityNoiseStandardDeviationResponse(Response):
     """Gravity noise response (0x0D,0x93).
 
     Answers Gravity noise (0x0D,0x28).
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -671,6 +684,7 @@ class EnableDisableMeasurementsResponse(Response):
     """Enable or disable measurements response (0x0D,0xB0).
 
     Answers Enable or disable measurements (0x0D,0x41).
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -703,6 +717,7 @@ class MagneticFieldDeclinationSourceControlResponse(Response):
     """Magnetic declination source response (0x0D,0xB2).
 
     Answers Magnetic declination source (0x0D,0x43).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     """
@@ -751,6 +766,7 @@ class GravityMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Gravity magnitude error adaptive measurement response (0x0D,0xB3).
 
     Answers Gravity magnitude error adaptive measurement (0x0D,0x44).
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -819,6 +835,7 @@ class PitchRollAidingControlResponse(Response):
     """Pitch and roll aiding response (0x0D,0xBB).
 
     Answers Pitch and roll aiding (0x0D,0x4B).
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -851,6 +868,7 @@ class AidingMeasurementControlResponse(Response):
     """Aiding measurement control response (0x0D,0xD0).
 
     Answers Aiding measurement control (0x0D,0x50).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -901,6 +919,7 @@ class NavigationFilterInitializationResponse(Response):
     """Navigation filter initialization response (0x0D,0xD2).
 
     Answers Navigation filter initialization (0x0D,0x52).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
@@ -983,6 +1002,7 @@ class AdaptiveFilterControlResponse(Response):
     """Adaptive filter control response (0x0D,0xD3).
 
     Answers Adaptive filter control (0x0D,0x53).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -1020,6 +1040,7 @@ class GnssMultiAntennaOffsetControlResponse(Response):
     """GNSS multi-antenna offset response (0x0D,0xD4).
 
     Answers GNSS multi-antenna offset (0x0D,0x54).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -1064,6 +1085,7 @@ class RelativePositionConfigurationResponse(Response):
     """Relative position configuration response (0x0D,0xD5).
 
     Answers Relative position configuration (0x0D,0x55).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -1110,6 +1132,7 @@ class ReferencePointLeverArmResponse(Response):
     """Reference point lever arm response (0x0D,0xD6).
 
     Answers Reference point lever arm (0x0D,0x56).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -1149,6 +1172,7 @@ class MeasurementSpeedLeverArmResponse(Response):
     """Speed measurement lever arm response (0x0D,0xE1).
 
     Answers Speed measurement lever arm (0x0D,0x61).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
@@ -1186,6 +1210,7 @@ class WheeledVehicleConstraintControlResponse(Response):
     """Wheeled vehicle constraint response (0x0D,0xE3).
 
     Answers Wheeled vehicle constraint (0x0D,0x63).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
@@ -1218,6 +1243,7 @@ class GnssAntennaOffsetCalibrationControlResponse(Response):
     """GNSS antenna offset calibration response (0x0D,0xE4).
 
     Answers GNSS antenna offset calibration (0x0D,0x64).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
@@ -1258,6 +1284,7 @@ class ResetNavigationFilter(Command):
     If automatic initialization is off, the attitude or heading must be set before the filter runs
     again.
     3DM-CV7: send it after a large jump of the system time, for example when the PPS is first found.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01)
     - 3dm-gx5-15: 4.3.1 Reset Filter (0x0D, 0x01)
@@ -1285,6 +1312,7 @@ class SetInitialAttitude(Command):
 
     Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
     Accepted only in the initialization state.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02)
     """
@@ -1326,6 +1354,7 @@ class SetInitialHeadingControl(Command):
     3DM-GX5: accepted only in the initialization state.
     3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
     ignored.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03)
     - 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
@@ -1358,6 +1387,7 @@ class RunNavigationFilter(Command):
     Starts a filter that was set up to wait for this command.
     The filter waits in its initialization state if `wait_for_run_command` of
     `navigation_filter_initialization` is set.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
     """
@@ -1395,6 +1425,7 @@ class SensorToVehicleFrameTransformation(Command):
     velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
     vector of the filter.
     The 3DM-CV7 takes the inverse instead: `3dm.sensor_to_vehicle_frame_transformation_euler`.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -1502,6 +1533,7 @@ class GnssAntennaOffsetControl(Command):
     7-series devices expect the vehicle frame, 5-series devices the sensor frame.
     On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding commands use
     `aiding.frame_configuration`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -1583,6 +1615,7 @@ class EstimationControlFlags(Command):
     """Estimation control flags (0x0D,0x14).
 
     Which states the filter estimates.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -1666,6 +1699,7 @@ class GnssAidingSourceControl(Command):
     Which GNSS receiver aids the filter.
     A change while the filter runs may put it back into initialization until the new source gives
     data.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
@@ -1750,6 +1784,7 @@ class ExternalHeadingUpdate(Command):
     The 3DM-GX5-15 takes at most 20 updates per second.
     If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
     ones.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17)
     - 3dm-gx5-15: 4.3.7 External Heading Update (0x0D, 0x17)
@@ -1793,6 +1828,7 @@ class HeadingUpdateControl(Command):
     """Heading update control (0x0D,0x18).
 
     Source of the heading that aids the filter.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -1875,6 +1911,7 @@ class AutoInitializationControl(Command):
 
     Whether the filter initializes by itself when the device starts.
     It needs a valid heading source.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -1957,6 +1994,7 @@ class AccelerometerNoiseStandardDeviation(Command):
 
     Standard deviation of the accelerometer noise that the filter assumes (process noise).
     Every value must be greater than 0. The factory values suit most laboratory conditions.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -2042,6 +2080,7 @@ class GyroscopeNoiseStandardDeviation(Command):
 
     Standard deviation of the gyroscope noise that the filter assumes (process noise).
     Every value must be greater than 0. The factory values suit most laboratory conditions.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -2128,6 +2167,7 @@ class AccelerometerBiasModelParameters(Command):
 
     Parameters of the model by which the accelerometer bias drifts.
     Every noise value must be greater than 0.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -2226,6 +2266,7 @@ class GyroscopeBiasModelParameters(Command):
 
     Parameters of the model by which the gyroscope bias drifts.
     Every noise value must be greater than 0.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -2326,6 +2367,7 @@ class ExternalHeadingUpdateWithTime(Command):
     The 3DM-GX5-15 takes at most 20 updates per second.
     If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
     ones.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
     - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
@@ -2379,6 +2421,7 @@ class ZeroAngularRateUpdateControl(Command):
 
     Lets the filter take the device as not rotating while its angular rate is small.
     The update applies while the magnitude of the angular rate vector is at or below the threshold.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -2473,6 +2516,7 @@ class TareOrientation(Command):
 
     Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
     Refused while the filter has no valid attitude.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
     """
@@ -2544,6 +2588,7 @@ class CommandedZeroAngularRateUpdate(Command):
 
     Tells the filter once that the device is not rotating.
     At most 10 per second.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23)
     """
@@ -2579,6 +2624,7 @@ class SetReferencePosition(Command):
     """Set reference position (0x0D,0x26).
 
     Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -2702,6 +2748,7 @@ class GravityNoiseStandardDeviation(Command):
 
     Standard deviation of the gravity noise that the filter assumes (process noise).
     Every value must be greater than 0. The factory values suit most laboratory conditions.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -2784,6 +2831,7 @@ class EnableDisableMeasurements(Command):
     """Enable or disable measurements (0x0D,0x41).
 
     Which inertial measurements the filter uses.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -2870,6 +2918,7 @@ class MagneticFieldDeclinationSourceControl(Command):
 
     Source of the local declination of the magnetic field.
     Without a good declination source, keep automatic magnetometer calibration off.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     """
@@ -2983,6 +3032,7 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
     Filter and limits take effect only with `fixed`.
     Raise the limits where vibration is strong, lower them where it is weak. High limits cost pitch
     and roll accuracy under linear acceleration, low limits cost heading accuracy.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -3159,6 +3209,7 @@ class PitchRollAidingControl(Command):
     """Pitch and roll aiding (0x0D,0x4B).
 
     What aids pitch and roll while the motion is gentle.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -3241,6 +3292,7 @@ class AidingMeasurementControl(Command):
     """Aiding measurement control (0x0D,0x50).
 
     Enables or disables one source of aiding measurements.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -3359,6 +3411,7 @@ class NavigationFilterInitialization(Command):
     only.
     Kinematic alignment sets the heading once the speed reaches 2 m/s.
     External alignment needs a heading at least every 5 seconds.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
@@ -3572,6 +3625,7 @@ class AdaptiveFilterControl(Command):
     """Adaptive filter control (0x0D,0x53).
 
     How the filter adapts to measurements that do not fit its model.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -3671,6 +3725,7 @@ class GnssMultiAntennaOffsetControl(Command):
 
     Position of the antenna of one receiver on devices with several antennas.
     The magnitude of the vector is limited to 10.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -3775,6 +3830,7 @@ class RelativePositionConfiguration(Command):
     """Relative position configuration (0x0D,0x55).
 
     Reference point of the relative position that the filter reports.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -3902,6 +3958,7 @@ class ReferencePointLeverArm(Command):
     `ned_relative_position` of set `filter_data`, depending on the attitude and, for velocities, on
     the angular rate.
     The magnitude of the vector is limited to 10.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -4004,6 +4061,7 @@ class MeasurementSpeedLeverArm(Command):
 
     Position of the point whose speed is measured, such as the wheel that an odometer is on.
     It corrects for the speed that such a point has only because the vehicle turns.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
@@ -4100,6 +4158,7 @@ class WheeledVehicleConstraintControl(Command):
     Lets the filter assume that the vehicle moves only along its x axis.
     It improves the heading of cars and the like, above all when GNSS comes and goes. It is wrong
     for vehicles that move sideways, such as aircraft.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
@@ -4185,6 +4244,7 @@ class GnssAntennaOffsetCalibrationControl(Command):
     """GNSS antenna offset calibration (0x0D,0x64).
 
     Lets the filter track the error of the antenna offset.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration

@@ -297,6 +297,7 @@ class LlhPosition(Data):
     """LLH position (0x82,0x01).
 
     Estimated position.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
     """
@@ -340,6 +341,7 @@ class VelocityNed(Data):
     """NED velocity (0x82,0x02).
 
     Estimated velocity.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
     """
@@ -382,6 +384,7 @@ class AttitudeQuaternion(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as a quaternion.
     v_vehicle = q^-1 * v_ned * q. The 3DM-GX5-15 manual prints the inverse rotation.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
     - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
@@ -421,6 +424,7 @@ class AttitudeDcm(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
     The matrix turns NED vectors into vehicle vectors: v_vehicle = dcm * v_ned.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04)
     - 3dm-gx5-15: 5.2.7 Orientation, Matrix (0x82, 0x04)
@@ -458,6 +462,7 @@ class EulerAngles(Data):
 
     Estimated orientation of the vehicle frame in the NED frame as Euler angles.
     The rotations apply in the order yaw, pitch, roll (3-2-1).
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Euler Angles (0x82,0x05)
     - 3dm-gx5-15: 5.2.5 Orientation, Euler Angles (0x82, 0x05)
@@ -500,6 +505,7 @@ class GyroBias(Data):
     """Gyroscope bias (0x82,0x06).
 
     Estimated bias of the gyroscope.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
     - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
@@ -536,6 +542,7 @@ class AccelBias(Data):
     """Accelerometer bias (0x82,0x07).
 
     Estimated bias of the accelerometer.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
     """
@@ -571,6 +578,7 @@ class LlhPositionUncertainty(Data):
     """Position uncertainty (0x82,0x08).
 
     Standard deviation of the estimated position, in the NED frame.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
     """
@@ -612,6 +620,7 @@ class NedVelocityUncertainty(Data):
     """NED velocity uncertainty (0x82,0x09).
 
     Standard deviation of the estimated velocity.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
     """
@@ -655,6 +664,7 @@ class EulerAnglesUncertainty(Data):
     Standard deviation of the estimated Euler angles.
     3DM-GX5: derived from the quaternion, worse the steeper the pitch, and not valid beyond 70
     degrees of pitch up or down.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Euler Angles Uncertainty (0x82,0x0A)
     - 3dm-gx5-15: 5.2.6 Attitude Uncertainty, Euler Angles (0x82, 0x0A)
@@ -699,6 +709,7 @@ class GyroBiasUncertainty(Data):
     """Gyroscope bias uncertainty (0x82,0x0B).
 
     Standard deviation of the estimated gyroscope bias.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B)
     - 3dm-gx5-15: 5.2.10 Gyro Bias Uncertainty (0x82, 0x0B)
@@ -739,6 +750,7 @@ class AccelBiasUncertainty(Data):
     """Accelerometer bias uncertainty (0x82,0x0C).
 
     Standard deviation of the estimated accelerometer bias.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C)
     """
@@ -776,6 +788,7 @@ class LinearAccel(Data):
     """Linear acceleration (0x82,0x0D).
 
     Compensated acceleration less the estimated gravity.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
     - 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
@@ -812,6 +825,7 @@ class CompAngularRate(Data):
     """Compensated angular rate (0x82,0x0E).
 
     Angular rate without the estimated bias.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
     - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
@@ -849,6 +863,7 @@ class Wgs84LocalGravityMagnitude(Data):
 
     Magnitude of gravity at the position of the device by the WGS84 model.
     The model holds up to an altitude of 20 km.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F)
     """
@@ -888,6 +903,7 @@ class Status(Data):
     3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).
     5-series: bits 12 and 13 of the flags mean other things in state `init` than while the filter
     runs.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Status (0x82,0x10)
     - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
@@ -944,6 +960,7 @@ class Timestamp(Data):
     Without PPS the internal clock drives the time, and the time jumps when the PPS comes back.
     Without synchronization to a receiver or an external clock it is the internal system time.
     3DM-CV7: the field may be withdrawn; `shared.gps_timestamp` is better.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Timestamp (0x82,0x11)
     - 3dm-gx5-15: 5.2.2 GPS Timestamp (0x82, 0x11)
@@ -983,6 +1000,7 @@ class QuaternionAttitudeUncertainty(Data):
     """Quaternion uncertainty (0x82,0x12).
 
     Standard deviation of the elements of the estimated attitude quaternion.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12)
     - 3dm-gx5-15: 5.2.4 Attitude Uncertainty, Quaternion Elements (0x82, 0x12)
@@ -1021,6 +1039,7 @@ class GravityVector(Data):
     """Gravity vector (0x82,0x13).
 
     Estimated gravity.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
     - 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
@@ -1060,6 +1079,7 @@ class HeadingUpdateSourceState(Data):
 
     The last heading that updated the filter and where it came from.
     The valid bit means that the source gave data within the last 2 seconds.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14)
     """
@@ -1112,6 +1132,7 @@ class MagneticModel(Data):
 
     Magnetic field at the position of the device by the World Magnetic Model.
     It is valid only with a valid GNSS position.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetic Model (0x82,0x15)
     """
@@ -1168,6 +1189,7 @@ class CompensatedAcceleration(Data):
     """Compensated acceleration (0x82,0x1C).
 
     Acceleration without the estimated bias; gravity is still in it.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
     - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
@@ -1207,6 +1229,7 @@ class PressureAltitude(Data):
 
     Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
     It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Pressure Altitude (0x82,0x21)
     - 3dm-gx5-15: 5.2.13 Pressure Altitude (0x82, 0x21)
@@ -1246,6 +1269,7 @@ class MultiAntennaOffsetCorrection(Data):
 
     Estimated error of the offset of one GNSS antenna.
     The filter adds it to the stored offset.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction (0x82,0x34)
     """
@@ -1288,6 +1312,7 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
     """Multi-antenna offset correction uncertainty (0x82,0x35).
 
     Standard deviation of the estimated error of the offset of one GNSS antenna.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
     """
@@ -1332,6 +1357,7 @@ class EcefPositionUncertainty(Data):
     """ECEF position uncertainty (0x82,0x36).
 
     Standard deviation of the estimated position.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
     """
@@ -1371,6 +1397,7 @@ class EcefVelocityUncertainty(Data):
     """ECEF velocity uncertainty (0x82,0x37).
 
     Standard deviation of the estimated velocity.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
     """
@@ -1410,6 +1437,7 @@ class EcefPosition(Data):
     """ECEF position (0x82,0x40).
 
     Estimated position.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
     """
@@ -1449,6 +1477,7 @@ class EcefVelocity(Data):
     """ECEF velocity (0x82,0x41).
 
     Estimated velocity.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
     """
@@ -1488,6 +1517,7 @@ class NedRelativePosition(Data):
     """NED relative position (0x82,0x42).
 
     Estimated position relative to the point that `filter.relative_position_configuration` sets.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
     """
@@ -1539,6 +1569,7 @@ class GnssPositionAidingStatus(Data):
 
     How the filter uses the position measurements of one GNSS receiver.
     Single precision resolves the time of week to 0.0625 s at the end of the week.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Position Aiding Status (0x82,0x43)
     """
@@ -1586,6 +1617,7 @@ class AidingMeasurementSummary(Data):
 
     What the filter did with one kind of aiding measurement in the last measurement interval.
     Single precision resolves the time of week to 0.0625 s at the end of the week.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Summary (0x82,0x46)
     """
@@ -1630,6 +1662,7 @@ class OdometerScaleFactorError(Data):
 
     Estimated relative error of the odometer scale factor.
     Estimated scale factor = configured scale factor * (1 + error).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Scale Factor Error (0x82,0x47)
     """
@@ -1667,6 +1700,7 @@ class OdometerScaleFactorErrorUncertainty(Data):
     """Odometer scale factor error uncertainty (0x82,0x48).
 
     Uncertainty of the estimated error of the odometer scale factor.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48)
     """
@@ -1707,6 +1741,7 @@ class GnssDualAntennaStatus(Data):
 
     Heading that two GNSS antennas give.
     Single precision resolves the time of week to 0.0625 s at the end of the week.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Dual Antenna Status (0x82,0x49)
     """
@@ -1771,6 +1806,7 @@ class AidingFrameConfigurationError(Data):
     """Aiding frame configuration error (0x82,0x50).
 
     Estimated error of a frame that `aiding.frame_configuration` defines; it is corrected for.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
     """
@@ -1822,6 +1858,7 @@ class AidingFrameConfigurationErrorUncertainty(Data):
     """Aiding frame configuration error uncertainty (0x82,0x51).
 
     Uncertainty of the estimated error of a frame that `aiding.frame_configuration` defines.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
     """

@@ -109,6 +109,7 @@ class ReceiverInfoResponse(Response):
     """Receiver info response (0x0E,0x81).
 
     Answers Receiver info (0x0E,0x01).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
     """
@@ -158,6 +159,7 @@ class SignalConfigurationResponse(Response):
     """Signal configuration response (0x0E,0x82).
 
     Answers Signal configuration (0x0E,0x02).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
     - 3dm-cv7-gnss-ins: GNSS
@@ -280,6 +282,7 @@ class SpartnConfigurationResponse(Response):
     """SPARTN configuration response (0x0E,0xA0).
 
     Answers SPARTN configuration (0x0E,0x20).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
     - 3dm-cv7-gnss-ins: SPARTN Corrections
@@ -350,6 +353,7 @@ class ReceiverInfo(Command):
     """Receiver info (0x0E,0x01).
 
     Asks which GNSS receivers the device has.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
     """
@@ -391,6 +395,7 @@ class SignalConfiguration(Command):
     A device takes certain combinations only.
     The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou L1 alone. It takes for
     GPS and BeiDou none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or L1.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
     - 3dm-cv7-gnss-ins: GNSS
@@ -619,6 +624,7 @@ class SpartnConfiguration(Command):
     running.
     While SPARTN corrections are enabled, RTCM corrections are blocked.
     A key of 16 bytes, none of them 0, is sent as 32 ASCII digits 0-9 and A-F, two for each byte.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
     - 3dm-cv7-gnss-ins: SPARTN Corrections

@@ -397,6 +397,7 @@ class GnssLlhPosition(Data):
     """GNSS LLH position (0x91,0x03).
 
     GNSS position as latitude, longitude and height.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
     """
@@ -463,6 +464,7 @@ class GnssEcefPosition(Data):
     """GNSS ECEF position (0x91,0x04).
 
     GNSS position in Earth-fixed coordinates.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
     """
@@ -514,6 +516,7 @@ class NedVelocity(Data):
     """NED velocity (0x91,0x05).
 
     GNSS velocity in the local level frame.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
     """
@@ -574,6 +577,7 @@ class GnssEcefVelocity(Data):
     """GNSS ECEF velocity (0x91,0x06).
 
     GNSS velocity in Earth-fixed coordinates.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
     """
@@ -616,6 +620,7 @@ class Dop(Data):
     """DOP (0x91,0x07).
 
     Dilution of precision of the satellite geometry.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: DOP (0x91,0x07)
     """
@@ -680,6 +685,7 @@ class UtcTime(Data):
     """UTC time (0x91,0x08).
 
     Coordinated universal time as the receiver knows it.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
     """
@@ -742,6 +748,7 @@ class GpsTime(Data):
     """GPS time (0x91,0x09).
 
     GPS time as the receiver knows it.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Time (0x91,0x09)
     """
@@ -780,6 +787,7 @@ class FixInfo(Data):
     """Fix info (0x91,0x0B).
 
     Type of the position fix and what it is made of.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
     """
@@ -823,6 +831,7 @@ class GnssHardwareStatus(Data):
     """GNSS hardware status (0x91,0x0D).
 
     State of the receiver and of its antenna.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
     """
@@ -869,6 +878,7 @@ class ClockInfo2(Data):
 
     Bias and drift of the receiver clock.
     It supersedes an older field, which the manual does not define.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10)
     """
@@ -919,6 +929,7 @@ class GpsLeapSeconds(Data):
     """GPS leap seconds (0x91,0x11).
 
     Difference between GPS time and UTC.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
     """
@@ -963,6 +974,7 @@ class SbasInfo(Data):
     """SBAS info (0x91,0x12).
 
     Status of the satellite based augmentation.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
     """
@@ -1036,6 +1048,7 @@ class SatelliteStatus(Data):
 
     Where one satellite stands, and its health.
     An epoch is sent as one field for each satellite; index and count number the fields.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
     """
@@ -1140,6 +1153,7 @@ class Raw(Data):
     Raw observation of one signal of one satellite.
     An epoch is sent as one field for each signal; index and count number the fields.
     The greatest lock time depends on the receiver.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
     """
@@ -1307,6 +1321,7 @@ class GpsEphemeris(Data):
 
     Broadcast orbit and clock of one GPS satellite.
     iodec changes with the clock data; the manual has it roll over at 4.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
     """
@@ -1549,6 +1564,7 @@ class GlonassEphemeris(Data):
     Broadcast orbit and clock of one GLONASS satellite.
     The interface control document of GLONASS explains p and ft.
     A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
     """
@@ -1750,6 +1766,7 @@ class GalileoEphemeris(Data):
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     corrections hold here.
     iodec changes with the clock data; the manual has it roll over at 4.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
     """
@@ -1996,6 +2013,7 @@ class BeidouEphemeris(Data):
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     corrections hold here.
     iodec changes with the clock data; the manual has it roll over at 4.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
     """

@@ -13,6 +13,7 @@ class GnssLlhPosition(gnss_1.GnssLlhPosition):
     """GNSS LLH position (0x92,0x03).
 
     Has the values of gnss_1.GnssLlhPosition.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
     """
@@ -27,6 +28,7 @@ class GnssEcefPosition(gnss_1.GnssEcefPosition):
     """GNSS ECEF position (0x92,0x04).
 
     Has the values of gnss_1.GnssEcefPosition.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
     """
@@ -41,6 +43,7 @@ class NedVelocity(gnss_1.NedVelocity):
     """NED velocity (0x92,0x05).
 
     Has the values of gnss_1.NedVelocity.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
     """
@@ -55,6 +58,7 @@ class GnssEcefVelocity(gnss_1.GnssEcefVelocity):
     """GNSS ECEF velocity (0x92,0x06).
 
     Has the values of gnss_1.GnssEcefVelocity.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06)
     """
@@ -69,6 +73,7 @@ class Dop(gnss_1.Dop):
     """DOP (0x92,0x07).
 
     Has the values of gnss_1.Dop.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
     """
@@ -83,6 +88,7 @@ class UtcTime(gnss_1.UtcTime):
     """UTC time (0x92,0x08).
 
     Has the values of gnss_1.UtcTime.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: UTC Time (0x92,0x08)
     """
@@ -97,6 +103,7 @@ class GpsTime(gnss_1.GpsTime):
     """GPS time (0x92,0x09).
 
     Has the values of gnss_1.GpsTime.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Time (0x92,0x09)
     """
@@ -111,6 +118,7 @@ class FixInfo(gnss_1.FixInfo):
     """Fix info (0x92,0x0B).
 
     Has the values of gnss_1.FixInfo.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
     """
@@ -125,6 +133,7 @@ class GnssHardwareStatus(gnss_1.GnssHardwareStatus):
     """GNSS hardware status (0x92,0x0D).
 
     Has the values of gnss_1.GnssHardwareStatus.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
     """
@@ -139,6 +148,7 @@ class ClockInfo2(gnss_1.ClockInfo2):
     """Clock info 2 (0x92,0x10).
 
     Has the values of gnss_1.ClockInfo2.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Clock Info 2 (0x92,0x10)
     """
@@ -153,6 +163,7 @@ class GpsLeapSeconds(gnss_1.GpsLeapSeconds):
     """GPS leap seconds (0x92,0x11).
 
     Has the values of gnss_1.GpsLeapSeconds.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11)
     """
@@ -167,6 +178,7 @@ class SbasInfo(gnss_1.SbasInfo):
     """SBAS info (0x92,0x12).
 
     Has the values of gnss_1.SbasInfo.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
     """
@@ -181,6 +193,7 @@ class SatelliteStatus(gnss_1.SatelliteStatus):
     """Satellite status (0x92,0x20).
 
     Has the values of gnss_1.SatelliteStatus.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Satellite Status (0x92,0x20)
     """
@@ -195,6 +208,7 @@ class Raw(gnss_1.Raw):
     """Raw (0x92,0x22).
 
     Has the values of gnss_1.Raw.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Raw (0x92,0x22)
     """
@@ -209,6 +223,7 @@ class GpsEphemeris(gnss_1.GpsEphemeris):
     """GPS ephemeris (0x92,0x61).
 
     Has the values of gnss_1.GpsEphemeris.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61)
     """
@@ -223,6 +238,7 @@ class GlonassEphemeris(gnss_1.GlonassEphemeris):
     """GLONASS ephemeris (0x92,0x62).
 
     Has the values of gnss_1.GlonassEphemeris.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x92,0x62)
     """
@@ -237,6 +253,7 @@ class GalileoEphemeris(gnss_1.GalileoEphemeris):
     """Galileo ephemeris (0x92,0x63).
 
     Has the values of gnss_1.GalileoEphemeris.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63)
     """
@@ -251,6 +268,7 @@ class BeidouEphemeris(gnss_1.BeidouEphemeris):
     """BeiDou ephemeris (0x92,0x64).
 
     Has the values of gnss_1.BeidouEphemeris.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64)
     """

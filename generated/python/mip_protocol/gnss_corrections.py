@@ -123,6 +123,7 @@ class BaseStationInfo(Data):
     """Base station info (0x93,0x30).
 
     The base station of the corrections, from an RTCM message 1005 or 1006.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Base Station Info (0x93,0x30)
     """
@@ -198,6 +199,7 @@ class RtkCorrectionsStatus(Data):
     """RTK corrections status (0x93,0x31).
 
     Which corrections come, and how old they are.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)
     """

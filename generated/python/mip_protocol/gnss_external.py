@@ -14,6 +14,7 @@ class GnssLlhPosition(gnss_1.GnssLlhPosition):
     """GNSS LLH position (0x94,0x03).
 
     Has the values of gnss_1.GnssLlhPosition.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03)
     """
@@ -28,6 +29,7 @@ class NedVelocity(gnss_1.NedVelocity):
     """NED velocity (0x94,0x05).
 
     Has the values of gnss_1.NedVelocity.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05)
     """
@@ -42,6 +44,7 @@ class UtcTime(gnss_1.UtcTime):
     """UTC time (0x94,0x08).
 
     Has the values of gnss_1.UtcTime.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: UTC Time (0x94,0x08)
     """
@@ -56,6 +59,7 @@ class FixInfo(gnss_1.FixInfo):
     """Fix info (0x94,0x0B).
 
     Has the values of gnss_1.FixInfo.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Fix Info (0x94,0x0B)
     """
@@ -70,6 +74,7 @@ class SatelliteStatus(gnss_1.SatelliteStatus):
     """Satellite status (0x94,0x20).
 
     Has the values of gnss_1.SatelliteStatus.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Satellite Status (0x94,0x20)
     """

@@ -239,6 +239,7 @@ class ImuMessageFormatResponse(Response):
     """IMU Message Format response (0x0C,0x80).
 
     Answers IMU Message Format (0x0C,0x08).
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -276,6 +277,7 @@ class EstimationFilterMessageFormatResponse(Response):
     """Estimation Filter Message Format response (0x0C,0x82).
 
     Answers Estimation Filter Message Format (0x0C,0x0A).
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
@@ -315,6 +317,7 @@ class GetImuDataBaseRateResponse(Response):
     """Get IMU Data Base Rate response (0x0C,0x83).
 
     Answers Get IMU Data Base Rate (0x0C,0x06).
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -347,6 +350,7 @@ class DataStreamControlResponse(Response):
     """Data Stream Control response (0x0C,0x85).
 
     Answers Data Stream Control (0x0C,0x11).
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -389,6 +393,7 @@ class UartBaudRateResponse(Response):
     """UART Baud Rate response (0x0C,0x87).
 
     Answers UART Baud Rate (0x0C,0x40).
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -422,6 +427,7 @@ class GetEstimationFilterDataBaseRateResponse(Response):
     """Get Estimation Filter Data Base Rate response (0x0C,0x8A).
 
     Answers Get Estimation Filter Data Base Rate (0x0C,0x0B).
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -456,6 +462,7 @@ class AdvancedLowPassFilterSettingsResponse(Response):
     """Advanced Low-Pass Filter Settings response (0x0C,0x8B).
 
     Answers Advanced Low-Pass Filter Settings (0x0C,0x50).
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
     - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -508,6 +515,7 @@ class NmeaMessageFormatResponse(Response):
     """NMEA Message Format response (0x0C,0x8C).
 
     Answers NMEA Message Format (0x0C,0x0C).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
     """
@@ -549,6 +557,7 @@ class GetDataBaseRateResponse(Response):
     """Get Data Base Rate response (0x0C,0x8E).
 
     Answers Get Data Base Rate (0x0C,0x0E).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
@@ -584,6 +593,7 @@ class MessageFormatResponse(Response):
     """Message Format response (0x0C,0x8F).
 
     Answers Message Format (0x0C,0x0F).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
     """
@@ -628,6 +638,7 @@ class DeviceStatusBasicResponse(Response):
     """Basic Device Status (0x0C,0x90).
 
     State and timer.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     """
@@ -698,6 +709,7 @@ class DeviceStatusDiagnosticResponse(Response):
     """Diagnostic Device Status (0x0C,0x90).
 
     State and timer with the counters of streams and port.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     """
@@ -817,6 +829,7 @@ class ComplementaryFilterConfigurationResponse(Response):
     """Complementary Filter Configuration response (0x0C,0x97).
 
     Answers Complementary Filter Configuration (0x0C,0x51).
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -872,6 +885,7 @@ class AccelerometerBiasConfigurationResponse(Response):
     """Accelerometer Bias Configuration response (0x0C,0x9A).
 
     Answers Accelerometer Bias Configuration (0x0C,0x37).
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -907,6 +921,7 @@ class GyroscopeBiasConfigurationResponse(Response):
     """Gyroscope Bias Configuration response (0x0C,0x9B).
 
     The bias in use. The capture gyroscope bias command answers with it too.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -940,6 +955,7 @@ class MagnetometerHardIronOffsetResponse(Response):
     """Magnetometer Hard Iron Offset response (0x0C,0x9C).
 
     Answers Magnetometer Hard Iron Offset (0x0C,0x3A).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     """
@@ -985,6 +1001,7 @@ class MagnetometerSoftIronMatrixResponse(Response):
     """Magnetometer Soft Iron Matrix response (0x0C,0x9D).
 
     Answers Magnetometer Soft Iron Matrix (0x0C,0x3B).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     """
@@ -1019,6 +1036,7 @@ class ConingAndScullingEnableResponse(Response):
     """Coning and Sculling Enable response (0x0C,0x9E).
 
     Answers Coning and Sculling Enable (0x0C,0x3E).
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -1053,6 +1071,7 @@ class GnssSbasSettingsResponse(Response):
     """GNSS SBAS Settings response (0x0C,0xA1).
 
     Answers GNSS SBAS Settings (0x0C,0x22).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -1101,6 +1120,7 @@ class PpsSourceControlResponse(Response):
     """PPS Source Control response (0x0C,0xA8).
 
     Answers PPS Source Control (0x0C,0x28).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
@@ -1135,6 +1155,7 @@ class SensorToVehicleFrameTransformationEulerResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
 
     Answers Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -1179,6 +1200,7 @@ class SensorToVehicleFrameTransformationQuaternionResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
 
     Answers Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -1217,6 +1239,7 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrixResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
 
     Answers Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -1253,6 +1276,7 @@ class GetSupportedEventsResponse(Response):
     """Get Supported Events response (0x0C,0xB4).
 
     Answers Get Supported Events (0x0C,0x2A).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -1298,6 +1322,7 @@ class EventControlResponse(Response):
     """Event Control response (0x0C,0xB5).
 
     Answers Event Control (0x0C,0x2B).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
     """
@@ -1333,6 +1358,7 @@ class GetEventTriggerStatusResponse(Response):
     """Get Event Trigger Status response (0x0C,0xB6).
 
     Answers Get Event Trigger Status (0x0C,0x2C).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
@@ -1372,6 +1398,7 @@ class GetEventActionStatusResponse(Response):
     """Get Event Action Status response (0x0C,0xB7).
 
     Answers Get Event Action Status (0x0C,0x2D).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
@@ -1409,6 +1436,7 @@ class EventTriggerConfigurationResponse(Response):
     """Event Trigger Configuration response (0x0C,0xB8).
 
     Answers Event Trigger Configuration (0x0C,0x2E).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
@@ -1474,6 +1502,7 @@ class EventActionConfigurationResponse(Response):
     """Event Action Configuration response (0x0C,0xB9).
 
     Answers Event Action Configuration (0x0C,0x2F).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     """
@@ -1529,6 +1558,7 @@ class GpioConfigurationResponse(Response):
     """GPIO Configuration response (0x0C,0xC1).
 
     Answers GPIO Configuration (0x0C,0x41).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
@@ -1585,6 +1615,7 @@ class GpioStateResponse(Response):
     """GPIO State response (0x0C,0xC2).
 
     Answers GPIO State (0x0C,0x42).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
     """
@@ -1620,6 +1651,7 @@ class OdometerConfigurationResponse(Response):
     """Odometer Configuration response (0x0C,0xC3).
 
     Answers Odometer Configuration (0x0C,0x43).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -1660,6 +1692,7 @@ class SensorRangeResponse(Response):
     """Sensor Range response (0x0C,0xD2).
 
     Answers Sensor Range (0x0C,0x52).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
@@ -1695,6 +1728,7 @@ class GetCalibratedSensorRangesResponse(Response):
     """Get Calibrated Sensor Ranges response (0x0C,0xD3).
 
     Answers Get Calibrated Sensor Ranges (0x0C,0x53).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
@@ -1739,6 +1773,7 @@ class LowPassAntiAliasingFilterResponse(Response):
     """Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
 
     Answers Low-Pass Anti-Aliasing Filter (0x0C,0x54).
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
@@ -1788,6 +1823,7 @@ class PollImuData(Command):
     An empty list polls the stored message format; without one the device refuses.
     Descriptors that the device does not know are ignored.
     The data comes in a packet of its own behind the reply.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
     """
@@ -1837,6 +1873,7 @@ class PollEstimationFilterData(Command):
     An empty list polls the stored message format; without one the device refuses.
     Descriptors that the device does not know are ignored.
     The data comes in a packet of its own behind the reply.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
     """
@@ -1887,6 +1924,7 @@ class PollNmeaData(Command):
     The sentences follow the reply as ordinary NMEA text, on the port of the command even if NMEA is
     off there.
     A sentence is sent only if its data is valid.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Poll NMEA Data (0x0C,0x04)
     """
@@ -1932,6 +1970,7 @@ class GetImuDataBaseRate(Command):
     """Get IMU Data Base Rate (0x0C,0x06).
 
     Asks for the rate that the decimations of the IMU message format divide.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -1964,6 +2003,7 @@ class ImuMessageFormat(Command):
     the wanted rate.
     The list replaces the one before. If any descriptor is unknown the device refuses and changes
     nothing.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -2056,6 +2096,7 @@ class EstimationFilterMessageFormat(Command):
     divided by the wanted rate.
     The list replaces the one before. If any descriptor is unknown the device refuses and changes
     nothing.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
@@ -2141,6 +2182,7 @@ class GetEstimationFilterDataBaseRate(Command):
     """Get Estimation Filter Data Base Rate (0x0C,0x0B).
 
     Asks for the rate that the decimations of the estimation filter message format divide.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -2171,6 +2213,7 @@ class NmeaMessageFormat(Command):
     NMEA sentences that the device streams.
     A sentence may be listed several times with different talkers or sources.
     A sentence is sent only while the device is not idle and the data of the source is valid.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
     """
@@ -2263,6 +2306,7 @@ class PollData(Command):
     Descriptors that the device does not know are ignored.
     The data comes in a packet of its own behind the reply, on the port of the command.
     Shared descriptors (0xD0 and up) belong in front of the others.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)
     """
@@ -2313,6 +2357,7 @@ class GetDataBaseRate(Command):
     """Get Data Base Rate (0x0C,0x0E).
 
     Asks for the rate that the decimations of a descriptor set divide.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
@@ -2353,6 +2398,7 @@ class MessageFormat(Command):
     wanted rate.
     Shared descriptors (0xD0 and up) are listed under the set that they shall be sent with, in front
     of the others.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
     """
@@ -2450,6 +2496,7 @@ class FactoryStreaming(Command):
     """Factory Streaming (0x0C,0x10).
 
     Sets all message formats to those that technical support wants to have recorded.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
     """
@@ -2489,6 +2536,7 @@ class DataStreamControl(Command):
     Switches a data stream on or off.
     5-series devices name the stream by a number of their own (legacy_data_stream), others by its
     descriptor set.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -2594,6 +2642,7 @@ class GnssSbasSettings(Command):
     """GNSS SBAS Settings (0x0C,0x22).
 
     How the GNSS receivers use satellite based augmentation.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -2714,6 +2763,7 @@ class PpsSourceControl(Command):
     Where the device takes its pulse per second from.
     The pins are configured apart from this by the GPIO configuration command.
     The filter needs a valid pulse. disabled and generated are seldom what is wanted.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
@@ -2793,6 +2843,7 @@ class GetSupportedEvents(Command):
     """Get Supported Events (0x0C,0x2A).
 
     Asks which types of event triggers or actions there are and how many of each.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -2831,6 +2882,7 @@ class EventControl(Command):
     Enables, disables or tests an event trigger.
     Triggers are disabled by default and after configuration.
     A trigger of type none cannot be enabled.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
     """
@@ -2921,6 +2973,7 @@ class GetEventTriggerStatus(Command):
     """Get Event Trigger Status (0x0C,0x2C).
 
     Asks for the type and the state of event triggers.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
@@ -2964,6 +3017,7 @@ class GetEventActionStatus(Command):
     """Get Event Action Status (0x0C,0x2D).
 
     Asks for the type and the trigger of event actions.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
@@ -3016,6 +3070,7 @@ class EventTriggerConfiguration(Command):
     Kind and condition of an event trigger.
     The trigger is disabled afterwards; the event control command enables it.
     A GPIO trigger needs its pin configured by the GPIO configuration command.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
@@ -3159,6 +3214,7 @@ class EventActionConfiguration(Command):
     Trigger and effect of an event action.
     A packet holds one descriptor set; for several sets use several actions with the same trigger.
     A GPIO action needs its pin configured as an output with the gpio feature.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     """
@@ -3294,6 +3350,7 @@ class DeviceStartUpSettings(Command):
 
     Saves, loads or resets all settings of the device at once.
     A save may disturb the data output for a short time.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30)
     - 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
@@ -3362,6 +3419,7 @@ class SensorToVehicleFrameTransformationEuler(Command):
     gravity of the filter.
     A change resets the low-pass filters, the complementary filter and the estimation filter.
     On some older products the setting means the inverse rotation.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -3470,6 +3528,7 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
     be another form of it.
     A change resets the low-pass filters, the complementary filter and the estimation filter.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -3561,6 +3620,7 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
     be another form of it.
     A vector in the vehicle frame is this matrix times the vector in the sensor frame.
     A change resets the low-pass filters, the complementary filter and the estimation filter.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -3649,6 +3709,7 @@ class AccelerometerBiasConfiguration(Command):
 
     Bias that is subtracted from the scaled acceleration.
     For advanced use.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -3741,6 +3802,7 @@ class GyroscopeBiasConfiguration(Command):
 
     Bias that is subtracted from the scaled angular rate.
     For advanced use.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -3834,6 +3896,7 @@ class CaptureGyroscopeBias(Command):
     The reply comes after the averaging time.
     The bias is not saved; the gyroscope bias configuration command with save does it.
     The 3DM-GX5-15 also initializes its orientation from the samples.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39)
     - 3dm-cv7-gnss-ins: Capture Gyroscope Bias (0x0C,0x39)
@@ -3872,6 +3935,7 @@ class MagnetometerHardIronOffset(Command):
 
     Offset that corrects the scaled magnetic field for hard iron.
     The values come from a calibration of the device as it is installed.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     """
@@ -3965,6 +4029,7 @@ class MagnetometerSoftIronMatrix(Command):
 
     Matrix that corrects the scaled magnetic field for soft iron.
     The values come from a calibration of the device as it is installed.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     """
@@ -4046,6 +4111,7 @@ class ConingAndScullingEnable(Command):
     """Coning and Sculling Enable (0x0C,0x3E).
 
     Switches the compensation of coning and sculling on or off.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -4132,6 +4198,7 @@ class UartBaudRate(Command):
     certain.
     Set the device to idle first, send the command in a packet of its own and wait 250 ms
     afterwards.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -4228,6 +4295,7 @@ class GpioConfiguration(Command):
     A configuration that only one pin can have passes to the latest pin; the earlier pin is reset.
     With NMEA input at most one pin may be a UART input; set it to unused before another one takes
     over.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
@@ -4365,6 +4433,7 @@ class GpioState(Command):
     An event action of mode active_high or active_low on the pin overrides what is written.
     Reading is sure to work only with the gpio feature.
     The state at power-up is a matter of the GPIO configuration command.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
     """
@@ -4448,6 +4517,7 @@ class OdometerConfiguration(Command):
     """Odometer Configuration (0x0C,0x43).
 
     Input from a wheel encoder.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -4567,6 +4637,7 @@ class AdvancedLowPassFilterSettings(Command):
     format.
     Deprecated: use 3dm.low_pass_anti_aliasing_filter where the device has it
     For advanced use.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
     - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -4720,6 +4791,7 @@ class ComplementaryFilterConfiguration(Command):
     The device refuses time constants out of range.
     The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for
     compatibility.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -4862,6 +4934,7 @@ class SensorRange(Command):
     Measuring range of a sensor.
     The get calibrated sensor ranges command lists the settings. The device may refuse others or
     measure wrongly.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
@@ -4952,6 +5025,7 @@ class GetCalibratedSensorRanges(Command):
     """Get Calibrated Sensor Ranges (0x0C,0x53).
 
     Asks for the ranges that a sensor supports.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
@@ -4998,6 +5072,7 @@ class LowPassAntiAliasingFilter(Command):
 
     Low-pass filter of a data field.
     Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
@@ -5133,6 +5208,7 @@ class DeviceStatus(Command):
     Asks for the state of the device, in one of two layouts.
     The layouts hold for this model number only; other models answer with layouts of their own.
     For advanced use.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     """

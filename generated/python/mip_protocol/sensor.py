@@ -54,6 +54,7 @@ class ScaledAccel(Data):
     """Scaled accel (0x80,0x04).
 
     Measured acceleration, temperature compensated.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
     - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)
@@ -87,6 +88,7 @@ class ScaledGyro(Data):
     """Scaled gyro (0x80,0x05).
 
     Measured angular rate, temperature compensated.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
     - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
@@ -120,6 +122,7 @@ class ScaledMag(Data):
     """Scaled mag (0x80,0x06).
 
     Measured magnetic field, temperature compensated.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
     """
@@ -152,6 +155,7 @@ class DeltaTheta(Data):
     """Delta theta (0x80,0x07).
 
     Time integral of the angular rate over the period that the message format sets.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
     - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -186,6 +190,7 @@ class DeltaVelocity(Data):
 
     Time integral of the acceleration over the period that the message format sets.
     Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08)
     - 3dm-cv7-gnss-ins: Delta Velocity (0x80,0x08)
@@ -222,6 +227,7 @@ class ComplementaryFilterOrientationMatrix(Data):
 
     Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
     v_vehicle = M * v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09)
     - 3dm-cv7-gnss-ins: Complementary Filter Orientation Matrix (0x80,0x09)
@@ -258,6 +264,7 @@ class ComplementaryFilterQuaternion(Data):
 
     Attitude by the complementary filter as a quaternion, relative to the NED frame.
     v_vehicle = q^-1 * v_ned * q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A)
     - 3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)
@@ -294,6 +301,7 @@ class ComplementaryFilterEulerAngles(Data):
 
     Attitude by the complementary filter as Euler angles, relative to the NED frame.
     The rotations are in the order yaw, pitch, roll (3-2-1).
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C)
     - 3dm-cv7-gnss-ins: Complementary Filter Euler Angles (0x80,0x0C)
@@ -337,6 +345,7 @@ class ComplementaryFilterStabilizedNorthVector(Data):
     Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
     Without magnetic disturbance it equals the measured magnetic field.
     A lasting disturbance is not compensated.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10)
     """
@@ -374,6 +383,7 @@ class ComplementaryFilterStabilizedUpVector(Data):
 
     Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
     At rest it equals the measured acceleration.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
     """
@@ -413,6 +423,7 @@ class GpsTimestamp(Data):
     Without external synchronization it is the internal system time.
     Where the device has it, use the shared GPS timestamp (0xFF,0xD3) instead; this field may be
     deprecated.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
     - 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)
@@ -453,6 +464,7 @@ class TemperatureStatistics(Data):
 
     Temperatures since the last power-on or reset.
     The values come from the inertial sensors, alone or together with sensors on the board.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Temperature Statistics (0x80,0x14)
     """
@@ -491,6 +503,7 @@ class ScaledPressure(Data):
     """Scaled pressure (0x80,0x17).
 
     Measured ambient pressure, temperature compensated.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
     - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)
@@ -524,6 +537,7 @@ class OverrangeStatus(Data):
     """Overrange status (0x80,0x18).
 
     Which sensor axes are near or outside their range.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18)
     """
@@ -556,6 +570,7 @@ class Odometer(Data):
     """Odometer data (0x80,0x40).
 
     Speed by the wheel encoder.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
     """

@@ -50,6 +50,7 @@ class EventSource(Data):
 
     The event trigger that caused the packet.
     Put it first in the format of event messages, to tell their packets from scheduled ones.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Source (0xFF,0xD0)
     """
@@ -88,6 +89,7 @@ class GpsTimestamp(Data):
     It becomes valid after the PPS is locked and (0x01,0x72) has set the time of week and the week
     number.
     An internal GNSS receiver as PPS source sets the time by itself.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Timestamp (0xFF,0xD3)
     """
@@ -128,6 +130,7 @@ class DeltaTime(Data):
     External time since this field was last sent in the same set and event instance.
     It is the same as external time delta (0xFF,0xD8), in other units.
     Sending either restarts the counter that both share, so use only one of them.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Delta Time (0xFF,0xD4)
     """
@@ -162,6 +165,7 @@ class ReferenceTimestamp(Data):
     Time of the data by the internal reference clock.
     The clock starts at power-on, only moves forward and never jumps; the value is always valid.
     In event messages it is the time of the trigger.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Reference Timestamp (0xFF,0xD5)
     """
@@ -195,6 +199,7 @@ class ReferenceTimeDelta(Data):
 
     Reference time since this field was last sent in the same set and event instance.
     The value is always valid.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Reference Time Delta (0xFF,0xD6)
     """
@@ -230,6 +235,7 @@ class ExternalTimestamp(Data):
     It is the GPS timestamp (0xFF,0xD3) in nanoseconds.
     In event messages it is the time of the trigger.
     It becomes valid when the external clock is synchronized through the PPS.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: External Timestamp (0xFF,0xD7)
     """
@@ -267,6 +273,7 @@ class ExternalTimeDelta(Data):
     External time since this field was last sent in the same set and event instance.
     It is the same as delta time (0xFF,0xD4), in other units.
     Sending either restarts the counter that both share, so use only one of them.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: External Time Delta (0xFF,0xD8)
     """

@@ -32,6 +32,7 @@ class CommunicationModeResponse(Response):
     """Communication mode response (0x7F,0x90).
 
     Answers Communication mode (0x7F,0x10).
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """
@@ -70,6 +71,7 @@ class CommunicationMode(Command):
     In a direct mode only this command and device status (0x0C,0x64) of the device itself are
     answered.
     For advanced use.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """

@@ -58,6 +58,7 @@ class BuiltInTest(Data):
     Each stream and each event action keeps its own copy of the flags.
     Some flags may be set without a fault, for instance a receiver without a position fix.
     Unnamed bits are reserved and must be ignored.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Built In Test (0xA0,0x01)
     """
@@ -98,6 +99,7 @@ class TimeSyncStatus(Data):
     """Time sync status (0xA0,0x02).
 
     Whether the device time is locked to the pulse per second.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02)
     """
@@ -136,6 +138,7 @@ class GpioState(Data):
     The pins are sampled within one base period of this set; shorter pulses can be missed.
     Only pins that are configured to the GPIO feature by (0x0C,0x41) are sure to give valid levels.
     For fast signals and exact times use the timestamp feature and the event system.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO State (0xA0,0x03)
     """

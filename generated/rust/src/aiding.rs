@@ -141,7 +141,8 @@ bitfield! {
 /// - The rotation does not matter for GNSS positions and velocities; set it to zero.
 /// - A read names the format that the answer shall have.
 ///
-/// Functions: write, read, save, load, default. Response: [`FrameConfigurationResponse`].
+/// Functions: write, read, save, load, default. Response: [`FrameConfigurationResponse`]. Supported
+/// by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
 /// - Manual 3dm-cv7-gnss-ins: Aiding Frames
@@ -355,7 +356,8 @@ impl ResponseOf<FrameConfiguration> for FrameConfigurationResponse {}
 ///
 /// - The manual does not give the layout of the responses that carry the data back.
 ///
-/// Functions: write, read, save, load, default. Response: [`EchoControlResponse`].
+/// Functions: write, read, save, load, default. Response: [`EchoControlResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
 /// - Manual 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -451,6 +453,9 @@ impl ResponseOf<EchoControl> for EchoControlResponse {}
 /// - Use only one form of position: ECEF or LLH.
 /// - The uncertainty of a valid axis must be greater than 0.
 /// - The echo control (0x13,0x1F) decides how the device answers.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: ECEF Position (0x13,0x21)
 /// - Manual 3dm-cv7-gnss-ins: Filter Aiding Measurements \> ECEF Position
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -534,6 +539,9 @@ impl Command for EcefPosition {
 /// - Use only one form of position: ECEF or LLH.
 /// - The uncertainty of a valid axis must be greater than 0.
 /// - The echo control (0x13,0x1F) decides how the device answers.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: LLH Position (0x13,0x22)
 /// - Manual 3dm-cv7-gnss-ins: Filter Aiding Measurements \> LLH Position
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -632,6 +640,9 @@ impl Command for LlhPosition {
 /// A measured height.
 ///
 /// - The echo control (0x13,0x1F) decides how the device answers.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -709,6 +720,9 @@ impl Command for HeightAboveEllipsoid {
 /// - Not for a sensor that is fixed to the vehicle; that takes body_frame_velocity.
 /// - The uncertainty of a valid axis must be greater than 0.
 /// - The echo control (0x13,0x1F) decides how the device answers.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28)
 /// - Manual 3dm-cv7-gnss-ins: Filter Aiding Measurements \> ECEF Velocity
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -793,6 +807,9 @@ impl Command for EcefVelocity {
 /// - Not for a sensor that is fixed to the vehicle; that takes body_frame_velocity.
 /// - The uncertainty of a valid axis must be greater than 0.
 /// - The echo control (0x13,0x1F) decides how the device answers.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29)
 /// - Manual 3dm-cv7-gnss-ins: Filter Aiding Measurements \> NED Velocity
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -880,6 +897,9 @@ impl Command for NedVelocity {
 /// - A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold of
 ///   the user.
 /// - The echo control (0x13,0x1F) decides how the device answers.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)
 /// - Manual 3dm-cv7-gnss-ins: Filter Aiding Measurements \> Body Frame Velocity
 /// - Manual 3dm-cv7-gnss-ins: Filter Kinematic Constraints
@@ -963,6 +983,9 @@ impl Command for BodyFrameVelocity {
 ///
 /// - The uncertainty of a valid measurement must be greater than 0.
 /// - The echo control (0x13,0x1F) decides how the device answers.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: True Heading (0x13,0x31)
 /// - Manual 3dm-cv7-gnss-ins: Filter Aiding Measurements \> True Heading
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1040,6 +1063,9 @@ impl Command for TrueHeading {
 /// - The magnetometer must be calibrated.
 /// - The uncertainty of a valid axis must be greater than 0.
 /// - The echo control (0x13,0x1F) decides how the device answers.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Magnetic Field (0x13,0x32)
 /// - Manual 3dm-cv7-gnss-ins: Filter Aiding Measurements \> External Magnetometer
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1122,6 +1148,9 @@ impl Command for MagneticField {
 ///
 /// - The uncertainty of a valid measurement must be greater than 0.
 /// - The echo control (0x13,0x1F) decides how the device answers.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Pressure (0x13,0x33)
 /// - Manual 3dm-cv7-gnss-ins: Filter Aiding Measurements \> External Pressure
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1196,7 +1225,7 @@ impl Command for Pressure {
 ///
 /// Answers Frame configuration (0x13,0x01).
 ///
-/// Command: [`FrameConfiguration`].
+/// Command: [`FrameConfiguration`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
 /// - Manual 3dm-cv7-gnss-ins: Aiding Frames
@@ -1254,7 +1283,7 @@ impl Field for FrameConfigurationResponse {
 ///
 /// Answers Echo control (0x13,0x1F).
 ///
-/// Command: [`EchoControl`].
+/// Command: [`EchoControl`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
 /// - Manual 3dm-cv7-gnss-ins: Aiding Command Echo Control

@@ -101,6 +101,9 @@ open_enum! {
 /// Asks whether a device is there and answers commands.
 ///
 /// - A device that is not in a normal operating mode may refuse the command.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)
 /// - Manual 3dm-cv7-gnss-ins: Ping (0x01,0x01)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -144,6 +147,9 @@ impl Command for Ping {
 ///
 /// - The resume command restores the previous mode.
 /// - While idle the device sends no NMEA sentences either.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-gx5-15: 4.1.2 Set To Idle (0x01, 0x02)
 /// - Manual 3dm-cv7-gnss-ins: Set to idle (0x01,0x02)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -185,7 +191,7 @@ impl Command for SetToIdle {
 ///
 /// Gets the firmware version and the identity strings of the device.
 ///
-/// Response: [`GetDeviceInformationResponse`].
+/// Response: [`GetDeviceInformationResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
 /// - Manual 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -236,7 +242,7 @@ impl ResponseOf<GetDeviceInformation> for GetDeviceInformationResponse {}
 ///
 /// - When the list contains (0x01,0x07), more descriptors come from the extended command.
 ///
-/// Response: [`GetDeviceDescriptorsResponse`].
+/// Response: [`GetDeviceDescriptorsResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
 /// - Manual 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -290,7 +296,8 @@ impl ResponseOf<GetDeviceDescriptors> for GetDeviceDescriptorsResponse {}
 /// - The device must be at rest; acceleration, rotation or vibration cause false failures.
 /// - The continuous built-in test, where there is one, tells more about a failure.
 ///
-/// Response: [`BuiltInTestResponse`]. The device may take 10.0 s.
+/// Response: [`BuiltInTestResponse`]. The device may take 10.0 s. Supported by 3DM-CV7-GNSS/INS and
+/// 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
 /// - Manual 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -341,6 +348,9 @@ impl ResponseOf<BuiltInTest> for BuiltInTestResponse {}
 /// Ends idle mode and returns the device to the mode that it was in before.
 ///
 /// - If the device was not idle, it enters its default mode (3DM-GX5-15).
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-gx5-15: 4.1.6 Resume (0x01, 0x06)
 /// - Manual 3dm-cv7-gnss-ins: Resume (0x01,0x06)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -384,7 +394,8 @@ impl Command for Resume {
 ///
 /// - Only supported if get device descriptors lists (0x01,0x07).
 ///
-/// Response: [`GetDeviceDescriptorsExtendedResponse`].
+/// Response: [`GetDeviceDescriptorsExtendedResponse`]. Supported by 3DM-CV7-GNSS/INS and
+/// 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
 /// - Manual 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -438,7 +449,7 @@ impl ResponseOf<GetDeviceDescriptorsExtended> for GetDeviceDescriptorsExtendedRe
 ///   field.
 /// - The self-test flags change only when the built-in test command runs.
 ///
-/// Response: [`ContinuousBuiltInTestResponse`].
+/// Response: [`ContinuousBuiltInTestResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -490,7 +501,8 @@ impl ResponseOf<ContinuousBuiltInTest> for ContinuousBuiltInTestResponse {}
 /// - Send it alone in a packet while the device is idle, and wait 250 ms before going on.
 /// - Commands and data during the change may be lost or come at either rate.
 ///
-/// Functions: write, read, save, load, default. Response: [`CommPortSpeedResponse`].
+/// Functions: write, read, save, load, default. Response: [`CommPortSpeedResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -597,7 +609,8 @@ impl ResponseOf<CommPortSpeed> for CommPortSpeedResponse {}
 /// - Send it again after a glitch of the PPS. An internal GNSS receiver as PPS source mostly makes
 ///   it needless.
 ///
-/// Functions: write, read, apply. Response: one of [`GpsTimeUpdateResponses`].
+/// Functions: write, read, apply. Response: one of [`GpsTimeUpdateResponses`]. Supported by
+/// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
 /// - Manual 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -710,6 +723,8 @@ crate::macros::responses! {
 ///
 /// Acknowledges the command, then resets the device at once.
 ///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
 /// - Manual 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -751,7 +766,7 @@ impl Command for ResetDevice {
 ///
 /// Answers Get device information (0x01,0x03).
 ///
-/// Command: [`GetDeviceInformation`].
+/// Command: [`GetDeviceInformation`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
 /// - Manual 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -787,7 +802,7 @@ impl Field for GetDeviceInformationResponse {
 ///
 /// Answers Get device descriptors (0x01,0x04).
 ///
-/// Command: [`GetDeviceDescriptors`].
+/// Command: [`GetDeviceDescriptors`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
 /// - Manual 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -824,7 +839,7 @@ impl Field for GetDeviceDescriptorsResponse {
 ///
 /// Answers Built-in test (0x01,0x05).
 ///
-/// Command: [`BuiltInTest`].
+/// Command: [`BuiltInTest`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
 /// - Manual 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -874,7 +889,7 @@ impl Field for BuiltInTestResponse {
 ///
 /// The current week number.
 ///
-/// Command: [`GpsTimeUpdate`].
+/// Command: [`GpsTimeUpdate`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
 /// - Manual 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -912,7 +927,7 @@ impl Field for GpsTimeUpdateWeekNumberResponse {
 ///
 /// The current time of week.
 ///
-/// Command: [`GpsTimeUpdate`].
+/// Command: [`GpsTimeUpdate`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
 /// - Manual 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -950,7 +965,7 @@ impl Field for GpsTimeUpdateTimeOfWeekResponse {
 ///
 /// Answers Get device descriptors (extended) (0x01,0x07).
 ///
-/// Command: [`GetDeviceDescriptorsExtended`].
+/// Command: [`GetDeviceDescriptorsExtended`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
 /// - Manual 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -987,7 +1002,7 @@ impl Field for GetDeviceDescriptorsExtendedResponse {
 ///
 /// Answers Continuous built-in test (0x01,0x08).
 ///
-/// Command: [`ContinuousBuiltInTest`].
+/// Command: [`ContinuousBuiltInTest`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1031,7 +1046,7 @@ impl Field for ContinuousBuiltInTestResponse {
 ///
 /// Answers Comm port speed (0x01,0x09).
 ///
-/// Command: [`CommPortSpeed`].
+/// Command: [`CommPortSpeed`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

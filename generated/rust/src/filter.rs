@@ -222,6 +222,9 @@ open_enum! {
 ///   again.
 /// - 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
 ///   found.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01)
 /// - Manual 3dm-gx5-15: 4.3.1 Reset Filter (0x0D, 0x01)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -264,6 +267,9 @@ impl Command for ResetNavigationFilter {
 /// Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
 ///
 /// - Accepted only in the initialization state.
+///
+/// Supported by 3DM-GX5-15.
+///
 /// - Manual 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -326,6 +332,9 @@ impl Command for SetInitialAttitude {
 /// - 3DM-GX5: accepted only in the initialization state.
 /// - 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
 ///   ignored.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03)
 /// - Manual 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -376,6 +385,9 @@ impl Command for SetInitialHeadingControl {
 ///
 /// - The filter waits in its initialization state if `wait_for_run_command` of
 ///   `navigation_filter_initialization` is set.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -422,7 +434,7 @@ impl Command for RunNavigationFilter {
 /// - The 3DM-CV7 takes the inverse instead: `3dm.sensor_to_vehicle_frame_transformation_euler`.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`SensorToVehicleFrameTransformationResponse`].
+/// [`SensorToVehicleFrameTransformationResponse`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -539,6 +551,7 @@ impl ResponseOf<SensorToVehicleFrameTransformation> for SensorToVehicleFrameTran
 ///   use `aiding.frame_configuration`.
 ///
 /// Functions: write, read, save, load, default. Response: [`GnssAntennaOffsetControlResponse`].
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -633,6 +646,7 @@ impl ResponseOf<GnssAntennaOffsetControl> for GnssAntennaOffsetControlResponse {
 /// Which states the filter estimates.
 ///
 /// Functions: write, read, save, load, default. Response: [`EstimationControlFlagsResponse`].
+/// Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -728,6 +742,7 @@ impl ResponseOf<EstimationControlFlags> for EstimationControlFlagsResponse {}
 ///   data.
 ///
 /// Functions: write, read, save, load, default. Response: [`GnssAidingSourceControlResponse`].
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -824,6 +839,9 @@ impl ResponseOf<GnssAidingSourceControl> for GnssAidingSourceControlResponse {}
 /// - The 3DM-GX5-15 takes at most 20 updates per second.
 /// - If the declination source is not valid, -25 models refuse true headings and -45 models
 ///   magnetic ones.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17)
 /// - Manual 3dm-gx5-15: 4.3.7 External Heading Update (0x0D, 0x17)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -883,6 +901,7 @@ impl Command for ExternalHeadingUpdate {
 /// Source of the heading that aids the filter.
 ///
 /// Functions: write, read, save, load, default. Response: [`HeadingUpdateControlResponse`].
+/// Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -977,6 +996,7 @@ impl ResponseOf<HeadingUpdateControl> for HeadingUpdateControlResponse {}
 /// - It needs a valid heading source.
 ///
 /// Functions: write, read, save, load, default. Response: [`AutoInitializationControlResponse`].
+/// Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -1073,7 +1093,7 @@ impl ResponseOf<AutoInitializationControl> for AutoInitializationControlResponse
 /// - Every value must be greater than 0. The factory values suit most laboratory conditions.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`AccelerometerNoiseStandardDeviationResponse`].
+/// [`AccelerometerNoiseStandardDeviationResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
 /// - Manual 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -1174,7 +1194,7 @@ impl ResponseOf<AccelerometerNoiseStandardDeviation>
 /// - Every value must be greater than 0. The factory values suit most laboratory conditions.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`GyroscopeNoiseStandardDeviationResponse`].
+/// [`GyroscopeNoiseStandardDeviationResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
 /// - Manual 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -1272,7 +1292,7 @@ impl ResponseOf<GyroscopeNoiseStandardDeviation> for GyroscopeNoiseStandardDevia
 /// - Every noise value must be greater than 0.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`AccelerometerBiasModelParametersResponse`].
+/// [`AccelerometerBiasModelParametersResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -1379,6 +1399,7 @@ impl ResponseOf<AccelerometerBiasModelParameters> for AccelerometerBiasModelPara
 /// - Every noise value must be greater than 0.
 ///
 /// Functions: write, read, save, load, default. Response: [`GyroscopeBiasModelParametersResponse`].
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
 /// - Manual 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -1490,6 +1511,9 @@ impl ResponseOf<GyroscopeBiasModelParameters> for GyroscopeBiasModelParametersRe
 /// - The 3DM-GX5-15 takes at most 20 updates per second.
 /// - If the declination source is not valid, -25 models refuse true headings and -45 models
 ///   magnetic ones.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
 /// - Manual 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1570,6 +1594,7 @@ impl Command for ExternalHeadingUpdateWithTime {
 ///   threshold.
 ///
 /// Functions: write, read, save, load, default. Response: [`ZeroAngularRateUpdateControlResponse`].
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
 /// - Manual 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -1676,7 +1701,7 @@ impl ResponseOf<ZeroAngularRateUpdateControl> for ZeroAngularRateUpdateControlRe
 ///
 /// - Refused while the filter has no valid attitude.
 ///
-/// Functions: write, save, load, default.
+/// Functions: write, save, load, default. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -1757,6 +1782,9 @@ impl Command for TareOrientation {
 /// Tells the filter once that the device is not rotating.
 ///
 /// - At most 10 per second.
+///
+/// Supported by 3DM-GX5-15.
+///
 /// - Manual 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1798,6 +1826,7 @@ impl Command for CommandedZeroAngularRateUpdate {
 /// Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
 ///
 /// Functions: write, read, save, load, default. Response: [`SetReferencePositionResponse`].
+/// Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -1942,7 +1971,7 @@ impl ResponseOf<SetReferencePosition> for SetReferencePositionResponse {}
 /// - Every value must be greater than 0. The factory values suit most laboratory conditions.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`GravityNoiseStandardDeviationResponse`].
+/// [`GravityNoiseStandardDeviationResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
 /// - Manual 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -2038,6 +2067,7 @@ impl ResponseOf<GravityNoiseStandardDeviation> for GravityNoiseStandardDeviation
 /// Which inertial measurements the filter uses.
 ///
 /// Functions: write, read, save, load, default. Response: [`EnableDisableMeasurementsResponse`].
+/// Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -2132,7 +2162,7 @@ impl ResponseOf<EnableDisableMeasurements> for EnableDisableMeasurementsResponse
 /// - Without a good declination source, keep automatic magnetometer calibration off.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`MagneticFieldDeclinationSourceControlResponse`].
+/// [`MagneticFieldDeclinationSourceControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -2244,7 +2274,7 @@ impl ResponseOf<MagneticFieldDeclinationSourceControl>
 ///   pitch and roll accuracy under linear acceleration, low limits cost heading accuracy.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`GravityMagnitudeErrorAdaptiveMeasurementResponse`].
+/// [`GravityMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -2472,6 +2502,7 @@ impl ResponseOf<GravityMagnitudeErrorAdaptiveMeasurement>
 /// What aids pitch and roll while the motion is gentle.
 ///
 /// Functions: write, read, save, load, default. Response: [`PitchRollAidingControlResponse`].
+/// Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -2564,6 +2595,7 @@ impl ResponseOf<PitchRollAidingControl> for PitchRollAidingControlResponse {}
 /// Enables or disables one source of aiding measurements.
 ///
 /// Functions: write, read, save, load, default. Response: [`AidingMeasurementControlResponse`].
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -2686,7 +2718,7 @@ impl ResponseOf<AidingMeasurementControl> for AidingMeasurementControlResponse {
 /// - External alignment needs a heading at least every 5 seconds.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`NavigationFilterInitializationResponse`].
+/// [`NavigationFilterInitializationResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -2904,6 +2936,7 @@ impl ResponseOf<NavigationFilterInitialization> for NavigationFilterInitializati
 /// How the filter adapts to measurements that do not fit its model.
 ///
 /// Functions: write, read, save, load, default. Response: [`AdaptiveFilterControlResponse`].
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -3010,7 +3043,7 @@ impl ResponseOf<AdaptiveFilterControl> for AdaptiveFilterControlResponse {}
 /// - The magnitude of the vector is limited to 10.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`GnssMultiAntennaOffsetControlResponse`].
+/// [`GnssMultiAntennaOffsetControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -3132,7 +3165,7 @@ impl ResponseOf<GnssMultiAntennaOffsetControl> for GnssMultiAntennaOffsetControl
 /// Reference point of the relative position that the filter reports.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`RelativePositionConfigurationResponse`].
+/// [`RelativePositionConfigurationResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -3270,6 +3303,7 @@ impl ResponseOf<RelativePositionConfiguration> for RelativePositionConfiguration
 /// - The magnitude of the vector is limited to 10.
 ///
 /// Functions: write, read, save, load, default. Response: [`ReferencePointLeverArmResponse`].
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -3393,6 +3427,7 @@ impl ResponseOf<ReferencePointLeverArm> for ReferencePointLeverArmResponse {}
 /// - It corrects for the speed that such a point has only because the vehicle turns.
 ///
 /// Functions: write, read, save, load, default. Response: [`MeasurementSpeedLeverArmResponse`].
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -3501,7 +3536,7 @@ impl ResponseOf<MeasurementSpeedLeverArm> for MeasurementSpeedLeverArmResponse {
 ///   for vehicles that move sideways, such as aircraft.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`WheeledVehicleConstraintControlResponse`].
+/// [`WheeledVehicleConstraintControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -3596,7 +3631,7 @@ impl ResponseOf<WheeledVehicleConstraintControl> for WheeledVehicleConstraintCon
 /// Lets the filter track the error of the antenna offset.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`GnssAntennaOffsetCalibrationControlResponse`].
+/// [`GnssAntennaOffsetCalibrationControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
 /// - Manual 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
@@ -3704,7 +3739,7 @@ impl ResponseOf<GnssAntennaOffsetCalibrationControl>
 ///
 /// Answers Sensor to vehicle frame transformation (0x0D,0x11).
 ///
-/// Command: [`SensorToVehicleFrameTransformation`].
+/// Command: [`SensorToVehicleFrameTransformation`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -3753,7 +3788,7 @@ impl Field for SensorToVehicleFrameTransformationResponse {
 ///
 /// Answers GNSS antenna offset (0x0D,0x13).
 ///
-/// Command: [`GnssAntennaOffsetControl`].
+/// Command: [`GnssAntennaOffsetControl`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -3790,7 +3825,7 @@ impl Field for GnssAntennaOffsetControlResponse {
 ///
 /// Answers Estimation control flags (0x0D,0x14).
 ///
-/// Command: [`EstimationControlFlags`].
+/// Command: [`EstimationControlFlags`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -3825,7 +3860,7 @@ impl Field for EstimationControlFlagsResponse {
 ///
 /// Answers GNSS aiding source (0x0D,0x15).
 ///
-/// Command: [`GnssAidingSourceControl`].
+/// Command: [`GnssAidingSourceControl`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -3860,7 +3895,7 @@ impl Field for GnssAidingSourceControlResponse {
 ///
 /// Answers Heading update control (0x0D,0x18).
 ///
-/// Command: [`HeadingUpdateControl`].
+/// Command: [`HeadingUpdateControl`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -3895,7 +3930,7 @@ impl Field for HeadingUpdateControlResponse {
 ///
 /// Answers Automatic initialization (0x0D,0x19).
 ///
-/// Command: [`AutoInitializationControl`].
+/// Command: [`AutoInitializationControl`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -3932,7 +3967,7 @@ impl Field for AutoInitializationControlResponse {
 ///
 /// Answers Accelerometer noise (0x0D,0x1A).
 ///
-/// Command: [`AccelerometerNoiseStandardDeviation`].
+/// Command: [`AccelerometerNoiseStandardDeviation`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
 /// - Manual 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -3970,7 +4005,7 @@ impl Field for AccelerometerNoiseStandardDeviationResponse {
 ///
 /// Answers Gyroscope noise (0x0D,0x1B).
 ///
-/// Command: [`GyroscopeNoiseStandardDeviation`].
+/// Command: [`GyroscopeNoiseStandardDeviation`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
 /// - Manual 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -4008,7 +4043,7 @@ impl Field for GyroscopeNoiseStandardDeviationResponse {
 ///
 /// Answers Accelerometer bias model (0x0D,0x1C).
 ///
-/// Command: [`AccelerometerBiasModelParameters`].
+/// Command: [`AccelerometerBiasModelParameters`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4051,7 +4086,7 @@ impl Field for AccelerometerBiasModelParametersResponse {
 ///
 /// Answers Gyroscope bias model (0x0D,0x1D).
 ///
-/// Command: [`GyroscopeBiasModelParameters`].
+/// Command: [`GyroscopeBiasModelParameters`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
 /// - Manual 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -4095,7 +4130,7 @@ impl Field for GyroscopeBiasModelParametersResponse {
 ///
 /// Answers Zero angular rate update (0x0D,0x20).
 ///
-/// Command: [`ZeroAngularRateUpdateControl`].
+/// Command: [`ZeroAngularRateUpdateControl`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
 /// - Manual 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -4139,7 +4174,7 @@ impl Field for ZeroAngularRateUpdateControlResponse {
 ///
 /// Answers Set reference position (0x0D,0x26).
 ///
-/// Command: [`SetReferencePosition`].
+/// Command: [`SetReferencePosition`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4194,7 +4229,7 @@ impl Field for SetReferencePositionResponse {
 ///
 /// Answers Gravity noise (0x0D,0x28).
 ///
-/// Command: [`GravityNoiseStandardDeviation`].
+/// Command: [`GravityNoiseStandardDeviation`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
 /// - Manual 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -4232,7 +4267,7 @@ impl Field for GravityNoiseStandardDeviationResponse {
 ///
 /// Answers Enable or disable measurements (0x0D,0x41).
 ///
-/// Command: [`EnableDisableMeasurements`].
+/// Command: [`EnableDisableMeasurements`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4267,7 +4302,7 @@ impl Field for EnableDisableMeasurementsResponse {
 ///
 /// Answers Magnetic declination source (0x0D,0x43).
 ///
-/// Command: [`MagneticFieldDeclinationSourceControl`].
+/// Command: [`MagneticFieldDeclinationSourceControl`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4308,7 +4343,7 @@ impl Field for MagneticFieldDeclinationSourceControlResponse {
 ///
 /// Answers Gravity magnitude error adaptive measurement (0x0D,0x44).
 ///
-/// Command: [`GravityMagnitudeErrorAdaptiveMeasurement`].
+/// Command: [`GravityMagnitudeErrorAdaptiveMeasurement`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4387,7 +4422,7 @@ impl Field for GravityMagnitudeErrorAdaptiveMeasurementResponse {
 ///
 /// Answers Pitch and roll aiding (0x0D,0x4B).
 ///
-/// Command: [`PitchRollAidingControl`].
+/// Command: [`PitchRollAidingControl`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4422,7 +4457,7 @@ impl Field for PitchRollAidingControlResponse {
 ///
 /// Answers Aiding measurement control (0x0D,0x50).
 ///
-/// Command: [`AidingMeasurementControl`].
+/// Command: [`AidingMeasurementControl`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4461,7 +4496,7 @@ impl Field for AidingMeasurementControlResponse {
 ///
 /// Answers Navigation filter initialization (0x0D,0x52).
 ///
-/// Command: [`NavigationFilterInitialization`].
+/// Command: [`NavigationFilterInitialization`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4554,7 +4589,7 @@ impl Field for NavigationFilterInitializationResponse {
 ///
 /// Answers Adaptive filter control (0x0D,0x53).
 ///
-/// Command: [`AdaptiveFilterControl`].
+/// Command: [`AdaptiveFilterControl`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4597,7 +4632,7 @@ impl Field for AdaptiveFilterControlResponse {
 ///
 /// Answers GNSS multi-antenna offset (0x0D,0x54).
 ///
-/// Command: [`GnssMultiAntennaOffsetControl`].
+/// Command: [`GnssMultiAntennaOffsetControl`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4640,7 +4675,7 @@ impl Field for GnssMultiAntennaOffsetControlResponse {
 ///
 /// Answers Relative position configuration (0x0D,0x55).
 ///
-/// Command: [`RelativePositionConfiguration`].
+/// Command: [`RelativePositionConfiguration`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4686,7 +4721,7 @@ impl Field for RelativePositionConfigurationResponse {
 ///
 /// Answers Reference point lever arm (0x0D,0x56).
 ///
-/// Command: [`ReferencePointLeverArm`].
+/// Command: [`ReferencePointLeverArm`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4727,7 +4762,7 @@ impl Field for ReferencePointLeverArmResponse {
 ///
 /// Answers Speed measurement lever arm (0x0D,0x61).
 ///
-/// Command: [`MeasurementSpeedLeverArm`].
+/// Command: [`MeasurementSpeedLeverArm`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -4776,7 +4811,7 @@ impl Field for MeasurementSpeedLeverArmResponse {
 ///
 /// Answers Wheeled vehicle constraint (0x0D,0x63).
 ///
-/// Command: [`WheeledVehicleConstraintControl`].
+/// Command: [`WheeledVehicleConstraintControl`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4813,7 +4848,7 @@ impl Field for WheeledVehicleConstraintControlResponse {
 ///
 /// Answers GNSS antenna offset calibration (0x0D,0x64).
 ///
-/// Command: [`GnssAntennaOffsetCalibrationControl`].
+/// Command: [`GnssAntennaOffsetCalibrationControl`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
 /// - Manual 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration

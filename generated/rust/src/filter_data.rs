@@ -374,6 +374,8 @@ bitfield! {
 ///
 /// Estimated position.
 ///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -424,6 +426,8 @@ impl Field for LlhPosition {
 /// NED velocity (0x82,0x02).
 ///
 /// Estimated velocity.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -477,6 +481,9 @@ impl Field for VelocityNed {
 /// Estimated orientation of the vehicle frame in the NED frame as a quaternion.
 ///
 /// - v_vehicle = q^-1 \* v_ned \* q. The 3DM-GX5-15 manual prints the inverse rotation.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
 /// - Manual 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -518,6 +525,9 @@ impl Field for AttitudeQuaternion {
 /// Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
 ///
 /// - The matrix turns NED vectors into vehicle vectors: v_vehicle = dcm \* v_ned.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04)
 /// - Manual 3dm-gx5-15: 5.2.7 Orientation, Matrix (0x82, 0x04)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -559,6 +569,9 @@ impl Field for AttitudeDcm {
 /// Estimated orientation of the vehicle frame in the NED frame as Euler angles.
 ///
 /// - The rotations apply in the order yaw, pitch, roll (3-2-1).
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-cv7-gnss-ins: Euler Angles (0x82,0x05)
 /// - Manual 3dm-gx5-15: 5.2.5 Orientation, Euler Angles (0x82, 0x05)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -611,6 +624,8 @@ impl Field for EulerAngles {
 ///
 /// Estimated bias of the gyroscope.
 ///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
 /// - Manual 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -651,6 +666,8 @@ impl Field for GyroBias {
 ///
 /// Estimated bias of the accelerometer.
 ///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -689,6 +706,8 @@ impl Field for AccelBias {
 /// Position uncertainty (0x82,0x08).
 ///
 /// Standard deviation of the estimated position, in the NED frame.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -740,6 +759,8 @@ impl Field for LlhPositionUncertainty {
 /// NED velocity uncertainty (0x82,0x09).
 ///
 /// Standard deviation of the estimated velocity.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -794,6 +815,9 @@ impl Field for NedVelocityUncertainty {
 ///
 /// - 3DM-GX5: derived from the quaternion, worse the steeper the pitch, and not valid beyond 70
 ///   degrees of pitch up or down.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-cv7-gnss-ins: Euler Angles Uncertainty (0x82,0x0A)
 /// - Manual 3dm-gx5-15: 5.2.6 Attitude Uncertainty, Euler Angles (0x82, 0x0A)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -846,6 +870,8 @@ impl Field for EulerAnglesUncertainty {
 ///
 /// Standard deviation of the estimated gyroscope bias.
 ///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B)
 /// - Manual 3dm-gx5-15: 5.2.10 Gyro Bias Uncertainty (0x82, 0x0B)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -886,6 +912,8 @@ impl Field for GyroBiasUncertainty {
 ///
 /// Standard deviation of the estimated accelerometer bias.
 ///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -924,6 +952,8 @@ impl Field for AccelBiasUncertainty {
 /// Linear acceleration (0x82,0x0D).
 ///
 /// Compensated acceleration less the estimated gravity.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
 /// - Manual 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
@@ -964,6 +994,8 @@ impl Field for LinearAccel {
 /// Compensated angular rate (0x82,0x0E).
 ///
 /// Angular rate without the estimated bias.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
 /// - Manual 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
@@ -1006,6 +1038,9 @@ impl Field for CompAngularRate {
 /// Magnitude of gravity at the position of the device by the WGS84 model.
 ///
 /// - The model holds up to an altitude of 20 km.
+///
+/// Supported by 3DM-GX5-15.
+///
 /// - Manual 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1049,6 +1084,9 @@ impl Field for Wgs84LocalGravityMagnitude {
 /// - 3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).
 /// - 5-series: bits 12 and 13 of the flags mean other things in state `init` than while the filter
 ///   runs.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-cv7-gnss-ins: Status (0x82,0x10)
 /// - Manual 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1132,6 +1170,9 @@ impl Field for Status {
 /// - Without PPS the internal clock drives the time, and the time jumps when the PPS comes back.
 /// - Without synchronization to a receiver or an external clock it is the internal system time.
 /// - 3DM-CV7: the field may be withdrawn; `shared.gps_timestamp` is better.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-cv7-gnss-ins: Timestamp (0x82,0x11)
 /// - Manual 3dm-gx5-15: 5.2.2 GPS Timestamp (0x82, 0x11)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1178,6 +1219,8 @@ impl Field for Timestamp {
 ///
 /// Standard deviation of the elements of the estimated attitude quaternion.
 ///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12)
 /// - Manual 3dm-gx5-15: 5.2.4 Attitude Uncertainty, Quaternion Elements (0x82, 0x12)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1217,6 +1260,8 @@ impl Field for QuaternionAttitudeUncertainty {
 /// Gravity vector (0x82,0x13).
 ///
 /// Estimated gravity.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
 /// - Manual 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
@@ -1259,6 +1304,9 @@ impl Field for GravityVector {
 /// The last heading that updated the filter and where it came from.
 ///
 /// - The valid bit means that the source gave data within the last 2 seconds.
+///
+/// Supported by 3DM-GX5-15.
+///
 /// - Manual 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1309,6 +1357,9 @@ impl Field for HeadingUpdateSourceState {
 /// Magnetic field at the position of the device by the World Magnetic Model.
 ///
 /// - It is valid only with a valid GNSS position.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Magnetic Model (0x82,0x15)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1379,6 +1430,8 @@ impl Field for MagneticModel {
 ///
 /// Acceleration without the estimated bias; gravity is still in it.
 ///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
 /// - Manual 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1421,6 +1474,9 @@ impl Field for CompensatedAcceleration {
 ///
 /// - It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852
 ///   m.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-cv7-gnss-ins: Pressure Altitude (0x82,0x21)
 /// - Manual 3dm-gx5-15: 5.2.13 Pressure Altitude (0x82, 0x21)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1462,6 +1518,9 @@ impl Field for PressureAltitude {
 /// Estimated error of the offset of one GNSS antenna.
 ///
 /// - The filter adds it to the stored offset.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Multi Antenna Offset Correction (0x82,0x34)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1504,6 +1563,8 @@ impl Field for MultiAntennaOffsetCorrection {
 /// Multi-antenna offset correction uncertainty (0x82,0x35).
 ///
 /// Standard deviation of the estimated error of the offset of one GNSS antenna.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1548,6 +1609,8 @@ impl Field for MultiAntennaOffsetCorrectionUncertainty {
 ///
 /// Standard deviation of the estimated position.
 ///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1586,6 +1649,8 @@ impl Field for EcefPositionUncertainty {
 /// ECEF velocity uncertainty (0x82,0x37).
 ///
 /// Standard deviation of the estimated velocity.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1626,6 +1691,8 @@ impl Field for EcefVelocityUncertainty {
 ///
 /// Estimated position.
 ///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1665,6 +1732,8 @@ impl Field for EcefPosition {
 ///
 /// Estimated velocity.
 ///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1703,6 +1772,8 @@ impl Field for EcefVelocity {
 /// NED relative position (0x82,0x42).
 ///
 /// Estimated position relative to the point that `filter.relative_position_configuration` sets.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1744,6 +1815,9 @@ impl Field for NedRelativePosition {
 /// How the filter uses the position measurements of one GNSS receiver.
 ///
 /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Position Aiding Status (0x82,0x43)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1794,6 +1868,9 @@ impl Field for GnssPositionAidingStatus {
 /// What the filter did with one kind of aiding measurement in the last measurement interval.
 ///
 /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Aiding Measurement Summary (0x82,0x46)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1842,6 +1919,9 @@ impl Field for AidingMeasurementSummary {
 /// Estimated relative error of the odometer scale factor.
 ///
 /// - Estimated scale factor = configured scale factor \* (1 + error).
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Odometer Scale Factor Error (0x82,0x47)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1880,6 +1960,8 @@ impl Field for OdometerScaleFactorError {
 /// Odometer scale factor error uncertainty (0x82,0x48).
 ///
 /// Uncertainty of the estimated error of the odometer scale factor.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1921,6 +2003,9 @@ impl Field for OdometerScaleFactorErrorUncertainty {
 /// Heading that two GNSS antennas give.
 ///
 /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Dual Antenna Status (0x82,0x49)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1980,6 +2065,8 @@ impl Field for GnssDualAntennaStatus {
 ///
 /// Estimated error of a frame that `aiding.frame_configuration` defines; it is corrected for.
 ///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -2024,6 +2111,8 @@ impl Field for AidingFrameConfigurationError {
 /// Aiding frame configuration error uncertainty (0x82,0x51).
 ///
 /// Uncertainty of the estimated error of a frame that `aiding.frame_configuration` defines.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -127,7 +127,7 @@ open_enum! {
 ///
 /// Asks which GNSS receivers the device has.
 ///
-/// Response: [`ReceiverInfoResponse`].
+/// Response: [`ReceiverInfoResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -181,6 +181,7 @@ impl ResponseOf<ReceiverInfo> for ReceiverInfoResponse {}
 ///   L1.
 ///
 /// Functions: write, read, save, load, default. Response: [`SignalConfigurationResponse`].
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
 /// - Manual 3dm-cv7-gnss-ins: GNSS
@@ -337,6 +338,7 @@ impl ResponseOf<SignalConfiguration> for SignalConfigurationResponse {}
 /// - A key of 16 bytes, none of them 0, is sent as 32 ASCII digits 0-9 and A-F, two for each byte.
 ///
 /// Functions: write, read, save, load, default. Response: [`SpartnConfigurationResponse`].
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
 /// - Manual 3dm-cv7-gnss-ins: SPARTN Corrections
@@ -538,7 +540,7 @@ impl ResponseOf<SpartnConfiguration> for SpartnConfigurationResponse {}
 ///
 /// Answers Receiver info (0x0E,0x01).
 ///
-/// Command: [`ReceiverInfo`].
+/// Command: [`ReceiverInfo`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -575,7 +577,7 @@ impl Field for ReceiverInfoResponse {
 ///
 /// Answers Signal configuration (0x0E,0x02).
 ///
-/// Command: [`SignalConfiguration`].
+/// Command: [`SignalConfiguration`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
 /// - Manual 3dm-cv7-gnss-ins: GNSS
@@ -629,7 +631,7 @@ impl Field for SignalConfigurationResponse {
 ///
 /// Answers SPARTN configuration (0x0E,0x20).
 ///
-/// Command: [`SpartnConfiguration`].
+/// Command: [`SpartnConfiguration`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
 /// - Manual 3dm-cv7-gnss-ins: SPARTN Corrections

@@ -484,6 +484,8 @@ bitfield! {
 ///
 /// GNSS position as latitude, longitude and height.
 ///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -565,6 +567,8 @@ impl Field for GnssLlhPosition {
 ///
 /// GNSS position in Earth-fixed coordinates.
 ///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -613,6 +617,8 @@ impl Field for GnssEcefPosition {
 /// NED velocity (0x91,0x05).
 ///
 /// GNSS velocity in the local level frame.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -687,6 +693,8 @@ impl Field for NedVelocity {
 ///
 /// GNSS velocity in Earth-fixed coordinates.
 ///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -735,6 +743,8 @@ impl Field for GnssEcefVelocity {
 /// DOP (0x91,0x07).
 ///
 /// Dilution of precision of the satellite geometry.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: DOP (0x91,0x07)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -815,6 +825,8 @@ impl Field for Dop {
 ///
 /// Coordinated universal time as the receiver knows it.
 ///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -894,6 +906,8 @@ impl Field for UtcTime {
 ///
 /// GPS time as the receiver knows it.
 ///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: GPS Time (0x91,0x09)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -942,6 +956,8 @@ impl Field for GpsTime {
 /// Fix info (0x91,0x0B).
 ///
 /// Type of the position fix and what it is made of.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -997,6 +1013,8 @@ impl Field for FixInfo {
 /// GNSS hardware status (0x91,0x0D).
 ///
 /// State of the receiver and of its antenna.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1054,6 +1072,9 @@ impl Field for GnssHardwareStatus {
 /// Bias and drift of the receiver clock.
 ///
 /// - It supersedes an older field, which the manual does not define.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1115,6 +1136,8 @@ impl Field for ClockInfo2 {
 ///
 /// Difference between GPS time and UTC.
 ///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1157,6 +1180,8 @@ impl Field for GpsLeapSeconds {
 /// SBAS info (0x91,0x12).
 ///
 /// Status of the satellite based augmentation.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1240,6 +1265,9 @@ impl Field for SbasInfo {
 /// Where one satellite stands, and its health.
 ///
 /// - An epoch is sent as one field for each satellite; index and count number the fields.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1340,6 +1368,9 @@ impl Field for SatelliteStatus {
 ///
 /// - An epoch is sent as one field for each signal; index and count number the fields.
 /// - The greatest lock time depends on the receiver.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Raw (0x91,0x22)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1502,6 +1533,9 @@ impl Field for Raw {
 /// Broadcast orbit and clock of one GPS satellite.
 ///
 /// - iodec changes with the clock data; the manual has it roll over at 4.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1768,6 +1802,9 @@ impl Field for GpsEphemeris {
 ///
 /// - The interface control document of GLONASS explains p and ft.
 /// - A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1972,6 +2009,9 @@ impl Field for GlonassEphemeris {
 /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
 ///   corrections hold here.
 /// - iodec changes with the clock data; the manual has it roll over at 4.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -2239,6 +2279,9 @@ impl Field for GalileoEphemeris {
 /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
 ///   corrections hold here.
 /// - iodec changes with the clock data; the manual has it roll over at 4.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -148,6 +148,8 @@ bitfield! {
 ///
 /// The base station of the corrections, from an RTCM message 1005 or 1006.
 ///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Base Station Info (0x93,0x30)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -224,6 +226,8 @@ impl Field for BaseStationInfo {
 /// RTK corrections status (0x93,0x31).
 ///
 /// Which corrections come, and how old they are.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -327,7 +327,7 @@ open_enum! {
 /// - Descriptors that the device does not know are ignored.
 /// - The data comes in a packet of its own behind the reply.
 ///
-/// Not acknowledged if `suppress_ack` is true.
+/// Not acknowledged if `suppress_ack` is true. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -388,7 +388,7 @@ impl Command for PollImuData {
 /// - Descriptors that the device does not know are ignored.
 /// - The data comes in a packet of its own behind the reply.
 ///
-/// Not acknowledged if `suppress_ack` is true.
+/// Not acknowledged if `suppress_ack` is true. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -450,7 +450,7 @@ impl Command for PollEstimationFilterData {
 ///   is off there.
 /// - A sentence is sent only if its data is valid.
 ///
-/// Not acknowledged if `suppress_ack` is true.
+/// Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Poll NMEA Data (0x0C,0x04)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -510,7 +510,7 @@ impl Command for PollNmeaData {
 ///
 /// Asks for the rate that the decimations of the IMU message format divide.
 ///
-/// Response: [`GetImuDataBaseRateResponse`].
+/// Response: [`GetImuDataBaseRateResponse`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -563,7 +563,8 @@ impl ResponseOf<GetImuDataBaseRate> for GetImuDataBaseRateResponse {}
 /// - The list replaces the one before. If any descriptor is unknown the device refuses and changes
 ///   nothing.
 ///
-/// Functions: write, read, save, load, default. Response: [`ImuMessageFormatResponse`].
+/// Functions: write, read, save, load, default. Response: [`ImuMessageFormatResponse`]. Supported
+/// by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -668,7 +669,7 @@ impl ResponseOf<ImuMessageFormat> for ImuMessageFormatResponse {}
 ///   nothing.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`EstimationFilterMessageFormatResponse`].
+/// [`EstimationFilterMessageFormatResponse`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -767,7 +768,7 @@ impl ResponseOf<EstimationFilterMessageFormat> for EstimationFilterMessageFormat
 ///
 /// Asks for the rate that the decimations of the estimation filter message format divide.
 ///
-/// Response: [`GetEstimationFilterDataBaseRateResponse`].
+/// Response: [`GetEstimationFilterDataBaseRateResponse`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -818,7 +819,8 @@ impl ResponseOf<GetEstimationFilterDataBaseRate> for GetEstimationFilterDataBase
 /// - A sentence may be listed several times with different talkers or sources.
 /// - A sentence is sent only while the device is not idle and the data of the source is valid.
 ///
-/// Functions: write, read, save, load, default. Response: [`NmeaMessageFormatResponse`].
+/// Functions: write, read, save, load, default. Response: [`NmeaMessageFormatResponse`]. Supported
+/// by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -925,7 +927,7 @@ impl ResponseOf<NmeaMessageFormat> for NmeaMessageFormatResponse {}
 /// - The data comes in a packet of its own behind the reply, on the port of the command.
 /// - Shared descriptors (0xD0 and up) belong in front of the others.
 ///
-/// Not acknowledged if `suppress_ack` is true.
+/// Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -992,7 +994,7 @@ impl Command for PollData {
 ///
 /// Asks for the rate that the decimations of a descriptor set divide.
 ///
-/// Response: [`GetDataBaseRateResponse`].
+/// Response: [`GetDataBaseRateResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1052,7 +1054,8 @@ impl ResponseOf<GetDataBaseRate> for GetDataBaseRateResponse {}
 /// - Shared descriptors (0xD0 and up) are listed under the set that they shall be sent with, in
 ///   front of the others.
 ///
-/// Functions: write, read, save, load, default. Response: [`MessageFormatResponse`].
+/// Functions: write, read, save, load, default. Response: [`MessageFormatResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -1179,6 +1182,8 @@ impl ResponseOf<MessageFormat> for MessageFormatResponse {}
 ///
 /// Sets all message formats to those that technical support wants to have recorded.
 ///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -1233,7 +1238,8 @@ impl Command for FactoryStreaming {
 /// - 5-series devices name the stream by a number of their own (legacy_data_stream), others by its
 ///   descriptor set.
 ///
-/// Functions: write, read, save, load, default. Response: [`DataStreamControlResponse`].
+/// Functions: write, read, save, load, default. Response: [`DataStreamControlResponse`]. Supported
+/// by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
 /// - Manual 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -1343,7 +1349,8 @@ impl ResponseOf<DataStreamControl> for DataStreamControlResponse {}
 ///
 /// How the GNSS receivers use satellite based augmentation.
 ///
-/// Functions: write, read, save, load, default. Response: [`GnssSbasSettingsResponse`].
+/// Functions: write, read, save, load, default. Response: [`GnssSbasSettingsResponse`]. Supported
+/// by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -1484,7 +1491,8 @@ impl ResponseOf<GnssSbasSettings> for GnssSbasSettingsResponse {}
 /// - The pins are configured apart from this by the GPIO configuration command.
 /// - The filter needs a valid pulse. disabled and generated are seldom what is wanted.
 ///
-/// Functions: write, read, save, load, default. Response: [`PpsSourceControlResponse`].
+/// Functions: write, read, save, load, default. Response: [`PpsSourceControlResponse`]. Supported
+/// by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -1578,7 +1586,7 @@ impl ResponseOf<PpsSourceControl> for PpsSourceControlResponse {}
 ///
 /// Asks which types of event triggers or actions there are and how many of each.
 ///
-/// Response: [`GetSupportedEventsResponse`].
+/// Response: [`GetSupportedEventsResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1634,7 +1642,8 @@ impl ResponseOf<GetSupportedEvents> for GetSupportedEventsResponse {}
 /// - Triggers are disabled by default and after configuration.
 /// - A trigger of type none cannot be enabled.
 ///
-/// Functions: write, read, save, load, default. Response: [`EventControlResponse`].
+/// Functions: write, read, save, load, default. Response: [`EventControlResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -1737,7 +1746,7 @@ impl ResponseOf<EventControl> for EventControlResponse {}
 ///
 /// Asks for the type and the state of event triggers.
 ///
-/// Response: [`GetEventTriggerStatusResponse`].
+/// Response: [`GetEventTriggerStatusResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1792,7 +1801,7 @@ impl ResponseOf<GetEventTriggerStatus> for GetEventTriggerStatusResponse {}
 ///
 /// Asks for the type and the trigger of event actions.
 ///
-/// Response: [`GetEventActionStatusResponse`].
+/// Response: [`GetEventActionStatusResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1851,6 +1860,7 @@ impl ResponseOf<GetEventActionStatus> for GetEventActionStatusResponse {}
 /// - A GPIO trigger needs its pin configured by the GPIO configuration command.
 ///
 /// Functions: write, read, save, load, default. Response: [`EventTriggerConfigurationResponse`].
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -2044,6 +2054,7 @@ impl ResponseOf<EventTriggerConfiguration> for EventTriggerConfigurationResponse
 /// - A GPIO action needs its pin configured as an output with the gpio feature.
 ///
 /// Functions: write, read, save, load, default. Response: [`EventActionConfigurationResponse`].
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -2243,7 +2254,8 @@ impl ResponseOf<EventActionConfiguration> for EventActionConfigurationResponse {
 ///
 /// - A save may disturb the data output for a short time.
 ///
-/// Functions: save, load, default. The device may take 1.0 s.
+/// Functions: save, load, default. The device may take 1.0 s. Supported by 3DM-CV7-GNSS/INS and
+/// 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30)
 /// - Manual 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
@@ -2316,7 +2328,7 @@ impl Command for DeviceStartUpSettings {
 /// - On some older products the setting means the inverse rotation.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`SensorToVehicleFrameTransformationEulerResponse`].
+/// [`SensorToVehicleFrameTransformationEulerResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -2435,7 +2447,7 @@ impl ResponseOf<SensorToVehicleFrameTransformationEuler>
 /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`SensorToVehicleFrameTransformationQuaternionResponse`].
+/// [`SensorToVehicleFrameTransformationQuaternionResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -2538,7 +2550,8 @@ impl ResponseOf<SensorToVehicleFrameTransformationQuaternion>
 /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`SensorToVehicleFrameTransformationDirectionCosineMatrixResponse`].
+/// [`SensorToVehicleFrameTransformationDirectionCosineMatrixResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
 ///   (0x0C,0x33)
@@ -2637,7 +2650,8 @@ impl ResponseOf<SensorToVehicleFrameTransformationDirectionCosineMatrix>
 /// Bias that is subtracted from the scaled acceleration.
 ///
 /// Functions: write, read, save, load, default, apply. Response:
-/// [`AccelerometerBiasConfigurationResponse`]. For advanced use.
+/// [`AccelerometerBiasConfigurationResponse`]. For advanced use. Supported by 3DM-CV7-GNSS/INS and
+/// 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
 /// - Manual 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -2743,7 +2757,8 @@ impl ResponseOf<AccelerometerBiasConfiguration> for AccelerometerBiasConfigurati
 /// Bias that is subtracted from the scaled angular rate.
 ///
 /// Functions: write, read, save, load, default, apply. Response:
-/// [`GyroscopeBiasConfigurationResponse`]. For advanced use.
+/// [`GyroscopeBiasConfigurationResponse`]. For advanced use. Supported by 3DM-CV7-GNSS/INS and
+/// 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
 /// - Manual 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -2853,7 +2868,8 @@ impl ResponseOf<GyroscopeBiasConfiguration> for GyroscopeBiasConfigurationRespon
 /// - The bias is not saved; the gyroscope bias configuration command with save does it.
 /// - The 3DM-GX5-15 also initializes its orientation from the samples.
 ///
-/// Response: [`GyroscopeBiasConfigurationResponse`]. The device may take 31.0 s.
+/// Response: [`GyroscopeBiasConfigurationResponse`]. The device may take 31.0 s. Supported by
+/// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39)
 /// - Manual 3dm-cv7-gnss-ins: Capture Gyroscope Bias (0x0C,0x39)
@@ -2913,6 +2929,7 @@ impl ResponseOf<CaptureGyroscopeBias> for GyroscopeBiasConfigurationResponse {}
 /// - The values come from a calibration of the device as it is installed.
 ///
 /// Functions: write, read, save, load, default. Response: [`MagnetometerHardIronOffsetResponse`].
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -3009,6 +3026,7 @@ impl ResponseOf<MagnetometerHardIronOffset> for MagnetometerHardIronOffsetRespon
 /// - The values come from a calibration of the device as it is installed.
 ///
 /// Functions: write, read, save, load, default. Response: [`MagnetometerSoftIronMatrixResponse`].
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -3103,6 +3121,7 @@ impl ResponseOf<MagnetometerSoftIronMatrix> for MagnetometerSoftIronMatrixRespon
 /// Switches the compensation of coning and sculling on or off.
 ///
 /// Functions: write, read, save, load, default. Response: [`ConingAndScullingEnableResponse`].
+/// Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -3202,7 +3221,8 @@ impl ResponseOf<ConingAndScullingEnable> for ConingAndScullingEnableResponse {}
 /// - Set the device to idle first, send the command in a packet of its own and wait 250 ms
 ///   afterwards.
 ///
-/// Functions: write, read, save, load, default. Response: [`UartBaudRateResponse`].
+/// Functions: write, read, save, load, default. Response: [`UartBaudRateResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
 /// - Manual 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -3306,7 +3326,8 @@ impl ResponseOf<UartBaudRate> for UartBaudRateResponse {}
 /// - With NMEA input at most one pin may be a UART input; set it to unused before another one takes
 ///   over.
 ///
-/// Functions: write, read, save, load, default. Response: [`GpioConfigurationResponse`].
+/// Functions: write, read, save, load, default. Response: [`GpioConfigurationResponse`]. Supported
+/// by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -3496,7 +3517,7 @@ impl ResponseOf<GpioConfiguration> for GpioConfigurationResponse {}
 /// - Reading is sure to work only with the gpio feature.
 /// - The state at power-up is a matter of the GPIO configuration command.
 ///
-/// Functions: write, read. Response: [`GpioStateResponse`].
+/// Functions: write, read. Response: [`GpioStateResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -3578,6 +3599,7 @@ impl ResponseOf<GpioState> for GpioStateResponse {}
 /// Input from a wheel encoder.
 ///
 /// Functions: write, read, save, load, default. Response: [`OdometerConfigurationResponse`].
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -3712,7 +3734,8 @@ impl ResponseOf<OdometerConfiguration> for OdometerConfigurationResponse {}
 ///   format.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`AdvancedLowPassFilterSettingsResponse`]. For advanced use.
+/// [`AdvancedLowPassFilterSettingsResponse`]. For advanced use. Supported by 3DM-CV7-GNSS/INS and
+/// 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
 /// - Manual 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -3880,7 +3903,7 @@ impl ResponseOf<AdvancedLowPassFilterSettings> for AdvancedLowPassFilterSettings
 ///   compatibility.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`ComplementaryFilterConfigurationResponse`].
+/// [`ComplementaryFilterConfigurationResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
 /// - Manual 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -4037,7 +4060,8 @@ impl ResponseOf<ComplementaryFilterConfiguration> for ComplementaryFilterConfigu
 /// - The get calibrated sensor ranges command lists the settings. The device may refuse others or
 ///   measure wrongly.
 ///
-/// Functions: write, read, save, load, default. Response: [`SensorRangeResponse`].
+/// Functions: write, read, save, load, default. Response: [`SensorRangeResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -4138,7 +4162,7 @@ impl ResponseOf<SensorRange> for SensorRangeResponse {}
 ///
 /// Asks for the ranges that a sensor supports.
 ///
-/// Response: [`GetCalibratedSensorRangesResponse`].
+/// Response: [`GetCalibratedSensorRangesResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4195,6 +4219,7 @@ impl ResponseOf<GetCalibratedSensorRanges> for GetCalibratedSensorRangesResponse
 ///   sets.
 ///
 /// Functions: write, read, save, load, default. Response: [`LowPassAntiAliasingFilterResponse`].
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -4342,7 +4367,7 @@ impl ResponseOf<LowPassAntiAliasingFilter> for LowPassAntiAliasingFilterResponse
 ///
 /// - The layouts hold for this model number only; other models answer with layouts of their own.
 ///
-/// Response: one of [`DeviceStatusResponses`]. For advanced use.
+/// Response: one of [`DeviceStatusResponses`]. For advanced use. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4410,7 +4435,7 @@ crate::macros::responses! {
 ///
 /// Answers IMU Message Format (0x0C,0x08).
 ///
-/// Command: [`ImuMessageFormat`].
+/// Command: [`ImuMessageFormat`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4447,7 +4472,7 @@ impl Field for ImuMessageFormatResponse {
 ///
 /// Answers Estimation Filter Message Format (0x0C,0x0A).
 ///
-/// Command: [`EstimationFilterMessageFormat`].
+/// Command: [`EstimationFilterMessageFormat`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4484,7 +4509,7 @@ impl Field for EstimationFilterMessageFormatResponse {
 ///
 /// Answers Get IMU Data Base Rate (0x0C,0x06).
 ///
-/// Command: [`GetImuDataBaseRate`].
+/// Command: [`GetImuDataBaseRate`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4521,7 +4546,7 @@ impl Field for GetImuDataBaseRateResponse {
 ///
 /// Answers Data Stream Control (0x0C,0x11).
 ///
-/// Command: [`DataStreamControl`].
+/// Command: [`DataStreamControl`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
 /// - Manual 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -4569,7 +4594,7 @@ impl Field for DataStreamControlResponse {
 ///
 /// Answers UART Baud Rate (0x0C,0x40).
 ///
-/// Command: [`UartBaudRate`].
+/// Command: [`UartBaudRate`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
 /// - Manual 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -4609,7 +4634,7 @@ impl Field for UartBaudRateResponse {
 ///
 /// Answers Get Estimation Filter Data Base Rate (0x0C,0x0B).
 ///
-/// Command: [`GetEstimationFilterDataBaseRate`].
+/// Command: [`GetEstimationFilterDataBaseRate`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4646,7 +4671,7 @@ impl Field for GetEstimationFilterDataBaseRateResponse {
 ///
 /// Answers Advanced Low-Pass Filter Settings (0x0C,0x50).
 ///
-/// Command: [`AdvancedLowPassFilterSettings`].
+/// Command: [`AdvancedLowPassFilterSettings`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
 /// - Manual 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -4713,7 +4738,7 @@ impl Field for AdvancedLowPassFilterSettingsResponse {
 ///
 /// Answers NMEA Message Format (0x0C,0x0C).
 ///
-/// Command: [`NmeaMessageFormat`].
+/// Command: [`NmeaMessageFormat`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4750,7 +4775,7 @@ impl Field for NmeaMessageFormatResponse {
 ///
 /// Answers Get Data Base Rate (0x0C,0x0E).
 ///
-/// Command: [`GetDataBaseRate`].
+/// Command: [`GetDataBaseRate`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4791,7 +4816,7 @@ impl Field for GetDataBaseRateResponse {
 ///
 /// Answers Message Format (0x0C,0x0F).
 ///
-/// Command: [`MessageFormat`].
+/// Command: [`MessageFormat`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4832,7 +4857,7 @@ impl Field for MessageFormatResponse {
 ///
 /// State and timer.
 ///
-/// Command: [`DeviceStatus`].
+/// Command: [`DeviceStatus`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -4882,7 +4907,7 @@ impl Field for DeviceStatusBasicResponse {
 ///
 /// State and timer with the counters of streams and port.
 ///
-/// Command: [`DeviceStatus`].
+/// Command: [`DeviceStatus`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5009,7 +5034,7 @@ impl Field for DeviceStatusDiagnosticResponse {
 ///
 /// Answers Complementary Filter Configuration (0x0C,0x51).
 ///
-/// Command: [`ComplementaryFilterConfiguration`].
+/// Command: [`ComplementaryFilterConfiguration`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
 /// - Manual 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -5070,7 +5095,7 @@ impl Field for ComplementaryFilterConfigurationResponse {
 ///
 /// Answers Accelerometer Bias Configuration (0x0C,0x37).
 ///
-/// Command: [`AccelerometerBiasConfiguration`].
+/// Command: [`AccelerometerBiasConfiguration`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
 /// - Manual 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -5108,7 +5133,8 @@ impl Field for AccelerometerBiasConfigurationResponse {
 ///
 /// The bias in use. The capture gyroscope bias command answers with it too.
 ///
-/// Command: [`GyroscopeBiasConfiguration`]. Command: [`CaptureGyroscopeBias`].
+/// Command: [`GyroscopeBiasConfiguration`]. Command: [`CaptureGyroscopeBias`]. Supported by
+/// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
 /// - Manual 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -5146,7 +5172,7 @@ impl Field for GyroscopeBiasConfigurationResponse {
 ///
 /// Answers Magnetometer Hard Iron Offset (0x0C,0x3A).
 ///
-/// Command: [`MagnetometerHardIronOffset`].
+/// Command: [`MagnetometerHardIronOffset`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5183,7 +5209,7 @@ impl Field for MagnetometerHardIronOffsetResponse {
 ///
 /// Answers Magnetometer Soft Iron Matrix (0x0C,0x3B).
 ///
-/// Command: [`MagnetometerSoftIronMatrix`].
+/// Command: [`MagnetometerSoftIronMatrix`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5220,7 +5246,7 @@ impl Field for MagnetometerSoftIronMatrixResponse {
 ///
 /// Answers Coning and Sculling Enable (0x0C,0x3E).
 ///
-/// Command: [`ConingAndScullingEnable`].
+/// Command: [`ConingAndScullingEnable`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5257,7 +5283,7 @@ impl Field for ConingAndScullingEnableResponse {
 ///
 /// Answers GNSS SBAS Settings (0x0C,0x22).
 ///
-/// Command: [`GnssSbasSettings`].
+/// Command: [`GnssSbasSettings`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5304,7 +5330,7 @@ impl Field for GnssSbasSettingsResponse {
 ///
 /// Answers PPS Source Control (0x0C,0x28).
 ///
-/// Command: [`PpsSourceControl`].
+/// Command: [`PpsSourceControl`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5341,7 +5367,7 @@ impl Field for PpsSourceControlResponse {
 ///
 /// Answers Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
 ///
-/// Command: [`SensorToVehicleFrameTransformationEuler`].
+/// Command: [`SensorToVehicleFrameTransformationEuler`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5390,7 +5416,7 @@ impl Field for SensorToVehicleFrameTransformationEulerResponse {
 ///
 /// Answers Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
 ///
-/// Command: [`SensorToVehicleFrameTransformationQuaternion`].
+/// Command: [`SensorToVehicleFrameTransformationQuaternion`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5427,7 +5453,8 @@ impl Field for SensorToVehicleFrameTransformationQuaternionResponse {
 ///
 /// Answers Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
 ///
-/// Command: [`SensorToVehicleFrameTransformationDirectionCosineMatrix`].
+/// Command: [`SensorToVehicleFrameTransformationDirectionCosineMatrix`]. Supported by
+/// 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
 ///   (0x0C,0x33)
@@ -5466,7 +5493,7 @@ impl Field for SensorToVehicleFrameTransformationDirectionCosineMatrixResponse {
 ///
 /// Answers Get Supported Events (0x0C,0x2A).
 ///
-/// Command: [`GetSupportedEvents`].
+/// Command: [`GetSupportedEvents`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5513,7 +5540,7 @@ impl Field for GetSupportedEventsResponse {
 ///
 /// Answers Event Control (0x0C,0x2B).
 ///
-/// Command: [`EventControl`].
+/// Command: [`EventControl`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5554,7 +5581,7 @@ impl Field for EventControlResponse {
 ///
 /// Answers Get Event Trigger Status (0x0C,0x2C).
 ///
-/// Command: [`GetEventTriggerStatus`].
+/// Command: [`GetEventTriggerStatus`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5591,7 +5618,7 @@ impl Field for GetEventTriggerStatusResponse {
 ///
 /// Answers Get Event Action Status (0x0C,0x2D).
 ///
-/// Command: [`GetEventActionStatus`].
+/// Command: [`GetEventActionStatus`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5628,7 +5655,7 @@ impl Field for GetEventActionStatusResponse {
 ///
 /// Answers Event Trigger Configuration (0x0C,0x2E).
 ///
-/// Command: [`EventTriggerConfiguration`].
+/// Command: [`EventTriggerConfiguration`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5675,7 +5702,7 @@ impl Field for EventTriggerConfigurationResponse {
 ///
 /// Answers Event Action Configuration (0x0C,0x2F).
 ///
-/// Command: [`EventActionConfiguration`].
+/// Command: [`EventActionConfiguration`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5726,7 +5753,7 @@ impl Field for EventActionConfigurationResponse {
 ///
 /// Answers GPIO Configuration (0x0C,0x41).
 ///
-/// Command: [`GpioConfiguration`].
+/// Command: [`GpioConfiguration`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5819,7 +5846,7 @@ impl Field for GpioConfigurationResponse {
 ///
 /// Answers GPIO State (0x0C,0x42).
 ///
-/// Command: [`GpioState`].
+/// Command: [`GpioState`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5860,7 +5887,7 @@ impl Field for GpioStateResponse {
 ///
 /// Answers Odometer Configuration (0x0C,0x43).
 ///
-/// Command: [`OdometerConfiguration`].
+/// Command: [`OdometerConfiguration`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5909,7 +5936,7 @@ impl Field for OdometerConfigurationResponse {
 ///
 /// Answers Sensor Range (0x0C,0x52).
 ///
-/// Command: [`SensorRange`].
+/// Command: [`SensorRange`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5948,7 +5975,7 @@ impl Field for SensorRangeResponse {
 ///
 /// Answers Get Calibrated Sensor Ranges (0x0C,0x53).
 ///
-/// Command: [`GetCalibratedSensorRanges`].
+/// Command: [`GetCalibratedSensorRanges`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -5989,7 +6016,7 @@ impl Field for GetCalibratedSensorRangesResponse {
 ///
 /// Answers Low-Pass Anti-Aliasing Filter (0x0C,0x54).
 ///
-/// Command: [`LowPassAntiAliasingFilter`].
+/// Command: [`LowPassAntiAliasingFilter`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

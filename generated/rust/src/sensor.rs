@@ -60,6 +60,8 @@ bitfield! {
 ///
 /// Measured acceleration, temperature compensated.
 ///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
 /// - Manual 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -95,6 +97,8 @@ impl Field for ScaledAccel {
 /// Scaled gyro (0x80,0x05).
 ///
 /// Measured angular rate, temperature compensated.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
 /// - Manual 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
@@ -132,6 +136,8 @@ impl Field for ScaledGyro {
 ///
 /// Measured magnetic field, temperature compensated.
 ///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -166,6 +172,8 @@ impl Field for ScaledMag {
 /// Delta theta (0x80,0x07).
 ///
 /// Time integral of the angular rate over the period that the message format sets.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
 /// - Manual 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -204,6 +212,9 @@ impl Field for DeltaTheta {
 /// Time integral of the acceleration over the period that the message format sets.
 ///
 /// - Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08)
 /// - Manual 3dm-cv7-gnss-ins: Delta Velocity (0x80,0x08)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -241,6 +252,9 @@ impl Field for DeltaVelocity {
 /// Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
 ///
 /// - v_vehicle = M \* v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09)
 /// - Manual 3dm-cv7-gnss-ins: Complementary Filter Orientation Matrix (0x80,0x09)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -280,6 +294,9 @@ impl Field for ComplementaryFilterOrientationMatrix {
 /// Attitude by the complementary filter as a quaternion, relative to the NED frame.
 ///
 /// - v_vehicle = q^-1 \* v_ned \* q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A)
 /// - Manual 3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -319,6 +336,9 @@ impl Field for ComplementaryFilterQuaternion {
 /// Attitude by the complementary filter as Euler angles, relative to the NED frame.
 ///
 /// - The rotations are in the order yaw, pitch, roll (3-2-1).
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C)
 /// - Manual 3dm-cv7-gnss-ins: Complementary Filter Euler Angles (0x80,0x0C)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -369,6 +389,9 @@ impl Field for ComplementaryFilterEulerAngles {
 ///
 /// - Without magnetic disturbance it equals the measured magnetic field.
 /// - A lasting disturbance is not compensated.
+///
+/// Supported by 3DM-GX5-15.
+///
 /// - Manual 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -405,6 +428,9 @@ impl Field for ComplementaryFilterStabilizedNorthVector {
 /// Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
 ///
 /// - At rest it equals the measured acceleration.
+///
+/// Supported by 3DM-GX5-15.
+///
 /// - Manual 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -445,6 +471,9 @@ impl Field for ComplementaryFilterStabilizedUpVector {
 /// - Without external synchronization it is the internal system time.
 /// - Where the device has it, use the shared GPS timestamp (0xFF,0xD3) instead; this field may be
 ///   deprecated.
+///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
 /// - Manual 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -492,6 +521,9 @@ impl Field for GpsTimestamp {
 /// Temperatures since the last power-on or reset.
 ///
 /// - The values come from the inertial sensors, alone or together with sensors on the board.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Temperature Statistics (0x80,0x14)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -539,6 +571,8 @@ impl Field for TemperatureStatistics {
 ///
 /// Measured ambient pressure, temperature compensated.
 ///
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+///
 /// - Manual 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
 /// - Manual 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -575,6 +609,8 @@ impl Field for ScaledPressure {
 ///
 /// Which sensor axes are near or outside their range.
 ///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -607,6 +643,8 @@ impl Field for OverrangeStatus {
 /// Odometer data (0x80,0x40).
 ///
 /// Speed by the wheel encoder.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -48,6 +48,9 @@ bitfield! {
 /// The event trigger that caused the packet.
 ///
 /// - Put it first in the format of event messages, to tell their packets from scheduled ones.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Event Source (0xFF,0xD0)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -89,6 +92,9 @@ impl Field for EventSource {
 /// - It becomes valid after the PPS is locked and (0x01,0x72) has set the time of week and the week
 ///   number.
 /// - An internal GNSS receiver as PPS source sets the time by itself.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: GPS Timestamp (0xFF,0xD3)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -140,6 +146,9 @@ impl Field for GpsTimestamp {
 ///
 /// - It is the same as external time delta (0xFF,0xD8), in other units.
 /// - Sending either restarts the counter that both share, so use only one of them.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Delta Time (0xFF,0xD4)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -181,6 +190,9 @@ impl Field for DeltaTime {
 ///
 /// - The clock starts at power-on, only moves forward and never jumps; the value is always valid.
 /// - In event messages it is the time of the trigger.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Reference Timestamp (0xFF,0xD5)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -221,6 +233,9 @@ impl Field for ReferenceTimestamp {
 /// Reference time since this field was last sent in the same set and event instance.
 ///
 /// - The value is always valid.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Reference Time Delta (0xFF,0xD6)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -263,6 +278,9 @@ impl Field for ReferenceTimeDelta {
 /// - It is the GPS timestamp (0xFF,0xD3) in nanoseconds.
 /// - In event messages it is the time of the trigger.
 /// - It becomes valid when the external clock is synchronized through the PPS.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: External Timestamp (0xFF,0xD7)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -308,6 +326,9 @@ impl Field for ExternalTimestamp {
 ///
 /// - It is the same as delta time (0xFF,0xD4), in other units.
 /// - Sending either restarts the counter that both share, so use only one of them.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: External Time Delta (0xFF,0xD8)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

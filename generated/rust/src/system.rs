@@ -30,7 +30,7 @@ open_enum! {
 ///   answered.
 ///
 /// Functions: write, read, save, load, default. Response: [`CommunicationModeResponse`]. For
-/// advanced use.
+/// advanced use. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -124,7 +124,7 @@ impl ResponseOf<CommunicationMode> for CommunicationModeResponse {}
 ///
 /// Answers Communication mode (0x7F,0x10).
 ///
-/// Command: [`CommunicationMode`].
+/// Command: [`CommunicationMode`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

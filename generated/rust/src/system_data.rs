@@ -37,6 +37,9 @@ bitfield! {
 /// - Each stream and each event action keeps its own copy of the flags.
 /// - Some flags may be set without a fault, for instance a receiver without a position fix.
 /// - Unnamed bits are reserved and must be ignored.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: Built In Test (0xA0,0x01)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -78,6 +81,8 @@ impl Field for BuiltInTest {
 /// Time sync status (0xA0,0x02).
 ///
 /// Whether the device time is locked to the pulse per second.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -122,6 +127,9 @@ impl Field for TimeSyncStatus {
 /// - Only pins that are configured to the GPIO feature by (0x0C,0x41) are sure to give valid
 ///   levels.
 /// - For fast signals and exact times use the timestamp feature and the event system.
+///
+/// Supported by 3DM-CV7-GNSS/INS.
+///
 /// - Manual 3dm-cv7-gnss-ins: GPIO State (0xA0,0x03)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -446,6 +446,7 @@ def paragraphs(f: m.Field) -> list[str]:
         f"Not acknowledged if {_conditions(f.silent_when)}." if f.silent_when else "",
         f"The device may take {f.timeout:g} s to answer." if f.timeout else "",
         f"Sent at {f.max_rate:g} Hz at most." if f.max_rate else "",
+        f"Supported by {_list(f.devices)}." if f.devices else "",
     ]
     text = [f.description, *f.notes, " ".join(x for x in facts if x)]
     return [f"{f.title}: {f.role} {place}.", *text, *cites(f)]

@@ -219,7 +219,7 @@ typedef uint8_t mip_3dm_device_status_selector;
  *
  * The data comes in a packet of its own behind the reply.
  *
- * Not acknowledged if suppress_ack is true.
+ * Not acknowledged if suppress_ack is true. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
  */
@@ -255,7 +255,7 @@ struct mip_3dm_poll_imu_data mip_3dm_poll_imu_data_make(
  *
  * The data comes in a packet of its own behind the reply.
  *
- * Not acknowledged if suppress_ack is true.
+ * Not acknowledged if suppress_ack is true. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
  */
@@ -292,7 +292,7 @@ struct mip_3dm_poll_estimation_filter_data mip_3dm_poll_estimation_filter_data_m
  *
  * A sentence is sent only if its data is valid.
  *
- * Not acknowledged if suppress_ack is true.
+ * Not acknowledged if suppress_ack is true. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Poll NMEA Data (0x0C,0x04)
  */
@@ -322,7 +322,7 @@ struct mip_3dm_poll_nmea_data mip_3dm_poll_nmea_data_make(
  *
  * Asks for the rate that the decimations of the IMU message format divide.
  *
- * Answered by mip_3dm_get_imu_data_base_rate_response.
+ * Answered by mip_3dm_get_imu_data_base_rate_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -344,6 +344,8 @@ mip_error mip_3dm_get_imu_data_base_rate_encode(const struct mip_3dm_get_imu_dat
  * Get IMU Data Base Rate response: response (0x0C,0x83).
  *
  * Answers Get IMU Data Base Rate (0x0C,0x06).
+ *
+ * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -373,6 +375,7 @@ mip_error mip_3dm_get_imu_data_base_rate_response_encode(
  * nothing.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_imu_message_format_response.
+ * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
  */
@@ -412,6 +415,8 @@ struct mip_3dm_imu_message_format mip_3dm_imu_message_format_default(void);
  *
  * Answers IMU Message Format (0x0C,0x08).
  *
+ * Supported by 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
  */
 struct mip_3dm_imu_message_format_response {
@@ -442,7 +447,7 @@ mip_error mip_3dm_imu_message_format_response_encode(
  * nothing.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_estimation_filter_message_format_response.
+ * mip_3dm_estimation_filter_message_format_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
@@ -483,6 +488,8 @@ mip_3dm_estimation_filter_message_format_default(void);
  *
  * Answers Estimation Filter Message Format (0x0C,0x0A).
  *
+ * Supported by 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
 struct mip_3dm_estimation_filter_message_format_response {
@@ -508,7 +515,7 @@ mip_error mip_3dm_estimation_filter_message_format_response_encode(
  *
  * Asks for the rate that the decimations of the estimation filter message format divide.
  *
- * Answered by mip_3dm_get_estimation_filter_data_base_rate_response.
+ * Answered by mip_3dm_get_estimation_filter_data_base_rate_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -530,6 +537,8 @@ mip_error mip_3dm_get_estimation_filter_data_base_rate_encode(
  * Get Estimation Filter Data Base Rate response: response (0x0C,0x8A).
  *
  * Answers Get Estimation Filter Data Base Rate (0x0C,0x0B).
+ *
+ * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -560,6 +569,7 @@ mip_error mip_3dm_get_estimation_filter_data_base_rate_response_encode(
  * A sentence is sent only while the device is not idle and the data of the source is valid.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_nmea_message_format_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
  */
@@ -599,6 +609,8 @@ struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_default(void);
  *
  * Answers NMEA Message Format (0x0C,0x0C).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
  */
 struct mip_3dm_nmea_message_format_response {
@@ -630,7 +642,7 @@ mip_error mip_3dm_nmea_message_format_response_encode(
  *
  * Shared descriptors (0xD0 and up) belong in front of the others.
  *
- * Not acknowledged if suppress_ack is true.
+ * Not acknowledged if suppress_ack is true. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)
  */
@@ -662,7 +674,7 @@ struct mip_3dm_poll_data mip_3dm_poll_data_make(uint8_t desc_set, mip_bool suppr
  *
  * Asks for the rate that the decimations of a descriptor set divide.
  *
- * Answered by mip_3dm_get_data_base_rate_response.
+ * Answered by mip_3dm_get_data_base_rate_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -686,6 +698,8 @@ struct mip_3dm_get_data_base_rate mip_3dm_get_data_base_rate_make(uint8_t desc_s
  * Get Data Base Rate response: response (0x0C,0x8E).
  *
  * Answers Get Data Base Rate (0x0C,0x0E).
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -717,6 +731,7 @@ mip_error mip_3dm_get_data_base_rate_response_encode(
  * of the others.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_message_format_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
  */
@@ -758,6 +773,8 @@ struct mip_3dm_message_format mip_3dm_message_format_default(uint8_t desc_set);
  *
  * Answers Message Format (0x0C,0x0F).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
  */
 struct mip_3dm_message_format_response {
@@ -782,6 +799,8 @@ mip_error mip_3dm_message_format_response_encode(
  * Factory Streaming: command (0x0C,0x10).
  *
  * Sets all message formats to those that technical support wants to have recorded.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
  */
@@ -813,6 +832,7 @@ struct mip_3dm_factory_streaming mip_3dm_factory_streaming_make(
  * descriptor set.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_data_stream_control_response.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -856,6 +876,8 @@ struct mip_3dm_data_stream_control mip_3dm_data_stream_control_default(uint8_t d
  *
  * Answers Data Stream Control (0x0C,0x11).
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
  */
@@ -881,6 +903,7 @@ mip_error mip_3dm_data_stream_control_response_encode(
  * How the GNSS receivers use satellite based augmentation.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_sbas_settings_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -925,6 +948,8 @@ struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_default(void);
  *
  * Answers GNSS SBAS Settings (0x0C,0x22).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
 struct mip_3dm_gnss_sbas_settings_response {
@@ -957,6 +982,7 @@ mip_error mip_3dm_gnss_sbas_settings_response_encode(
  * The filter needs a valid pulse. disabled and generated are seldom what is wanted.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_pps_source_control_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
@@ -993,6 +1019,8 @@ struct mip_3dm_pps_source_control mip_3dm_pps_source_control_default(void);
  *
  * Answers PPS Source Control (0x0C,0x28).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
 struct mip_3dm_pps_source_control_response {
@@ -1014,7 +1042,7 @@ mip_error mip_3dm_pps_source_control_response_encode(
  *
  * Asks which types of event triggers or actions there are and how many of each.
  *
- * Answered by mip_3dm_get_supported_events_response.
+ * Answered by mip_3dm_get_supported_events_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
@@ -1039,6 +1067,8 @@ struct mip_3dm_get_supported_events mip_3dm_get_supported_events_make(
  * Get Supported Events response: response (0x0C,0xB4).
  *
  * Answers Get Supported Events (0x0C,0x2A).
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
@@ -1072,6 +1102,7 @@ mip_error mip_3dm_get_supported_events_response_encode(
  * A trigger of type none cannot be enabled.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_event_control_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  */
@@ -1111,6 +1142,8 @@ struct mip_3dm_event_control mip_3dm_event_control_default(uint8_t instance);
  *
  * Answers Event Control (0x0C,0x2B).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  */
 struct mip_3dm_event_control_response {
@@ -1134,7 +1167,7 @@ mip_error mip_3dm_event_control_response_encode(const struct mip_3dm_event_contr
  *
  * Asks for the type and the state of event triggers.
  *
- * Answered by mip_3dm_get_event_trigger_status_response.
+ * Answered by mip_3dm_get_event_trigger_status_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
@@ -1162,6 +1195,8 @@ struct mip_3dm_get_event_trigger_status mip_3dm_get_event_trigger_status_make(
  *
  * Answers Get Event Trigger Status (0x0C,0x2C).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
 struct mip_3dm_get_event_trigger_status_response {
@@ -1185,7 +1220,7 @@ mip_error mip_3dm_get_event_trigger_status_response_encode(
  *
  * Asks for the type and the trigger of event actions.
  *
- * Answered by mip_3dm_get_event_action_status_response.
+ * Answered by mip_3dm_get_event_action_status_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
  */
@@ -1212,6 +1247,8 @@ struct mip_3dm_get_event_action_status mip_3dm_get_event_action_status_make(
  * Get Event Action Status response: response (0x0C,0xB7).
  *
  * Answers Get Event Action Status (0x0C,0x2D).
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
  */
@@ -1251,7 +1288,7 @@ union mip_3dm_event_trigger_configuration_parameters {
  * A GPIO trigger needs its pin configured by the GPIO configuration command.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_event_trigger_configuration_response.
+ * mip_3dm_event_trigger_configuration_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
@@ -1308,6 +1345,8 @@ union mip_3dm_event_trigger_configuration_response_parameters {
  *
  * Answers Event Trigger Configuration (0x0C,0x2E).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
 struct mip_3dm_event_trigger_configuration_response {
@@ -1346,7 +1385,7 @@ union mip_3dm_event_action_configuration_parameters {
  * A GPIO action needs its pin configured as an output with the gpio feature.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_event_action_configuration_response.
+ * mip_3dm_event_action_configuration_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  */
@@ -1400,6 +1439,8 @@ union mip_3dm_event_action_configuration_response_parameters {
  *
  * Answers Event Action Configuration (0x0C,0x2F).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  */
 struct mip_3dm_event_action_configuration_response {
@@ -1429,7 +1470,8 @@ mip_error mip_3dm_event_action_configuration_response_encode(
  *
  * A save may disturb the data output for a short time.
  *
- * Functions: save, load and default. The device may take 1 s to answer.
+ * Functions: save, load and default. The device may take 1 s to answer. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30)
  * - 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
@@ -1475,7 +1517,7 @@ struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_default
  * On some older products the setting means the inverse rotation.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_sensor_to_vehicle_frame_transformation_euler_response.
+ * mip_3dm_sensor_to_vehicle_frame_transformation_euler_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
@@ -1524,6 +1566,8 @@ mip_3dm_sensor_to_vehicle_frame_transformation_euler_default(void);
  *
  * Answers Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
 struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response {
@@ -1558,7 +1602,8 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_encode(
  * A change resets the low-pass filters, the complementary filter and the estimation filter.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response.
+ * mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
@@ -1606,6 +1651,8 @@ mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_default(void);
  *
  * Answers Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
 struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response {
@@ -1642,7 +1689,8 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_enc
  * A change resets the low-pass filters, the complementary filter and the estimation filter.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response.
+ * mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
@@ -1691,6 +1739,8 @@ mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_default(v
  *
  * Answers Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
 struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response {
@@ -1721,7 +1771,7 @@ mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_
  * Bias that is subtracted from the scaled acceleration.
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
- * mip_3dm_accelerometer_bias_configuration_response.
+ * mip_3dm_accelerometer_bias_configuration_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -1764,6 +1814,8 @@ struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_confi
  *
  * Answers Accelerometer Bias Configuration (0x0C,0x37).
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
  */
@@ -1789,7 +1841,7 @@ mip_error mip_3dm_accelerometer_bias_configuration_response_encode(
  * Bias that is subtracted from the scaled angular rate.
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
- * mip_3dm_gyroscope_bias_configuration_response.
+ * mip_3dm_gyroscope_bias_configuration_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -1831,6 +1883,8 @@ struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration
  *
  * The bias in use. The capture gyroscope bias command answers with it too.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
  */
@@ -1863,6 +1917,7 @@ mip_error mip_3dm_gyroscope_bias_configuration_response_encode(
  * The 3DM-GX5-15 also initializes its orientation from the samples.
  *
  * Answered by mip_3dm_gyroscope_bias_configuration_response. The device may take 31 s to answer.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39)
  * - 3dm-cv7-gnss-ins: Capture Gyroscope Bias (0x0C,0x39)
@@ -1892,7 +1947,7 @@ struct mip_3dm_capture_gyroscope_bias mip_3dm_capture_gyroscope_bias_make(
  * The values come from a calibration of the device as it is installed.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_magnetometer_hard_iron_offset_response.
+ * mip_3dm_magnetometer_hard_iron_offset_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  */
@@ -1930,6 +1985,8 @@ struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offs
  *
  * Answers Magnetometer Hard Iron Offset (0x0C,0x3A).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  */
 struct mip_3dm_magnetometer_hard_iron_offset_response {
@@ -1956,7 +2013,7 @@ mip_error mip_3dm_magnetometer_hard_iron_offset_response_encode(
  * The values come from a calibration of the device as it is installed.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_magnetometer_soft_iron_matrix_response.
+ * mip_3dm_magnetometer_soft_iron_matrix_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  */
@@ -1997,6 +2054,8 @@ struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matr
  *
  * Answers Magnetometer Soft Iron Matrix (0x0C,0x3B).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  */
 struct mip_3dm_magnetometer_soft_iron_matrix_response {
@@ -2024,7 +2083,7 @@ mip_error mip_3dm_magnetometer_soft_iron_matrix_response_encode(
  * Switches the compensation of coning and sculling on or off.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_coning_and_sculling_enable_response.
+ * mip_3dm_coning_and_sculling_enable_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -2061,6 +2120,8 @@ struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_def
  *
  * Answers Coning and Sculling Enable (0x0C,0x3E).
  *
+ * Supported by 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
 struct mip_3dm_coning_and_sculling_enable_response {
@@ -2090,6 +2151,7 @@ mip_error mip_3dm_coning_and_sculling_enable_response_encode(
  * Set the device to idle first, send the command in a packet of its own and wait 250 ms afterwards.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_uart_baud_rate_response.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -2127,6 +2189,8 @@ struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_default(void);
  *
  * Answers UART Baud Rate (0x0C,0x40).
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
  */
@@ -2160,6 +2224,7 @@ mip_error mip_3dm_uart_baud_rate_response_encode(
  * over.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_gpio_configuration_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
@@ -2211,6 +2276,8 @@ struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_default(uint8_t pin
  *
  * Answers GPIO Configuration (0x0C,0x41).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
 struct mip_3dm_gpio_configuration_response {
@@ -2253,7 +2320,8 @@ mip_error mip_3dm_gpio_configuration_response_encode(
  *
  * The state at power-up is a matter of the GPIO configuration command.
  *
- * Functions: write and read. Answered by mip_3dm_gpio_state_response.
+ * Functions: write and read. Answered by mip_3dm_gpio_state_response. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
  */
@@ -2286,6 +2354,8 @@ struct mip_3dm_gpio_state mip_3dm_gpio_state_read(uint8_t pin);
  *
  * Answers GPIO State (0x0C,0x42).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
  */
 struct mip_3dm_gpio_state_response {
@@ -2310,7 +2380,7 @@ mip_error mip_3dm_gpio_state_response_encode(const struct mip_3dm_gpio_state_res
  * Input from a wheel encoder.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_odometer_configuration_response.
+ * mip_3dm_odometer_configuration_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
@@ -2355,6 +2425,8 @@ struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_default(voi
  *
  * Answers Odometer Configuration (0x0C,0x43).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
 struct mip_3dm_odometer_configuration_response {
@@ -2388,7 +2460,7 @@ mip_error mip_3dm_odometer_configuration_response_encode(
  *
  * Deprecated: use 3dm.low_pass_anti_aliasing_filter where the device has it. For advanced use.
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_advanced_low_pass_filter_settings_response.
+ * mip_3dm_advanced_low_pass_filter_settings_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -2450,6 +2522,8 @@ struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filte
  *
  * Answers Advanced Low-Pass Filter Settings (0x0C,0x50).
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
  */
@@ -2501,7 +2575,8 @@ mip_error mip_3dm_advanced_low_pass_filter_settings_response_encode(
  * The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for compatibility.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_complementary_filter_configuration_response.
+ * mip_3dm_complementary_filter_configuration_response. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -2563,6 +2638,8 @@ mip_3dm_complementary_filter_configuration_default(void);
  *
  * Answers Complementary Filter Configuration (0x0C,0x51).
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
  */
@@ -2604,6 +2681,7 @@ mip_error mip_3dm_complementary_filter_configuration_response_encode(
  * measure wrongly.
  *
  * Functions: write, read, save, load and default. Answered by mip_3dm_sensor_range_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
@@ -2643,6 +2721,8 @@ struct mip_3dm_sensor_range mip_3dm_sensor_range_default(mip_3dm_sensor_range_ty
  *
  * Answers Sensor Range (0x0C,0x52).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
 struct mip_3dm_sensor_range_response {
@@ -2666,7 +2746,7 @@ mip_error mip_3dm_sensor_range_response_encode(const struct mip_3dm_sensor_range
  *
  * Asks for the ranges that a sensor supports.
  *
- * Answered by mip_3dm_get_calibrated_sensor_ranges_response.
+ * Answered by mip_3dm_get_calibrated_sensor_ranges_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
@@ -2691,6 +2771,8 @@ struct mip_3dm_get_calibrated_sensor_ranges mip_3dm_get_calibrated_sensor_ranges
  * Get Calibrated Sensor Ranges response: response (0x0C,0xD3).
  *
  * Answers Get Calibrated Sensor Ranges (0x0C,0x53).
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
@@ -2721,7 +2803,7 @@ mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
  * Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_3dm_low_pass_anti_aliasing_filter_response.
+ * mip_3dm_low_pass_anti_aliasing_filter_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
@@ -2777,6 +2859,8 @@ struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filt
  *
  * Answers Low-Pass Anti-Aliasing Filter (0x0C,0x54).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
 struct mip_3dm_low_pass_anti_aliasing_filter_response {
@@ -2811,7 +2895,7 @@ mip_error mip_3dm_low_pass_anti_aliasing_filter_response_encode(
  * The layouts hold for this model number only; other models answer with layouts of their own.
  *
  * For advanced use. Answered by mip_3dm_device_status_basic_response or
- * mip_3dm_device_status_diagnostic_response.
+ * mip_3dm_device_status_diagnostic_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  */
@@ -2837,7 +2921,7 @@ struct mip_3dm_device_status mip_3dm_device_status_make(
  *
  * State and timer.
  *
- * Sent if status_selector is basic.
+ * Sent if status_selector is basic. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  */
@@ -2864,7 +2948,7 @@ mip_error mip_3dm_device_status_basic_response_encode(
  *
  * State and timer with the counters of streams and port.
  *
- * Sent if status_selector is diagnostic.
+ * Sent if status_selector is diagnostic. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  */

@@ -109,7 +109,7 @@ union mip_aiding_frame_configuration_rotation {
  * A read names the format that the answer shall have.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_aiding_frame_configuration_response.
+ * mip_aiding_frame_configuration_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
@@ -171,6 +171,8 @@ union mip_aiding_frame_configuration_response_rotation {
  *
  * Answers Frame configuration (0x13,0x01).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
  */
@@ -204,6 +206,7 @@ mip_error mip_aiding_frame_configuration_response_encode(
  * The manual does not give the layout of the responses that carry the data back.
  *
  * Functions: write, read, save, load and default. Answered by mip_aiding_echo_control_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -241,6 +244,8 @@ struct mip_aiding_echo_control mip_aiding_echo_control_default(void);
  *
  * Answers Echo control (0x13,0x1F).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
  * - 3dm-cv7-gnss-ins: Aiding Command Echo Control
  */
@@ -268,6 +273,8 @@ mip_error mip_aiding_echo_control_response_encode(
  * The uncertainty of a valid axis must be greater than 0.
  *
  * The echo control (0x13,0x1F) decides how the device answers.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Position (0x13,0x21)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Position
@@ -314,6 +321,8 @@ struct mip_aiding_ecef_position mip_aiding_ecef_position_make(
  * The uncertainty of a valid axis must be greater than 0.
  *
  * The echo control (0x13,0x1F) decides how the device answers.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: LLH Position (0x13,0x22)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > LLH Position
@@ -369,6 +378,8 @@ struct mip_aiding_llh_position mip_aiding_llh_position_make(
  *
  * The echo control (0x13,0x1F) decides how the device answers.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23)
  */
 struct mip_aiding_height_above_ellipsoid {
@@ -409,6 +420,8 @@ struct mip_aiding_height_above_ellipsoid mip_aiding_height_above_ellipsoid_make(
  * The uncertainty of a valid axis must be greater than 0.
  *
  * The echo control (0x13,0x1F) decides how the device answers.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Velocity
@@ -458,6 +471,8 @@ struct mip_aiding_ecef_velocity mip_aiding_ecef_velocity_make(
  * The uncertainty of a valid axis must be greater than 0.
  *
  * The echo control (0x13,0x1F) decides how the device answers.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > NED Velocity
@@ -511,6 +526,8 @@ struct mip_aiding_ned_velocity mip_aiding_ned_velocity_make(
  *
  * The echo control (0x13,0x1F) decides how the device answers.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > Body Frame Velocity
  * - 3dm-cv7-gnss-ins: Filter Kinematic Constraints
@@ -556,6 +573,8 @@ struct mip_aiding_body_frame_velocity mip_aiding_body_frame_velocity_make(
  *
  * The echo control (0x13,0x1F) decides how the device answers.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: True Heading (0x13,0x31)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > True Heading
  */
@@ -595,6 +614,8 @@ struct mip_aiding_true_heading mip_aiding_true_heading_make(
  * The uncertainty of a valid axis must be greater than 0.
  *
  * The echo control (0x13,0x1F) decides how the device answers.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field (0x13,0x32)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Magnetometer
@@ -641,6 +662,8 @@ struct mip_aiding_magnetic_field mip_aiding_magnetic_field_make(
  * The uncertainty of a valid measurement must be greater than 0.
  *
  * The echo control (0x13,0x1F) decides how the device answers.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Pressure (0x13,0x33)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Pressure

@@ -57,6 +57,8 @@ typedef uint8_t mip_base_gps_time_field;
  *
  * A device that is not in a normal operating mode may refuse the command.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)
  * - 3dm-cv7-gnss-ins: Ping (0x01,0x01)
  */
@@ -81,6 +83,8 @@ mip_error mip_base_ping_encode(const struct mip_base_ping *value, struct mip_bui
  *
  * While idle the device sends no NMEA sentences either.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.1.2 Set To Idle (0x01, 0x02)
  * - 3dm-cv7-gnss-ins: Set to idle (0x01,0x02)
  */
@@ -103,7 +107,8 @@ mip_error mip_base_set_to_idle_encode(const struct mip_base_set_to_idle *value,
  *
  * Gets the firmware version and the identity strings of the device.
  *
- * Answered by mip_base_get_device_information_response.
+ * Answered by mip_base_get_device_information_response. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -126,6 +131,8 @@ mip_error mip_base_get_device_information_encode(
  * Get device information response: response (0x01,0x81).
  *
  * Answers Get device information (0x01,0x03).
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -151,7 +158,8 @@ mip_error mip_base_get_device_information_response_encode(
  *
  * When the list contains (0x01,0x07), more descriptors come from the extended command.
  *
- * Answered by mip_base_get_device_descriptors_response.
+ * Answered by mip_base_get_device_descriptors_response. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
  * - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -174,6 +182,8 @@ mip_error mip_base_get_device_descriptors_encode(
  * Get device descriptors response: response (0x01,0x82).
  *
  * Answers Get device descriptors (0x01,0x04).
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
  * - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -207,7 +217,8 @@ mip_error mip_base_get_device_descriptors_response_encode(
  *
  * The continuous built-in test, where there is one, tells more about a failure.
  *
- * Answered by mip_base_built_in_test_response. The device may take 10 s to answer.
+ * Answered by mip_base_built_in_test_response. The device may take 10 s to answer. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
  * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -230,6 +241,8 @@ mip_error mip_base_built_in_test_encode(const struct mip_base_built_in_test *val
  * Built-in test response: response (0x01,0x83).
  *
  * Answers Built-in test (0x01,0x05).
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
  * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -258,6 +271,8 @@ mip_error mip_base_built_in_test_response_encode(
  *
  * If the device was not idle, it enters its default mode (3DM-GX5-15).
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.1.6 Resume (0x01, 0x06)
  * - 3dm-cv7-gnss-ins: Resume (0x01,0x06)
  */
@@ -280,7 +295,8 @@ mip_error mip_base_resume_encode(const struct mip_base_resume *value, struct mip
  *
  * Only supported if get device descriptors lists (0x01,0x07).
  *
- * Answered by mip_base_get_device_descriptors_extended_response.
+ * Answered by mip_base_get_device_descriptors_extended_response. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
  * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -303,6 +319,8 @@ mip_error mip_base_get_device_descriptors_extended_encode(
  * Get device descriptors (extended) response: response (0x01,0x86).
  *
  * Answers Get device descriptors (extended) (0x01,0x07).
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
  * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -339,7 +357,7 @@ mip_error mip_base_get_device_descriptors_extended_response_encode(
  *
  * The self-test flags change only when the built-in test command runs.
  *
- * Answered by mip_base_continuous_built_in_test_response.
+ * Answered by mip_base_continuous_built_in_test_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
  */
@@ -361,6 +379,8 @@ mip_error mip_base_continuous_built_in_test_encode(
  * Continuous built-in test response: response (0x01,0x88).
  *
  * Answers Continuous built-in test (0x01,0x08).
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
  */
@@ -393,6 +413,7 @@ mip_error mip_base_continuous_built_in_test_response_encode(
  * Commands and data during the change may be lost or come at either rate.
  *
  * Functions: write, read, save, load and default. Answered by mip_base_comm_port_speed_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
  */
@@ -431,6 +452,8 @@ struct mip_base_comm_port_speed mip_base_comm_port_speed_default(uint8_t port);
  *
  * Answers Comm port speed (0x01,0x09).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
  */
 struct mip_base_comm_port_speed_response {
@@ -466,7 +489,7 @@ mip_error mip_base_comm_port_speed_response_encode(
  * needless.
  *
  * Functions: write, read and apply. Answered by mip_base_gps_time_update_week_number_response or
- * mip_base_gps_time_update_time_of_week_response.
+ * mip_base_gps_time_update_time_of_week_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -508,7 +531,7 @@ struct mip_base_gps_time_update mip_base_gps_time_update_apply(mip_base_gps_time
  *
  * The current week number.
  *
- * Sent if field_id is week_number.
+ * Sent if field_id is week_number. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -533,7 +556,7 @@ mip_error mip_base_gps_time_update_week_number_response_encode(
  *
  * The current time of week.
  *
- * Sent if field_id is time_of_week.
+ * Sent if field_id is time_of_week. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -558,6 +581,8 @@ mip_error mip_base_gps_time_update_time_of_week_response_encode(
  * Reset device: command (0x01,0x7E).
  *
  * Acknowledges the command, then resets the device at once.
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
  * - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)

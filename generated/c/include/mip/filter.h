@@ -174,6 +174,8 @@ typedef uint8_t mip_filter_reference_point;
  *
  * 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first found.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01)
  * - 3dm-gx5-15: 4.3.1 Reset Filter (0x0D, 0x01)
  */
@@ -197,6 +199,8 @@ mip_error mip_filter_reset_navigation_filter_encode(
  * Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
  *
  * Accepted only in the initialization state.
+ *
+ * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02)
  */
@@ -233,6 +237,8 @@ struct mip_filter_set_initial_attitude mip_filter_set_initial_attitude_make(floa
  * 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
  * ignored.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03)
  * - 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
  */
@@ -260,6 +266,8 @@ struct mip_filter_set_initial_heading_control mip_filter_set_initial_heading_con
  *
  * The filter waits in its initialization state if `wait_for_run_command` of
  * `navigation_filter_initialization` is set.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
  */
@@ -289,7 +297,7 @@ mip_error mip_filter_run_navigation_filter_encode(
  * The 3DM-CV7 takes the inverse instead: `3dm.sensor_to_vehicle_frame_transformation_euler`.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_frame_transformation_response.
+ * mip_filter_sensor_to_vehicle_frame_transformation_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
@@ -337,6 +345,8 @@ mip_filter_sensor_to_vehicle_frame_transformation_default(void);
  *
  * Answers Sensor to vehicle frame transformation (0x0D,0x11).
  *
+ * Supported by 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
 struct mip_filter_sensor_to_vehicle_frame_transformation_response {
@@ -373,7 +383,7 @@ mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_encode(
  * `aiding.frame_configuration`.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_gnss_antenna_offset_control_response.
+ * mip_filter_gnss_antenna_offset_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
@@ -414,6 +424,8 @@ struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_con
  *
  * Answers GNSS antenna offset (0x0D,0x13).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
 struct mip_filter_gnss_antenna_offset_control_response {
@@ -441,7 +453,7 @@ mip_error mip_filter_gnss_antenna_offset_control_response_encode(
  * Which states the filter estimates.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_estimation_control_flags_response.
+ * mip_filter_estimation_control_flags_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -479,6 +491,8 @@ struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_d
  *
  * Answers Estimation control flags (0x0D,0x14).
  *
+ * Supported by 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
 struct mip_filter_estimation_control_flags_response {
@@ -504,7 +518,7 @@ mip_error mip_filter_estimation_control_flags_response_encode(
  * data.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_gnss_aiding_source_control_response.
+ * mip_filter_gnss_aiding_source_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
@@ -542,6 +556,8 @@ struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_contr
  *
  * Answers GNSS aiding source (0x0D,0x15).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
 struct mip_filter_gnss_aiding_source_control_response {
@@ -572,6 +588,8 @@ mip_error mip_filter_gnss_aiding_source_control_response_encode(
  *
  * If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
  * ones.
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17)
  * - 3dm-gx5-15: 4.3.7 External Heading Update (0x0D, 0x17)
@@ -606,7 +624,7 @@ struct mip_filter_external_heading_update mip_filter_external_heading_update_mak
  * Source of the heading that aids the filter.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_heading_update_control_response.
+ * mip_filter_heading_update_control_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -644,6 +662,8 @@ struct mip_filter_heading_update_control mip_filter_heading_update_control_defau
  *
  * Answers Heading update control (0x0D,0x18).
  *
+ * Supported by 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
 struct mip_filter_heading_update_control_response {
@@ -668,7 +688,7 @@ mip_error mip_filter_heading_update_control_response_encode(
  * It needs a valid heading source.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_auto_initialization_control_response.
+ * mip_filter_auto_initialization_control_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
  */
@@ -706,6 +726,8 @@ struct mip_filter_auto_initialization_control mip_filter_auto_initialization_con
  *
  * Answers Automatic initialization (0x0D,0x19).
  *
+ * Supported by 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
  */
 struct mip_filter_auto_initialization_control_response {
@@ -732,7 +754,8 @@ mip_error mip_filter_auto_initialization_control_response_encode(
  * Every value must be greater than 0. The factory values suit most laboratory conditions.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_accelerometer_noise_standard_deviation_response.
+ * mip_filter_accelerometer_noise_standard_deviation_response. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -777,6 +800,8 @@ mip_filter_accelerometer_noise_standard_deviation_default(void);
  *
  * Answers Accelerometer noise (0x0D,0x1A).
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
  */
@@ -805,7 +830,8 @@ mip_error mip_filter_accelerometer_noise_standard_deviation_response_encode(
  * Every value must be greater than 0. The factory values suit most laboratory conditions.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_gyroscope_noise_standard_deviation_response.
+ * mip_filter_gyroscope_noise_standard_deviation_response. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -849,6 +875,8 @@ mip_filter_gyroscope_noise_standard_deviation_default(void);
  *
  * Answers Gyroscope noise (0x0D,0x1B).
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
  */
@@ -877,7 +905,7 @@ mip_error mip_filter_gyroscope_noise_standard_deviation_response_encode(
  * Every noise value must be greater than 0.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_accelerometer_bias_model_parameters_response.
+ * mip_filter_accelerometer_bias_model_parameters_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
@@ -923,6 +951,8 @@ mip_filter_accelerometer_bias_model_parameters_default(void);
  *
  * Answers Accelerometer bias model (0x0D,0x1C).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
 struct mip_filter_accelerometer_bias_model_parameters_response {
@@ -952,7 +982,8 @@ mip_error mip_filter_accelerometer_bias_model_parameters_response_encode(
  * Every noise value must be greater than 0.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_gyroscope_bias_model_parameters_response.
+ * mip_filter_gyroscope_bias_model_parameters_response. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -997,6 +1028,8 @@ mip_filter_gyroscope_bias_model_parameters_default(void);
  *
  * Answers Gyroscope bias model (0x0D,0x1D).
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
  */
@@ -1034,6 +1067,8 @@ mip_error mip_filter_gyroscope_bias_model_parameters_response_encode(
  *
  * If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
  * ones.
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
  * - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
@@ -1076,7 +1111,8 @@ mip_filter_external_heading_update_with_time_make(double gps_time, uint16_t gps_
  * The update applies while the magnitude of the angular rate vector is at or below the threshold.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_zero_angular_rate_update_control_response.
+ * mip_filter_zero_angular_rate_update_control_response. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -1121,6 +1157,8 @@ mip_filter_zero_angular_rate_update_control_default(void);
  *
  * Answers Zero angular rate update (0x0D,0x20).
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
  */
@@ -1150,7 +1188,7 @@ mip_error mip_filter_zero_angular_rate_update_control_response_encode(
  *
  * Refused while the filter has no valid attitude.
  *
- * Functions: write, save, load and default.
+ * Functions: write, save, load and default. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
  */
@@ -1187,6 +1225,8 @@ struct mip_filter_tare_orientation mip_filter_tare_orientation_default(void);
  *
  * At most 10 per second.
  *
+ * Supported by 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23)
  */
 struct mip_filter_commanded_zero_angular_rate_update {
@@ -1210,7 +1250,7 @@ mip_error mip_filter_commanded_zero_angular_rate_update_encode(
  * Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_set_reference_position_response.
+ * mip_filter_set_reference_position_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
@@ -1256,6 +1296,8 @@ struct mip_filter_set_reference_position mip_filter_set_reference_position_defau
  *
  * Answers Set reference position (0x0D,0x26).
  *
+ * Supported by 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
 struct mip_filter_set_reference_position_response {
@@ -1286,7 +1328,8 @@ mip_error mip_filter_set_reference_position_response_encode(
  * Every value must be greater than 0. The factory values suit most laboratory conditions.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_gravity_noise_standard_deviation_response.
+ * mip_filter_gravity_noise_standard_deviation_response. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -1329,6 +1372,8 @@ mip_filter_gravity_noise_standard_deviation_default(void);
  *
  * Answers Gravity noise (0x0D,0x28).
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
  */
@@ -1355,7 +1400,7 @@ mip_error mip_filter_gravity_noise_standard_deviation_response_encode(
  * Which inertial measurements the filter uses.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_enable_disable_measurements_response.
+ * mip_filter_enable_disable_measurements_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
@@ -1393,6 +1438,8 @@ struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurem
  *
  * Answers Enable or disable measurements (0x0D,0x41).
  *
+ * Supported by 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
 struct mip_filter_enable_disable_measurements_response {
@@ -1419,7 +1466,7 @@ mip_error mip_filter_enable_disable_measurements_response_encode(
  * Without a good declination source, keep automatic magnetometer calibration off.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_magnetic_field_declination_source_control_response.
+ * mip_filter_magnetic_field_declination_source_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  */
@@ -1467,6 +1514,8 @@ mip_filter_magnetic_field_declination_source_control_default(void);
  *
  * Answers Magnetic declination source (0x0D,0x43).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  */
 struct mip_filter_magnetic_field_declination_source_control_response {
@@ -1503,7 +1552,7 @@ mip_error mip_filter_magnetic_field_declination_source_control_response_encode(
  * and roll accuracy under linear acceleration, low limits cost heading accuracy.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_gravity_magnitude_error_adaptive_measurement_response.
+ * mip_filter_gravity_magnitude_error_adaptive_measurement_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
@@ -1573,6 +1622,8 @@ mip_filter_gravity_magnitude_error_adaptive_measurement_default(void);
  *
  * Answers Gravity magnitude error adaptive measurement (0x0D,0x44).
  *
+ * Supported by 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
 struct mip_filter_gravity_magnitude_error_adaptive_measurement_response {
@@ -1611,7 +1662,7 @@ mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_encod
  * What aids pitch and roll while the motion is gentle.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_pitch_roll_aiding_control_response.
+ * mip_filter_pitch_roll_aiding_control_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
@@ -1649,6 +1700,8 @@ struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control
  *
  * Answers Pitch and roll aiding (0x0D,0x4B).
  *
+ * Supported by 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
 struct mip_filter_pitch_roll_aiding_control_response {
@@ -1672,7 +1725,7 @@ mip_error mip_filter_pitch_roll_aiding_control_response_encode(
  * Enables or disables one source of aiding measurements.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_aiding_measurement_control_response.
+ * mip_filter_aiding_measurement_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -1716,6 +1769,8 @@ struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_contr
  *
  * Answers Aiding measurement control (0x0D,0x50).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
 struct mip_filter_aiding_measurement_control_response {
@@ -1749,7 +1804,7 @@ mip_error mip_filter_aiding_measurement_control_response_encode(
  * External alignment needs a heading at least every 5 seconds.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_navigation_filter_initialization_response.
+ * mip_filter_navigation_filter_initialization_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
@@ -1820,6 +1875,8 @@ mip_filter_navigation_filter_initialization_default(void);
  *
  * Answers Navigation filter initialization (0x0D,0x52).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
 struct mip_filter_navigation_filter_initialization_response {
@@ -1869,7 +1926,7 @@ mip_error mip_filter_navigation_filter_initialization_response_encode(
  * How the filter adapts to measurements that do not fit its model.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_adaptive_filter_control_response.
+ * mip_filter_adaptive_filter_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
@@ -1912,6 +1969,8 @@ struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_def
  *
  * Answers Adaptive filter control (0x0D,0x53).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
 struct mip_filter_adaptive_filter_control_response {
@@ -1938,7 +1997,7 @@ mip_error mip_filter_adaptive_filter_control_response_encode(
  * The magnitude of the vector is limited to 10.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_gnss_multi_antenna_offset_control_response.
+ * mip_filter_gnss_multi_antenna_offset_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
@@ -1986,6 +2045,8 @@ mip_filter_gnss_multi_antenna_offset_control_default(uint8_t receiver_id);
  *
  * Answers GNSS multi-antenna offset (0x0D,0x54).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
 struct mip_filter_gnss_multi_antenna_offset_control_response {
@@ -2015,7 +2076,7 @@ mip_error mip_filter_gnss_multi_antenna_offset_control_response_encode(
  * Reference point of the relative position that the filter reports.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_relative_position_configuration_response.
+ * mip_filter_relative_position_configuration_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
@@ -2065,6 +2126,8 @@ mip_filter_relative_position_configuration_default(void);
  *
  * Answers Relative position configuration (0x0D,0x55).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
 struct mip_filter_relative_position_configuration_response {
@@ -2103,7 +2166,7 @@ mip_error mip_filter_relative_position_configuration_response_encode(
  * The magnitude of the vector is limited to 10.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_reference_point_lever_arm_response.
+ * mip_filter_reference_point_lever_arm_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
@@ -2146,6 +2209,8 @@ struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm
  *
  * Answers Reference point lever arm (0x0D,0x56).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
 struct mip_filter_reference_point_lever_arm_response {
@@ -2175,7 +2240,7 @@ mip_error mip_filter_reference_point_lever_arm_response_encode(
  * It corrects for the speed that such a point has only because the vehicle turns.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_measurement_speed_lever_arm_response.
+ * mip_filter_measurement_speed_lever_arm_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
@@ -2218,6 +2283,8 @@ struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever
  *
  * Answers Speed measurement lever arm (0x0D,0x61).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
 struct mip_filter_measurement_speed_lever_arm_response {
@@ -2247,7 +2314,7 @@ mip_error mip_filter_measurement_speed_lever_arm_response_encode(
  * vehicles that move sideways, such as aircraft.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_wheeled_vehicle_constraint_control_response.
+ * mip_filter_wheeled_vehicle_constraint_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
@@ -2290,6 +2357,8 @@ mip_filter_wheeled_vehicle_constraint_control_default(void);
  *
  * Answers Wheeled vehicle constraint (0x0D,0x63).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
 struct mip_filter_wheeled_vehicle_constraint_control_response {
@@ -2315,7 +2384,7 @@ mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
  * Lets the filter track the error of the antenna offset.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_gnss_antenna_offset_calibration_control_response.
+ * mip_filter_gnss_antenna_offset_calibration_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
@@ -2365,6 +2434,8 @@ mip_filter_gnss_antenna_offset_calibration_control_default(void);
  * GNSS antenna offset calibration response: response (0x0D,0xE4).
  *
  * Answers GNSS antenna offset calibration (0x0D,0x64).
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration

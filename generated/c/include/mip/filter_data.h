@@ -297,6 +297,8 @@ typedef uint16_t mip_filter_data_dual_antenna_status_flags;
  *
  * Estimated position.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
  */
 struct mip_filter_data_llh_position {
@@ -332,6 +334,8 @@ mip_error mip_filter_data_llh_position_encode(const struct mip_filter_data_llh_p
  * NED velocity: data (0x82,0x02).
  *
  * Estimated velocity.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
  */
@@ -371,6 +375,8 @@ mip_error mip_filter_data_velocity_ned_encode(const struct mip_filter_data_veloc
  *
  * v_vehicle = q^-1 * v_ned * q. The 3DM-GX5-15 manual prints the inverse rotation.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
  * - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
  */
@@ -400,6 +406,8 @@ mip_error mip_filter_data_attitude_quaternion_encode(
  *
  * The matrix turns NED vectors into vehicle vectors: v_vehicle = dcm * v_ned.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04)
  * - 3dm-gx5-15: 5.2.7 Orientation, Matrix (0x82, 0x04)
  */
@@ -428,6 +436,8 @@ mip_error mip_filter_data_attitude_dcm_encode(const struct mip_filter_data_attit
  * Estimated orientation of the vehicle frame in the NED frame as Euler angles.
  *
  * The rotations apply in the order yaw, pitch, roll (3-2-1).
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Euler Angles (0x82,0x05)
  * - 3dm-gx5-15: 5.2.5 Orientation, Euler Angles (0x82, 0x05)
@@ -465,6 +475,8 @@ mip_error mip_filter_data_euler_angles_encode(const struct mip_filter_data_euler
  *
  * Estimated bias of the gyroscope.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
  * - 3dm-gx5-15: 5.2.9 Gyro Bias (0x82, 0x06)
  */
@@ -492,6 +504,8 @@ mip_error mip_filter_data_gyro_bias_encode(const struct mip_filter_data_gyro_bia
  *
  * Estimated bias of the accelerometer.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
  */
 struct mip_filter_data_accel_bias {
@@ -517,6 +531,8 @@ mip_error mip_filter_data_accel_bias_encode(const struct mip_filter_data_accel_b
  * Position uncertainty: data (0x82,0x08).
  *
  * Standard deviation of the estimated position, in the NED frame.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
  */
@@ -553,6 +569,8 @@ mip_error mip_filter_data_llh_position_uncertainty_encode(
  * NED velocity uncertainty: data (0x82,0x09).
  *
  * Standard deviation of the estimated velocity.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
  */
@@ -593,6 +611,8 @@ mip_error mip_filter_data_ned_velocity_uncertainty_encode(
  * 3DM-GX5: derived from the quaternion, worse the steeper the pitch, and not valid beyond 70
  * degrees of pitch up or down.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-cv7-gnss-ins: Euler Angles Uncertainty (0x82,0x0A)
  * - 3dm-gx5-15: 5.2.6 Attitude Uncertainty, Euler Angles (0x82, 0x0A)
  */
@@ -630,6 +650,8 @@ mip_error mip_filter_data_euler_angles_uncertainty_encode(
  *
  * Standard deviation of the estimated gyroscope bias.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B)
  * - 3dm-gx5-15: 5.2.10 Gyro Bias Uncertainty (0x82, 0x0B)
  */
@@ -657,6 +679,8 @@ mip_error mip_filter_data_gyro_bias_uncertainty_encode(
  *
  * Standard deviation of the estimated accelerometer bias.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C)
  */
 struct mip_filter_data_accel_bias_uncertainty {
@@ -682,6 +706,8 @@ mip_error mip_filter_data_accel_bias_uncertainty_encode(
  * Linear acceleration: data (0x82,0x0D).
  *
  * Compensated acceleration less the estimated gravity.
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
  * - 3dm-gx5-15: 5.2.12 Linear Acceleration (0x82, 0x0D)
@@ -709,6 +735,8 @@ mip_error mip_filter_data_linear_accel_encode(const struct mip_filter_data_linea
  * Compensated angular rate: data (0x82,0x0E).
  *
  * Angular rate without the estimated bias.
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
  * - 3dm-gx5-15: 5.2.8 Compensated Angular Rate (0x82, 0x0E)
@@ -738,6 +766,8 @@ mip_error mip_filter_data_comp_angular_rate_encode(
  * Magnitude of gravity at the position of the device by the WGS84 model.
  *
  * The model holds up to an altitude of 20 km.
+ *
+ * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F)
  */
@@ -772,6 +802,8 @@ mip_error mip_filter_data_wgs84_local_gravity_magnitude_encode(
  *
  * 5-series: bits 12 and 13 of the flags mean other things in state `init` than while the filter
  * runs.
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Status (0x82,0x10)
  * - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
@@ -814,6 +846,8 @@ mip_error mip_filter_data_status_encode(const struct mip_filter_data_status *val
  *
  * 3DM-CV7: the field may be withdrawn; `shared.gps_timestamp` is better.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-cv7-gnss-ins: Timestamp (0x82,0x11)
  * - 3dm-gx5-15: 5.2.2 GPS Timestamp (0x82, 0x11)
  */
@@ -845,6 +879,8 @@ mip_error mip_filter_data_timestamp_encode(const struct mip_filter_data_timestam
  *
  * Standard deviation of the elements of the estimated attitude quaternion.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12)
  * - 3dm-gx5-15: 5.2.4 Attitude Uncertainty, Quaternion Elements (0x82, 0x12)
  */
@@ -874,6 +910,8 @@ mip_error mip_filter_data_quaternion_attitude_uncertainty_encode(
  *
  * Estimated gravity.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
  * - 3dm-gx5-15: 5.2.14 Gravity Vector (0x82, 0x13)
  */
@@ -902,6 +940,8 @@ mip_error mip_filter_data_gravity_vector_encode(const struct mip_filter_data_gra
  * The last heading that updated the filter and where it came from.
  *
  * The valid bit means that the source gave data within the last 2 seconds.
+ *
+ * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14)
  */
@@ -937,6 +977,8 @@ mip_error mip_filter_data_heading_update_source_state_encode(
  * Magnetic field at the position of the device by the World Magnetic Model.
  *
  * It is valid only with a valid GNSS position.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Model (0x82,0x15)
  */
@@ -978,6 +1020,8 @@ mip_error mip_filter_data_magnetic_model_encode(const struct mip_filter_data_mag
  *
  * Acceleration without the estimated bias; gravity is still in it.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
  * - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
  */
@@ -1006,6 +1050,8 @@ mip_error mip_filter_data_compensated_acceleration_encode(
  * Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
  *
  * It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Pressure Altitude (0x82,0x21)
  * - 3dm-gx5-15: 5.2.13 Pressure Altitude (0x82, 0x21)
@@ -1036,6 +1082,8 @@ mip_error mip_filter_data_pressure_altitude_encode(
  *
  * The filter adds it to the stored offset.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction (0x82,0x34)
  */
 struct mip_filter_data_multi_antenna_offset_correction {
@@ -1065,6 +1113,8 @@ mip_error mip_filter_data_multi_antenna_offset_correction_encode(
  * Multi-antenna offset correction uncertainty: data (0x82,0x35).
  *
  * Standard deviation of the estimated error of the offset of one GNSS antenna.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
  */
@@ -1097,6 +1147,8 @@ mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_encode(
  *
  * Standard deviation of the estimated position.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
  */
 struct mip_filter_data_ecef_position_uncertainty {
@@ -1122,6 +1174,8 @@ mip_error mip_filter_data_ecef_position_uncertainty_encode(
  * ECEF velocity uncertainty: data (0x82,0x37).
  *
  * Standard deviation of the estimated velocity.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
  */
@@ -1149,6 +1203,8 @@ mip_error mip_filter_data_ecef_velocity_uncertainty_encode(
  *
  * Estimated position.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
  */
 struct mip_filter_data_ecef_position {
@@ -1175,6 +1231,8 @@ mip_error mip_filter_data_ecef_position_encode(const struct mip_filter_data_ecef
  *
  * Estimated velocity.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
  */
 struct mip_filter_data_ecef_velocity {
@@ -1200,6 +1258,8 @@ mip_error mip_filter_data_ecef_velocity_encode(const struct mip_filter_data_ecef
  * NED relative position: data (0x82,0x42).
  *
  * Estimated position relative to the point that `filter.relative_position_configuration` sets.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
  */
@@ -1228,6 +1288,8 @@ mip_error mip_filter_data_ned_relative_position_encode(
  * How the filter uses the position measurements of one GNSS receiver.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Position Aiding Status (0x82,0x43)
  */
@@ -1258,6 +1320,8 @@ mip_error mip_filter_data_gnss_position_aiding_status_encode(
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Summary (0x82,0x46)
  */
 struct mip_filter_data_aiding_measurement_summary {
@@ -1287,6 +1351,8 @@ mip_error mip_filter_data_aiding_measurement_summary_encode(
  *
  * Estimated scale factor = configured scale factor * (1 + error).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Odometer Scale Factor Error (0x82,0x47)
  */
 struct mip_filter_data_odometer_scale_factor_error {
@@ -1311,6 +1377,8 @@ mip_error mip_filter_data_odometer_scale_factor_error_encode(
  * Odometer scale factor error uncertainty: data (0x82,0x48).
  *
  * Uncertainty of the estimated error of the odometer scale factor.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48)
  */
@@ -1342,6 +1410,8 @@ mip_error mip_filter_data_odometer_scale_factor_error_uncertainty_encode(
  * Heading that two GNSS antennas give.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Dual Antenna Status (0x82,0x49)
  */
@@ -1380,6 +1450,8 @@ mip_error mip_filter_data_gnss_dual_antenna_status_encode(
  *
  * Estimated error of a frame that `aiding.frame_configuration` defines; it is corrected for.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
  */
 struct mip_filter_data_aiding_frame_configuration_error {
@@ -1406,6 +1478,8 @@ mip_error mip_filter_data_aiding_frame_configuration_error_encode(
  * Aiding frame configuration error uncertainty: data (0x82,0x51).
  *
  * Uncertainty of the estimated error of a frame that `aiding.frame_configuration` defines.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
  */

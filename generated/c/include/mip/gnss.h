@@ -85,7 +85,7 @@ typedef uint8_t mip_gnss_spartn_connection;
  *
  * Asks which GNSS receivers the device has.
  *
- * Answered by mip_gnss_receiver_info_response.
+ * Answered by mip_gnss_receiver_info_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
  */
@@ -107,6 +107,8 @@ mip_error mip_gnss_receiver_info_encode(const struct mip_gnss_receiver_info *val
  * Receiver info response: response (0x0E,0x81).
  *
  * Answers Receiver info (0x0E,0x01).
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
  */
@@ -137,7 +139,7 @@ mip_error mip_gnss_receiver_info_response_encode(
  * GPS and BeiDou none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or L1.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_gnss_signal_configuration_response.
+ * mip_gnss_signal_configuration_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
  * - 3dm-cv7-gnss-ins: GNSS
@@ -185,6 +187,8 @@ struct mip_gnss_signal_configuration mip_gnss_signal_configuration_default(void)
  *
  * Answers Signal configuration (0x0E,0x02).
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
  * - 3dm-cv7-gnss-ins: GNSS
  */
@@ -223,7 +227,7 @@ mip_error mip_gnss_signal_configuration_response_encode(
  * A key of 16 bytes, none of them 0, is sent as 32 ASCII digits 0-9 and A-F, two for each byte.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_gnss_spartn_configuration_response.
+ * mip_gnss_spartn_configuration_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
  * - 3dm-cv7-gnss-ins: SPARTN Corrections
@@ -278,6 +282,8 @@ struct mip_gnss_spartn_configuration mip_gnss_spartn_configuration_default(void)
  * SPARTN configuration response: response (0x0E,0xA0).
  *
  * Answers SPARTN configuration (0x0E,0x20).
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
  * - 3dm-cv7-gnss-ins: SPARTN Corrections

@@ -325,6 +325,8 @@ typedef uint16_t mip_gnss_1_glonass_ephemeris_flags;
  *
  * GNSS position as latitude, longitude and height.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
  */
 struct mip_gnss_1_gnss_llh_position {
@@ -376,6 +378,8 @@ mip_error mip_gnss_1_gnss_llh_position_encode(const struct mip_gnss_1_gnss_llh_p
  *
  * GNSS position in Earth-fixed coordinates.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
  */
 struct mip_gnss_1_gnss_ecef_position {
@@ -406,6 +410,8 @@ mip_error mip_gnss_1_gnss_ecef_position_encode(const struct mip_gnss_1_gnss_ecef
  * NED velocity: data (0x91,0x05).
  *
  * GNSS velocity in the local level frame.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
  */
@@ -458,6 +464,8 @@ mip_error mip_gnss_1_ned_velocity_encode(const struct mip_gnss_1_ned_velocity *v
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
  */
 struct mip_gnss_1_gnss_ecef_velocity {
@@ -488,6 +496,8 @@ mip_error mip_gnss_1_gnss_ecef_velocity_encode(const struct mip_gnss_1_gnss_ecef
  * DOP: data (0x91,0x07).
  *
  * Dilution of precision of the satellite geometry.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: DOP (0x91,0x07)
  */
@@ -521,6 +531,8 @@ mip_error mip_gnss_1_dop_encode(const struct mip_gnss_1_dop *value, struct mip_b
  * UTC time: data (0x91,0x08).
  *
  * Coordinated universal time as the receiver knows it.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
  */
@@ -575,6 +587,8 @@ mip_error mip_gnss_1_utc_time_encode(const struct mip_gnss_1_utc_time *value,
  *
  * GPS time as the receiver knows it.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: GPS Time (0x91,0x09)
  */
 struct mip_gnss_1_gps_time {
@@ -602,6 +616,8 @@ mip_error mip_gnss_1_gps_time_encode(const struct mip_gnss_1_gps_time *value,
  * Fix info: data (0x91,0x0B).
  *
  * Type of the position fix and what it is made of.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
  */
@@ -632,6 +648,8 @@ mip_error mip_gnss_1_fix_info_encode(const struct mip_gnss_1_fix_info *value,
  * GNSS hardware status: data (0x91,0x0D).
  *
  * State of the receiver and of its antenna.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
  */
@@ -670,6 +688,8 @@ mip_error mip_gnss_1_gnss_hardware_status_encode(
  * Bias and drift of the receiver clock.
  *
  * It supersedes an older field, which the manual does not define.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10)
  */
@@ -712,6 +732,8 @@ mip_error mip_gnss_1_clock_info_2_encode(const struct mip_gnss_1_clock_info_2 *v
  *
  * Difference between GPS time and UTC.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
  */
 struct mip_gnss_1_gps_leap_seconds {
@@ -737,6 +759,8 @@ mip_error mip_gnss_1_gps_leap_seconds_encode(const struct mip_gnss_1_gps_leap_se
  * SBAS info: data (0x91,0x12).
  *
  * Status of the satellite based augmentation.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
  */
@@ -780,6 +804,8 @@ mip_error mip_gnss_1_sbas_info_encode(const struct mip_gnss_1_sbas_info *value,
  * Where one satellite stands, and its health.
  *
  * An epoch is sent as one field for each satellite; index and count number the fields.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
  */
@@ -841,6 +867,8 @@ mip_error mip_gnss_1_satellite_status_encode(const struct mip_gnss_1_satellite_s
  * An epoch is sent as one field for each signal; index and count number the fields.
  *
  * The greatest lock time depends on the receiver.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
  */
@@ -929,6 +957,8 @@ mip_error mip_gnss_1_raw_encode(const struct mip_gnss_1_raw *value, struct mip_b
  * Broadcast orbit and clock of one GPS satellite.
  *
  * iodec changes with the clock data; the manual has it roll over at 4.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
  */
@@ -1096,6 +1126,8 @@ mip_error mip_gnss_1_gps_ephemeris_encode(const struct mip_gnss_1_gps_ephemeris 
  *
  * A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
  */
 struct mip_gnss_1_glonass_ephemeris {
@@ -1226,6 +1258,8 @@ mip_error mip_gnss_1_glonass_ephemeris_encode(const struct mip_gnss_1_glonass_ep
  * corrections hold here.
  *
  * iodec changes with the clock data; the manual has it roll over at 4.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
  */
@@ -1393,6 +1427,8 @@ mip_error mip_gnss_1_galileo_ephemeris_encode(const struct mip_gnss_1_galileo_ep
  * corrections hold here.
  *
  * iodec changes with the clock data; the manual has it roll over at 4.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
  */

@@ -104,6 +104,8 @@ typedef uint16_t mip_gnss_corrections_rtk_corrections_status_flags;
  *
  * The base station of the corrections, from an RTCM message 1005 or 1006.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Base Station Info (0x93,0x30)
  */
 struct mip_gnss_corrections_base_station_info {
@@ -154,6 +156,8 @@ mip_error mip_gnss_corrections_base_station_info_encode(
  * RTK corrections status: data (0x93,0x31).
  *
  * Which corrections come, and how old they are.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)
  */

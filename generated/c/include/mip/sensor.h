@@ -52,6 +52,8 @@ typedef uint16_t mip_sensor_odometer_flags;
  *
  * Measured acceleration, temperature compensated.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
  * - 3dm-cv7-gnss-ins: Scaled Accel (0x80,0x04)
  */
@@ -73,6 +75,8 @@ mip_error mip_sensor_scaled_accel_encode(const struct mip_sensor_scaled_accel *v
  * Scaled gyro: data (0x80,0x05).
  *
  * Measured angular rate, temperature compensated.
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
  * - 3dm-cv7-gnss-ins: Scaled Gyro (0x80,0x05)
@@ -96,6 +100,8 @@ mip_error mip_sensor_scaled_gyro_encode(const struct mip_sensor_scaled_gyro *val
  *
  * Measured magnetic field, temperature compensated.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
  */
 struct mip_sensor_scaled_mag {
@@ -116,6 +122,8 @@ mip_error mip_sensor_scaled_mag_encode(const struct mip_sensor_scaled_mag *value
  * Delta theta: data (0x80,0x07).
  *
  * Time integral of the angular rate over the period that the message format sets.
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
  * - 3dm-cv7-gnss-ins: Delta Theta (0x80,0x07)
@@ -141,6 +149,8 @@ mip_error mip_sensor_delta_theta_encode(const struct mip_sensor_delta_theta *val
  *
  * Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08)
  * - 3dm-cv7-gnss-ins: Delta Velocity (0x80,0x08)
  */
@@ -164,6 +174,8 @@ mip_error mip_sensor_delta_velocity_encode(const struct mip_sensor_delta_velocit
  * Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
  *
  * v_vehicle = M * v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09)
  * - 3dm-cv7-gnss-ins: Complementary Filter Orientation Matrix (0x80,0x09)
@@ -195,6 +207,8 @@ mip_error mip_sensor_complementary_filter_orientation_matrix_encode(
  *
  * v_vehicle = q^-1 * v_ned * q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A)
  * - 3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)
  */
@@ -221,6 +235,8 @@ mip_error mip_sensor_complementary_filter_quaternion_encode(
  * Attitude by the complementary filter as Euler angles, relative to the NED frame.
  *
  * The rotations are in the order yaw, pitch, roll (3-2-1).
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C)
  * - 3dm-cv7-gnss-ins: Complementary Filter Euler Angles (0x80,0x0C)
@@ -252,6 +268,8 @@ mip_error mip_sensor_complementary_filter_euler_angles_encode(
  *
  * A lasting disturbance is not compensated.
  *
+ * Supported by 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10)
  */
 struct mip_sensor_complementary_filter_stabilized_north_vector {
@@ -277,6 +295,8 @@ mip_error mip_sensor_complementary_filter_stabilized_north_vector_encode(
  * Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
  *
  * At rest it equals the measured acceleration.
+ *
+ * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
  */
@@ -314,6 +334,8 @@ mip_error mip_sensor_complementary_filter_stabilized_up_vector_encode(
  * Where the device has it, use the shared GPS timestamp (0xFF,0xD3) instead; this field may be
  * deprecated.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
  * - 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)
  */
@@ -348,6 +370,8 @@ mip_error mip_sensor_gps_timestamp_encode(const struct mip_sensor_gps_timestamp 
  *
  * The values come from the inertial sensors, alone or together with sensors on the board.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Temperature Statistics (0x80,0x14)
  */
 struct mip_sensor_temperature_statistics {
@@ -373,6 +397,8 @@ mip_error mip_sensor_temperature_statistics_encode(
  *
  * Measured ambient pressure, temperature compensated.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
  * - 3dm-cv7-gnss-ins: Scaled Pressure (0x80,0x17)
  */
@@ -395,6 +421,8 @@ mip_error mip_sensor_scaled_pressure_encode(const struct mip_sensor_scaled_press
  *
  * Which sensor axes are near or outside their range.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18)
  */
 struct mip_sensor_overrange_status {
@@ -415,6 +443,8 @@ mip_error mip_sensor_overrange_status_encode(const struct mip_sensor_overrange_s
  * Odometer data: data (0x80,0x40).
  *
  * Speed by the wheel encoder.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
  */

@@ -45,6 +45,8 @@ typedef uint16_t mip_shared_external_time_delta_flags;
  *
  * Put it first in the format of event messages, to tell their packets from scheduled ones.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Event Source (0xFF,0xD0)
  */
 struct mip_shared_event_source {
@@ -74,6 +76,8 @@ mip_error mip_shared_event_source_encode(const struct mip_shared_event_source *v
  * number.
  *
  * An internal GNSS receiver as PPS source sets the time by itself.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPS Timestamp (0xFF,0xD3)
  */
@@ -109,6 +113,8 @@ mip_error mip_shared_gps_timestamp_encode(const struct mip_shared_gps_timestamp 
  *
  * Sending either restarts the counter that both share, so use only one of them.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Delta Time (0xFF,0xD4)
  */
 struct mip_shared_delta_time {
@@ -134,6 +140,8 @@ mip_error mip_shared_delta_time_encode(const struct mip_shared_delta_time *value
  *
  * In event messages it is the time of the trigger.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Reference Timestamp (0xFF,0xD5)
  */
 struct mip_shared_reference_timestamp {
@@ -156,6 +164,8 @@ mip_error mip_shared_reference_timestamp_encode(const struct mip_shared_referenc
  * Reference time since this field was last sent in the same set and event instance.
  *
  * The value is always valid.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Reference Time Delta (0xFF,0xD6)
  */
@@ -183,6 +193,8 @@ mip_error mip_shared_reference_time_delta_encode(
  * In event messages it is the time of the trigger.
  *
  * It becomes valid when the external clock is synchronized through the PPS.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: External Timestamp (0xFF,0xD7)
  */
@@ -213,6 +225,8 @@ mip_error mip_shared_external_timestamp_encode(const struct mip_shared_external_
  * It is the same as delta time (0xFF,0xD4), in other units.
  *
  * Sending either restarts the counter that both share, so use only one of them.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: External Time Delta (0xFF,0xD8)
  */

@@ -38,7 +38,7 @@ typedef uint8_t mip_system_protocol_mode;
  * answered.
  *
  * For advanced use. Functions: write, read, save, load and default. Answered by
- * mip_system_communication_mode_response.
+ * mip_system_communication_mode_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */
@@ -75,6 +75,8 @@ struct mip_system_communication_mode mip_system_communication_mode_default(void)
  * Communication mode response: response (0x7F,0x90).
  *
  * Answers Communication mode (0x7F,0x10).
+ *
+ * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */

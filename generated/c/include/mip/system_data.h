@@ -45,6 +45,8 @@ typedef uint8_t mip_system_data_gpio_pin_states;
  *
  * Unnamed bits are reserved and must be ignored.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * - 3dm-cv7-gnss-ins: Built In Test (0xA0,0x01)
  */
 struct mip_system_data_built_in_test {
@@ -68,6 +70,8 @@ mip_error mip_system_data_built_in_test_encode(const struct mip_system_data_buil
  * Time sync status: data (0xA0,0x02).
  *
  * Whether the device time is locked to the pulse per second.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Time Sync Status (0xA0,0x02)
  */
@@ -97,6 +101,8 @@ mip_error mip_system_data_time_sync_status_encode(
  * Only pins that are configured to the GPIO feature by (0x0C,0x41) are sure to give valid levels.
  *
  * For fast signals and exact times use the timestamp feature and the event system.
+ *
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO State (0xA0,0x03)
  */

@@ -20,6 +20,7 @@ class Accel(Data):
 
     A vector whose elements are valid together.
     Sent at 100 Hz at most.
+    Supported by Model A and Model B.
 
     - guide: Acceleration
     - leaflet: Acceleration
@@ -72,6 +73,7 @@ class Numbers(Data):
     """Numbers (0x80,0x02).
 
     One of each.
+    Supported by Model A.
 
     - guide: Numbers
     """
@@ -150,6 +152,7 @@ class Strings(Data):
     """Strings (0x80,0x03).
 
     Fixed, counted, and to the end.
+    Supported by Model A.
 
     - guide: Strings
     """
@@ -220,6 +223,7 @@ class Health(Data):
 
     The wide bitfield.
     Deprecated: use measurements.numbers instead
+    Supported by Model A.
 
     - guide: Health
     """
@@ -256,6 +260,7 @@ class Arrays(Data):
     """Arrays (0x80,0x05).
 
     Arrays of all that can stand in one.
+    Supported by Model A.
 
     - guide: Arrays
     """
@@ -317,6 +322,7 @@ class Growing(Data):
     """Growing (0x80,0x06).
 
     Newer devices send more of it.
+    Supported by Model A.
 
     - guide: Growing
     """

@@ -18,6 +18,7 @@ class Default(Command):
     """Default (0x0C,0x10).
 
     Its parameters are keywords here and there.
+    Supported by Model A.
 
     - guide: Default
     """

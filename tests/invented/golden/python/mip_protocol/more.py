@@ -18,6 +18,7 @@ class Own(Data):
     """Own (0x81,0x07).
 
     Beside those that it repeats.
+    Supported by Model A.
 
     - guide: Own
     """
@@ -46,6 +47,7 @@ class Accel(measurements.Accel):
     """Second acceleration (0x81,0x01).
 
     Has the values of measurements.Accel.
+    Supported by Model A.
 
     - guide: Second acceleration
     """
@@ -60,6 +62,7 @@ class Strings(measurements.Strings):
     """Strings (0x81,0x03).
 
     Has the values of measurements.Strings.
+    Supported by Model A.
 
     - guide: Second strings
     """

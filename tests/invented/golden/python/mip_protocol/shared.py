@@ -18,6 +18,7 @@ class Timestamp(Data):
     """Timestamp (0xFF,0xD3).
 
     When the packet was sent.
+    Supported by Model A.
 
     - guide: Timestamp
     """

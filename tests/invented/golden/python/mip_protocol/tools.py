@@ -181,6 +181,7 @@ class SettingsResponse(Response):
     """Settings response (0x01,0x82).
 
     Answers Settings (0x01,0x02).
+    Supported by Model A and Model B.
 
     - guide: Settings
     - leaflet: Settings
@@ -228,6 +229,7 @@ class SetTimeFastResponse(Response):
     """Set time response (0x01,0x83).
 
     Answers Set time (0x01,0x03).
+    Supported by Model A.
 
     - guide: Set time
     """
@@ -260,6 +262,7 @@ class SetTimeSlowResponse(Response):
     """Set time response (0x01,0x84).
 
     Answers Set time (0x01,0x03).
+    Supported by Model A.
 
     - guide: Set time
     """
@@ -293,6 +296,7 @@ class ChoiceResponse(Response):
     """Choice response (0x01,0x88).
 
     Answers Choice (0x01,0x08).
+    Supported by Model A.
 
     - guide: Choice
     """
@@ -361,6 +365,7 @@ class ListResponse(Response):
     """List response (0x01,0x89).
 
     Answers List (0x01,0x09).
+    Supported by Model A.
 
     - guide: List
     """
@@ -394,6 +399,7 @@ class InventoryResponse(Response):
     """Inventory response (0x01,0x8A).
 
     Answers Inventory (0x01,0x0A).
+    Supported by Model A.
 
     - guide: Inventory
     """
@@ -428,6 +434,7 @@ class PinResponse(Response):
     """Pin response (0x01,0x8B).
 
     Answers Pin (0x01,0x0B).
+    Supported by Model A.
 
     - guide: Pin
     """
@@ -471,6 +478,7 @@ class StatusShort(Response):
     """Status response (0x01,0x90).
 
     Answers Status (0x01,0x04).
+    Supported by Model A and Model B.
 
     - guide: Status
     """
@@ -523,6 +531,7 @@ class StatusLong(Response):
     """Status response (0x01,0x90).
 
     Answers Status (0x01,0x04).
+    Supported by Model A and Model B.
 
     - guide: Status
     """
@@ -576,6 +585,7 @@ class BiasVector(Response):
     """Bias response (0x01,0x9B).
 
     Answers Bias (0x01,0x05).
+    Supported by Model A.
 
     - guide: Bias
     - leaflet: Bias
@@ -606,6 +616,7 @@ class Ping(Command):
     """Ping (0x01,0x01).
 
     Tests the line.
+    Supported by Model A and Model B.
 
     - guide: Ping
     - leaflet: Ping
@@ -644,6 +655,7 @@ class Settings(Command):
     """Settings (0x01,0x02).
 
     Every function, and a prefix of parameters for each.
+    Supported by Model A and Model B.
 
     - guide: Settings
     - leaflet: Settings
@@ -783,6 +795,7 @@ class SetTime(Command):
 
     Two responses for one command.
     Send it once a second.
+    Supported by Model A.
 
     - guide: Set time
     """
@@ -869,6 +882,7 @@ class Status(Command):
 
     Two layouts of one response, told apart by constants.
     For advanced use.
+    Supported by Model A and Model B.
 
     - guide: Status
     """
@@ -913,6 +927,7 @@ class Bias(Command):
     """Bias (0x01,0x05).
 
     Its response serves another command too.
+    Supported by Model A.
 
     - guide: Bias
     - leaflet: Bias
@@ -993,6 +1008,7 @@ class CaptureBias(Command):
     """Capture bias (0x01,0x06).
 
     Measures the bias.
+    Supported by Model A.
 
     - guide: Capture bias
     """
@@ -1026,6 +1042,7 @@ class Formats(Command):
     """Formats (0x01,0x07).
 
     Counted arrays of structures and of numbers; not answered if told so.
+    Supported by Model A.
 
     - guide: Formats
     """
@@ -1079,6 +1096,7 @@ class Choice(Command):
     """Choice (0x01,0x08).
 
     A tagged union with an empty variant, nested unions, arrays and strings in it.
+    Supported by Model A.
 
     - guide: Choice
     """
@@ -1195,6 +1213,7 @@ class List(Command):
     """List (0x01,0x09).
 
     Optional counted array; a read may carry a zero count.
+    Supported by Model A.
 
     - guide: List
     """
@@ -1265,6 +1284,7 @@ class Inventory(Command):
     """Inventory (0x01,0x0A).
 
     Answers with an array to the end of the field.
+    Supported by Model A.
 
     - guide: Inventory
     """
@@ -1294,6 +1314,7 @@ class Pin(Command):
     """Pin (0x01,0x0B).
 
     The names of one number depend on another.
+    Supported by Model A.
 
     - guide: Pin
     """

@@ -10,7 +10,7 @@ pub const SET: u8 = 0x80;
 ///
 /// A vector whose elements are valid together.
 ///
-/// At most 100 Hz.
+/// At most 100 Hz. Supported by Model A and Model B.
 ///
 /// - Manual guide: Acceleration
 /// - Manual leaflet: Acceleration
@@ -57,6 +57,8 @@ impl Field for Accel {
 /// Numbers (0x80,0x02).
 ///
 /// One of each.
+///
+/// Supported by Model A.
 ///
 /// - Manual guide: Numbers
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -135,6 +137,8 @@ impl Field for Numbers {
 ///
 /// Fixed, counted, and to the end.
 ///
+/// Supported by Model A.
+///
 /// - Manual guide: Strings
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -182,6 +186,8 @@ impl Field for Strings {
 ///
 /// The wide bitfield.
 ///
+/// Supported by Model A.
+///
 /// - Manual guide: Health
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -219,6 +225,8 @@ impl Field for Health {
 /// Arrays (0x80,0x05).
 ///
 /// Arrays of all that can stand in one.
+///
+/// Supported by Model A.
 ///
 /// - Manual guide: Arrays
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -276,6 +284,8 @@ impl Field for Arrays {
 /// Growing (0x80,0x06).
 ///
 /// Newer devices send more of it.
+///
+/// Supported by Model A.
 ///
 /// - Manual guide: Growing
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -9,6 +9,8 @@ pub const SET: u8 = 0x0C;
 ///
 /// Its parameters are keywords here and there.
 ///
+/// Supported by Model A.
+///
 /// - Manual guide: Default
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -20,6 +20,8 @@ pub type Strings = crate::measurements::Strings;
 ///
 /// Beside those that it repeats.
 ///
+/// Supported by Model A.
+///
 /// - Manual guide: Own
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

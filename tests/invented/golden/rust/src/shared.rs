@@ -10,6 +10,8 @@ pub const SET: u8 = 0xFF;
 ///
 /// When the packet was sent.
 ///
+/// Supported by Model A.
+///
 /// - Manual guide: Timestamp
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -273,6 +273,8 @@ open_enum! {
 ///
 /// Tests the line.
 ///
+/// Supported by Model A and Model B.
+///
 /// - Manual guide: Ping
 /// - Manual leaflet: Ping
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -314,7 +316,8 @@ impl Command for Ping {
 ///
 /// Every function, and a prefix of parameters for each.
 ///
-/// Functions: write, read, save, load, default, apply. Response: [`SettingsResponse`].
+/// Functions: write, read, save, load, default, apply. Response: [`SettingsResponse`]. Supported by
+/// Model A and Model B.
 ///
 /// - Manual guide: Settings
 /// - Manual leaflet: Settings
@@ -504,7 +507,7 @@ impl ResponseOf<Settings> for SettingsResponse {}
 ///
 /// - Send it once a second.
 ///
-/// Functions: write, read, apply. Response: one of [`SetTimeResponses`].
+/// Functions: write, read, apply. Response: one of [`SetTimeResponses`]. Supported by Model A.
 ///
 /// - Manual guide: Set time
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -607,7 +610,8 @@ crate::macros::responses! {
 ///
 /// Two layouts of one response, told apart by constants.
 ///
-/// Response: one of [`StatusResponses`]. The device may take 2.5 s. For advanced use.
+/// Response: one of [`StatusResponses`]. The device may take 2.5 s. For advanced use. Supported by
+/// Model A and Model B.
 ///
 /// - Manual guide: Status
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -678,7 +682,7 @@ crate::macros::responses! {
 ///
 /// Its response serves another command too.
 ///
-/// Functions: write, read, save, load, default. Response: [`BiasVector`].
+/// Functions: write, read, save, load, default. Response: [`BiasVector`]. Supported by Model A.
 ///
 /// - Manual guide: Bias
 /// - Manual leaflet: Bias
@@ -773,7 +777,7 @@ impl ResponseOf<Bias> for BiasVector {}
 ///
 /// Measures the bias.
 ///
-/// Response: [`BiasVector`].
+/// Response: [`BiasVector`]. Supported by Model A.
 ///
 /// - Manual guide: Capture bias
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -828,7 +832,7 @@ impl ResponseOf<CaptureBias> for BiasVector {}
 ///
 /// Counted arrays of structures and of numbers; not answered if told so.
 ///
-/// Not acknowledged if `suppress_ack` is true.
+/// Not acknowledged if `suppress_ack` is true. Supported by Model A.
 ///
 /// - Manual guide: Formats
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -893,7 +897,7 @@ impl Command for Formats {
 ///
 /// A tagged union with an empty variant, nested unions, arrays and strings in it.
 ///
-/// Functions: write, read. Response: [`ChoiceResponse`].
+/// Functions: write, read. Response: [`ChoiceResponse`]. Supported by Model A.
 ///
 /// - Manual guide: Choice
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -1053,7 +1057,7 @@ impl ResponseOf<Choice> for ChoiceResponse {}
 ///
 /// Optional counted array; a read may carry a zero count.
 ///
-/// Functions: write, read, save. Response: [`ListResponse`].
+/// Functions: write, read, save. Response: [`ListResponse`]. Supported by Model A.
 ///
 /// - Manual guide: List
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -1140,7 +1144,7 @@ impl ResponseOf<List> for ListResponse {}
 ///
 /// Answers with an array to the end of the field.
 ///
-/// Response: [`InventoryResponse`].
+/// Response: [`InventoryResponse`]. Supported by Model A.
 ///
 /// - Manual guide: Inventory
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1188,7 +1192,7 @@ impl ResponseOf<Inventory> for InventoryResponse {}
 ///
 /// The names of one number depend on another.
 ///
-/// Functions: write, read. Response: [`PinResponse`].
+/// Functions: write, read. Response: [`PinResponse`]. Supported by Model A.
 ///
 /// - Manual guide: Pin
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -1281,7 +1285,7 @@ impl ResponseOf<Pin> for PinResponse {}
 ///
 /// Answers Settings (0x01,0x02).
 ///
-/// Command: [`Settings`].
+/// Command: [`Settings`]. Supported by Model A and Model B.
 ///
 /// - Manual guide: Settings
 /// - Manual leaflet: Settings
@@ -1356,7 +1360,7 @@ impl Field for SettingsResponse {
 ///
 /// Answers Set time (0x01,0x03).
 ///
-/// Command: [`SetTime`].
+/// Command: [`SetTime`]. Supported by Model A.
 ///
 /// - Manual guide: Set time
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1393,7 +1397,7 @@ impl Field for SetTimeFastResponse {
 ///
 /// Answers Set time (0x01,0x03).
 ///
-/// Command: [`SetTime`].
+/// Command: [`SetTime`]. Supported by Model A.
 ///
 /// - Manual guide: Set time
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1430,7 +1434,7 @@ impl Field for SetTimeSlowResponse {
 ///
 /// Answers Choice (0x01,0x08).
 ///
-/// Command: [`Choice`].
+/// Command: [`Choice`]. Supported by Model A.
 ///
 /// - Manual guide: Choice
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1475,7 +1479,7 @@ impl Field for ChoiceResponse {
 ///
 /// Answers List (0x01,0x09).
 ///
-/// Command: [`List`].
+/// Command: [`List`]. Supported by Model A.
 ///
 /// - Manual guide: List
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1512,7 +1516,7 @@ impl Field for ListResponse {
 ///
 /// Answers Inventory (0x01,0x0A).
 ///
-/// Command: [`Inventory`].
+/// Command: [`Inventory`]. Supported by Model A.
 ///
 /// - Manual guide: Inventory
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1547,7 +1551,7 @@ impl Field for InventoryResponse {
 ///
 /// Answers Pin (0x01,0x0B).
 ///
-/// Command: [`Pin`].
+/// Command: [`Pin`]. Supported by Model A.
 ///
 /// - Manual guide: Pin
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1602,7 +1606,7 @@ impl Field for PinResponse {
 ///
 /// Answers Status (0x01,0x04).
 ///
-/// Command: [`Status`].
+/// Command: [`Status`]. Supported by Model A and Model B.
 ///
 /// - Manual guide: Status
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1656,7 +1660,7 @@ impl Field for StatusShort {
 ///
 /// Answers Status (0x01,0x04).
 ///
-/// Command: [`Status`].
+/// Command: [`Status`]. Supported by Model A and Model B.
 ///
 /// - Manual guide: Status
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -1716,7 +1720,7 @@ impl Field for StatusLong {
 ///
 /// Answers Bias (0x01,0x05).
 ///
-/// Command: [`Bias`]. Command: [`CaptureBias`].
+/// Command: [`Bias`]. Command: [`CaptureBias`]. Supported by Model A.
 ///
 /// - Manual guide: Bias
 /// - Manual leaflet: Bias

@@ -23,6 +23,8 @@ extern "C" {
  *
  * Its parameters are keywords here and there.
  *
+ * Supported by Model A.
+ *
  * - guide: Default
  */
 struct mip_3d_default {

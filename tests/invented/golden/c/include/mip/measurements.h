@@ -23,7 +23,7 @@ extern "C" {
  *
  * A vector whose elements are valid together.
  *
- * Sent at 100 Hz at most.
+ * Sent at 100 Hz at most. Supported by Model A and Model B.
  *
  * - guide: Acceleration
  * - leaflet: Acceleration
@@ -52,6 +52,8 @@ mip_error mip_measurements_accel_encode(const struct mip_measurements_accel *val
  * Numbers: data (0x80,0x02).
  *
  * One of each.
+ *
+ * Supported by Model A.
  *
  * - guide: Numbers
  */
@@ -96,6 +98,8 @@ mip_error mip_measurements_numbers_encode(const struct mip_measurements_numbers 
  *
  * Fixed, counted, and to the end.
  *
+ * Supported by Model A.
+ *
  * - guide: Strings
  */
 struct mip_measurements_strings {
@@ -124,7 +128,7 @@ mip_error mip_measurements_strings_encode(const struct mip_measurements_strings 
  *
  * The wide bitfield.
  *
- * Deprecated: use measurements.numbers instead.
+ * Deprecated: use measurements.numbers instead. Supported by Model A.
  *
  * - guide: Health
  */
@@ -148,6 +152,8 @@ mip_error mip_measurements_health_encode(const struct mip_measurements_health *v
  * Arrays: data (0x80,0x05).
  *
  * Arrays of all that can stand in one.
+ *
+ * Supported by Model A.
  *
  * - guide: Arrays
  */
@@ -179,6 +185,8 @@ mip_error mip_measurements_arrays_encode(const struct mip_measurements_arrays *v
  * Growing: data (0x80,0x06).
  *
  * Newer devices send more of it.
+ *
+ * Supported by Model A.
  *
  * - guide: Growing
  */

@@ -24,6 +24,8 @@ extern "C" {
  *
  * Beside those that it repeats.
  *
+ * Supported by Model A.
+ *
  * - guide: Own
  */
 struct mip_more_own {

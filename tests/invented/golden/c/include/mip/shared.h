@@ -23,6 +23,8 @@ extern "C" {
  *
  * When the packet was sent.
  *
+ * Supported by Model A.
+ *
  * - guide: Timestamp
  */
 struct mip_shared_timestamp {

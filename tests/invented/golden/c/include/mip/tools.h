@@ -116,6 +116,8 @@ typedef uint8_t mip_tools_serial_use;
  *
  * Tests the line.
  *
+ * Supported by Model A and Model B.
+ *
  * - guide: Ping
  * - leaflet: Ping
  */
@@ -137,6 +139,7 @@ mip_error mip_tools_ping_encode(const struct mip_tools_ping *value, struct mip_b
  * Every function, and a prefix of parameters for each.
  *
  * Functions: write, read, save, load, default and apply. Answered by mip_tools_settings_response.
+ * Supported by Model A and Model B.
  *
  * - guide: Settings
  * - leaflet: Settings
@@ -191,6 +194,8 @@ struct mip_tools_settings mip_tools_settings_apply(uint8_t port, mip_mode mode, 
  *
  * Answers Settings (0x01,0x02).
  *
+ * Supported by Model A and Model B.
+ *
  * - guide: Settings
  * - leaflet: Settings
  */
@@ -227,7 +232,7 @@ mip_error mip_tools_settings_response_encode(const struct mip_tools_settings_res
  * Send it once a second.
  *
  * Functions: write, read and apply. Answered by mip_tools_set_time_fast_response or
- * mip_tools_set_time_slow_response.
+ * mip_tools_set_time_slow_response. Supported by Model A.
  *
  * - guide: Set time
  */
@@ -262,7 +267,7 @@ struct mip_tools_set_time mip_tools_set_time_apply(mip_mode part, uint32_t value
  *
  * Answers Set time (0x01,0x03).
  *
- * Sent if part is fast.
+ * Sent if part is fast. Supported by Model A.
  *
  * - guide: Set time
  */
@@ -285,7 +290,7 @@ mip_error mip_tools_set_time_fast_response_encode(
  *
  * Answers Set time (0x01,0x03).
  *
- * Sent if part is slow.
+ * Sent if part is slow. Supported by Model A.
  *
  * - guide: Set time
  */
@@ -309,7 +314,7 @@ mip_error mip_tools_set_time_slow_response_encode(
  * Two layouts of one response, told apart by constants.
  *
  * For advanced use. Answered by mip_tools_status_short or mip_tools_status_long. The device may
- * take 2.5 s to answer.
+ * take 2.5 s to answer. Supported by Model A and Model B.
  *
  * - guide: Status
  */
@@ -333,7 +338,7 @@ struct mip_tools_status mip_tools_status_make(uint8_t selector);
  *
  * Answers Status (0x01,0x04).
  *
- * Sent if selector is 1.
+ * Sent if selector is 1. Supported by Model A and Model B.
  *
  * - guide: Status
  */
@@ -358,7 +363,7 @@ mip_error mip_tools_status_short_encode(const struct mip_tools_status_short *val
  *
  * Answers Status (0x01,0x04).
  *
- * Sent if selector is 2.
+ * Sent if selector is 2. Supported by Model A and Model B.
  *
  * - guide: Status
  */
@@ -385,7 +390,8 @@ mip_error mip_tools_status_long_encode(const struct mip_tools_status_long *value
  *
  * Its response serves another command too.
  *
- * Functions: write, read, save, load and default. Answered by mip_tools_bias_vector.
+ * Functions: write, read, save, load and default. Answered by mip_tools_bias_vector. Supported by
+ * Model A.
  *
  * - guide: Bias
  * - leaflet: Bias
@@ -421,6 +427,8 @@ struct mip_tools_bias mip_tools_bias_default(void);
  *
  * Answers Bias (0x01,0x05).
  *
+ * Supported by Model A.
+ *
  * - guide: Bias
  * - leaflet: Bias
  */
@@ -443,7 +451,7 @@ mip_error mip_tools_bias_vector_encode(const struct mip_tools_bias_vector *value
  *
  * Measures the bias.
  *
- * Answered by mip_tools_bias_vector.
+ * Answered by mip_tools_bias_vector. Supported by Model A.
  *
  * - guide: Capture bias
  */
@@ -468,7 +476,7 @@ struct mip_tools_capture_bias mip_tools_capture_bias_make(uint16_t time);
  *
  * Counted arrays of structures and of numbers; not answered if told so.
  *
- * Not acknowledged if suppress_ack is true.
+ * Not acknowledged if suppress_ack is true. Supported by Model A.
  *
  * - guide: Formats
  */
@@ -512,7 +520,7 @@ union mip_tools_choice_parameters {
  *
  * A tagged union with an empty variant, nested unions, arrays and strings in it.
  *
- * Functions: write and read. Answered by mip_tools_choice_response.
+ * Functions: write and read. Answered by mip_tools_choice_response. Supported by Model A.
  *
  * - guide: Choice
  */
@@ -559,6 +567,8 @@ union mip_tools_choice_response_parameters {
  *
  * Answers Choice (0x01,0x08).
  *
+ * Supported by Model A.
+ *
  * - guide: Choice
  */
 struct mip_tools_choice_response {
@@ -584,7 +594,7 @@ mip_error mip_tools_choice_response_encode(const struct mip_tools_choice_respons
  *
  * Optional counted array; a read may carry a zero count.
  *
- * Functions: write, read and save. Answered by mip_tools_list_response.
+ * Functions: write, read and save. Answered by mip_tools_list_response. Supported by Model A.
  *
  * - guide: List
  */
@@ -617,6 +627,8 @@ struct mip_tools_list mip_tools_list_save(void);
  *
  * Answers List (0x01,0x09).
  *
+ * Supported by Model A.
+ *
  * - guide: List
  */
 struct mip_tools_list_response {
@@ -640,7 +652,7 @@ mip_error mip_tools_list_response_encode(const struct mip_tools_list_response *v
  *
  * Answers with an array to the end of the field.
  *
- * Answered by mip_tools_inventory_response.
+ * Answered by mip_tools_inventory_response. Supported by Model A.
  *
  * - guide: Inventory
  */
@@ -662,6 +674,8 @@ mip_error mip_tools_inventory_encode(const struct mip_tools_inventory *value,
  * Inventory response: response (0x01,0x8A).
  *
  * Answers Inventory (0x01,0x0A).
+ *
+ * Supported by Model A.
  *
  * - guide: Inventory
  */
@@ -685,7 +699,7 @@ mip_error mip_tools_inventory_response_encode(const struct mip_tools_inventory_r
  *
  * The names of one number depend on another.
  *
- * Functions: write and read. Answered by mip_tools_pin_response.
+ * Functions: write and read. Answered by mip_tools_pin_response. Supported by Model A.
  *
  * - guide: Pin
  */
@@ -718,6 +732,8 @@ struct mip_tools_pin mip_tools_pin_read(mip_tools_drive drive);
  * Pin response: response (0x01,0x8B).
  *
  * Answers Pin (0x01,0x0B).
+ *
+ * Supported by Model A.
  *
  * - guide: Pin
  */
