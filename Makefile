@@ -85,7 +85,7 @@ check: tools $(VENV)/development.stamp ## validate, compare generated/ with the 
 .PHONY: docs
 docs: $(VENV)/development.stamp ## build the reference as a searchable site in build/site
 	@mkdir -p $(BUILD)
-	@cd $(OUT)/markdown && $(abspath $(RUN)) -m mkdocs build --quiet --strict --site-dir $(abspath $(BUILD))/site
+	@cd $(OUT)/markdown && NO_MKDOCS_2_WARNING=1 $(abspath $(RUN)) -m mkdocs build --quiet --strict --site-dir $(abspath $(BUILD))/site
 	@echo "$(BUILD)/site/index.html"
 
 .PHONY: bench
