@@ -284,6 +284,8 @@ def test_no_request_kills_a_driver(language: str) -> None:
 
 # --------------------------------------------------------------------------- streams
 
+#: Descriptor set 0 is not a packet, however right its checksum is.
+NO_PACKET = b"ue\x00\x00" + codec.checksum(b"ue\x00\x00")
 NMEA = b"$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\r\n"
 
 
@@ -307,6 +309,7 @@ def streams(spec: str) -> list[bytes]:
                         b"u",
                         b"ueue",
                         b"ue\x00\x00",
+                        NO_PACKET,
                         b"ue\x80\xff" + packet,
                         packet[: chance.randrange(len(packet))],
                         packet[:-1] + bytes([packet[-1] ^ 1]),
@@ -328,6 +331,13 @@ def test_streams_in_many_chunkings(language: str, spec: str) -> None:
         for chunk in (1, 2, 3, 7, 64, 1000):
             requests.append({"op": "parse", "stream": stream.hex(), "chunk": chunk})
     compare(language, spec, requests)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_descriptor_set_0_is_not_a_packet(language: str) -> None:
+    requests = [decode_request(NO_PACKET), {"op": "parse", "stream": NO_PACKET.hex(), "chunk": 1}]
+    answers = compare(language, "invented", requests)
+    assert answers == [{"error": "length"}, {"packets": [], "skipped": len(NO_PACKET)}]
 
 
 @each
