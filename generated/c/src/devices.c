@@ -370,7 +370,7 @@ static const struct mip_device_note cv7_gnss_ins_notes[] = {
      "and cuts the gyroscope column off; ask the device by (0x0C,0x53).",
      cv7_gnss_ins_sensor_ranges_cells, 5, 3},
     {"pps", "Pulse per second",
-     "The filter needs a valid PPS to initialize and to process measurements. A PPS output has a "
+     "Without a valid PPS the filter neither starts nor takes measurements in. A PPS output has a "
      "duty cycle of 50 % and its rising edge begins the second.",
      NULL, 0, 0},
 };

@@ -464,7 +464,7 @@ CV7_GNSS_INS = Device(
         ),
         "pps": Note(
             "Pulse per second",
-            "The filter needs a valid PPS to initialize and to process measurements. A PPS output has a duty cycle of 50 % and its rising edge begins the second.",
+            "Without a valid PPS the filter neither starts nor takes measurements in. A PPS output has a duty cycle of 50 % and its rising edge begins the second.",
             (),
         ),
     },

@@ -256,7 +256,7 @@ pub static ALL: &[&Device] = &[&CV7_GNSS_INS, &GX5_15];
 ///
 /// # Pulse per second
 ///
-/// The filter needs a valid PPS to initialize and to process measurements. A PPS output has a duty
+/// Without a valid PPS the filter neither starts nor takes measurements in. A PPS output has a duty
 /// cycle of 50 % and its rising edge begins the second.
 pub static CV7_GNSS_INS: Device = Device {
     id: "3dm-cv7-gnss-ins",
