@@ -637,6 +637,11 @@ class Model:
     devices: tuple[Device, ...]
     examples: tuple[Example, ...]
     errata: tuple[Erratum, ...]
+    tastes: tuple[tuple[str, str], ...] = ()  # programs that show the bindings with fields of this specification
+
+    def taste(self, name: str) -> str:
+        """The text of one of them; empty if the specification brings none of that name."""
+        return dict(self.tastes).get(name, "")
 
     @property
     def fields(self) -> tuple[Field, ...]:

@@ -9,14 +9,6 @@ from .model import Position
 from .problems import Problems
 
 
-def snake(words: str) -> str:
-    """
-    >>> snake("gps_time_update")
-    'gps_time_update'
-    """
-    return words
-
-
 def upper(words: str) -> str:
     """
     >>> upper("gps_time_update")

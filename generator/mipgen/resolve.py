@@ -42,7 +42,8 @@ def load_model(spec: Path) -> m.Model:
         model = replace(model, examples=examples, errata=errata)
         checks.check_evidence(model, problems)
     problems.raise_if_any()
-    return model
+    tastes = sorted(p for p in (spec / "taste").glob("*") if p.is_file())
+    return replace(model, tastes=tuple((p.name, p.read_text("utf-8")) for p in tastes))
 
 
 def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types, m.Model]:

@@ -9,7 +9,7 @@ import pkgutil
 import mipgen
 import pytest
 from mipgen.model import Position
-from mipgen.naming import Escape, Identifier, collisions, pascal, snake, upper
+from mipgen.naming import Escape, Identifier, collisions, pascal, upper
 from mipgen.problems import Problems
 
 MODULES = [f"mipgen.{m.name}" for m in pkgutil.iter_modules(mipgen.__path__) if m.name not in ("__main__", "targets")]
@@ -33,7 +33,6 @@ def test_there_are_doctests() -> None:
 )  # fmt: skip
 def test_cases(words: str, camel: str) -> None:
     assert pascal(words) == camel
-    assert snake(words) == words
     assert upper(words) == words.upper()
 
 

@@ -275,12 +275,14 @@ def test_flush_gives_up_the_pending_candidate_only() -> None:
     assert parser.skipped == 4 and parser.pending == 0
 
 
-def test_parser_is_linear() -> None:
-    """A long stream of false beginnings must not be scanned again and again."""
+def test_parser_keeps_no_more_than_a_packet() -> None:
+    """Of a long stream of false beginnings, no more is kept than one packet may have."""
     parser = mip.parser.Parser()
+    fed = 0
     for _ in range(200):
-        parser.feed(b"ue" * 500)
-    assert parser.pending <= 261
+        fed += len(b"ue" * 500)
+        assert parser.feed(b"ue" * 500) == []
+        assert parser.pending <= 261 and parser.pending + parser.skipped == fed
 
 
 # --------------------------------------------------------------------------- client

@@ -39,8 +39,11 @@ def files(model: m.Model) -> Iterator[File]:
     yield File("src/reflection.c", "reflection.c.j2")
     yield File("include/mip/devices.h", "devices.h.j2")
     yield File("src/devices.c", "devices.c.j2")
-    taste = (_RUNTIME / "taste.c").read_text("utf-8").partition("*/\n")[2].rstrip()
-    yield File("README.md", "README.md.j2", {"taste": taste})
+    taste = model.taste("taste.c")
+    if taste:
+        yield File("taste.c", "verbatim.j2", {"text": taste})
+    shown = {"taste": taste.partition("*/\n")[2].rstrip(), "client": model.taste("client.c").rstrip()}
+    yield File("README.md", "README.md.j2", shown)
     yield File("CMakeLists.txt", "CMakeLists.txt.j2", {"sources": _sources(model)})
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from .. import model as m
 from ..naming import Escape, Identifier, pascal, upper
-from ..render import ROOT, File, language
+from ..render import File, language
 
 TITLE = "Python >= 3.10, package mip_protocol"
 WIDTH = 100
@@ -29,8 +29,11 @@ _constant = Escape(frozenset(), digit_prefix="N")
 def files(model: m.Model) -> Iterator[File]:
     package = "mip_protocol"
     yield File("pyproject.toml", "pyproject.toml.j2")
-    taste = (ROOT / "templates/python/runtime/taste.py").read_text("utf-8")
-    yield File("README.md", "README.md.j2", {"taste": taste.partition('"""\n\n')[2].rstrip()})
+    taste = model.taste("taste.py")
+    if taste:
+        yield File("taste.py", "verbatim.j2", {"text": taste})
+    shown = {"taste": taste.partition('"""\n\n')[2].rstrip(), "client": model.taste("client.py").rstrip()}
+    yield File("README.md", "README.md.j2", shown)
     yield File(f"{package}/__init__.py", "init.py.j2")
     yield File(f"{package}/types.py", "types.py.j2")
     yield File(f"{package}/protocol.py", "protocol.py.j2")

@@ -5,9 +5,9 @@
  * The caller builds a packet, sends it, hands over the packets that come back, and says what time
  * it is. The caller also owns the requests: each must stay in place until it is no longer waiting.
  *
- *     mip_builder_start(&packet, buffer, sizeof(buffer), MIP_3DM_SET);
- *     mip_client_add(&client, &request, &packet, &mip_3dm_pps_source_control_codec, &command, now);
- *     mip_client_expect(&request, &mip_3dm_pps_source_control_response_codec, &response);
+ *     mip_builder_start(&packet, buffer, sizeof(buffer), MIP_..._SET);
+ *     mip_client_add(&client, &request, &packet, &mip_..._codec, &command, now);
+ *     mip_client_expect(&request, &mip_..._response_codec, &response);
  *     ... send mip_builder_finish(&packet) ...
  *     while (request.state == MIP_REQUEST_WAITING) {
  *         ... mip_client_receive(&client, &received) for each packet that comes ...
