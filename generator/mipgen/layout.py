@@ -120,8 +120,8 @@ class Types:
                     self.problems.add(
                         entry.position, f"'{entry.value}' stands twice in the vector '{name}'; rename one"
                     )
-            return m.Vector(name, scalar, tuple(elements), description)
-        origin = (description, owner, sources(node, self.vocabulary, self.problems))
+            return m.Vector(name, scalar, tuple(elements), description, sentences(node, "uncertain"))
+        origin = (description, owner, sources(node, self.vocabulary, self.problems), sentences(node, "uncertain"))
         if kinds[0] == "enum":
             return m.Enum(name, m.SCALARS[node["enum"].value], self._values(node), *origin, position=node.position)
         if kinds[0] == "struct":
@@ -144,7 +144,8 @@ class Types:
                 v["value"].value,
                 v.scalar("description", ""),
                 v.scalar("deprecated", False),
-                position=places[name],
+                sentences(v, "uncertain"),
+                places[name],
             )
             for name, v in node["values"].items()
         )
@@ -167,9 +168,8 @@ class Types:
                 continue
             place = node["bits"].keys[name]
             enum = self._enum_of(entry, owner)
-            found.append(
-                m.Bits(name, low, high, entry.scalar("description", ""), entry.scalar("alias", False), enum, place)
-            )
+            description, alias = entry.scalar("description", ""), entry.scalar("alias", False)
+            found.append(m.Bits(name, low, high, description, alias, enum, sentences(entry, "uncertain"), place))
         return tuple(found)
 
     def _enum_of(self, bits: Node, owner: str | None) -> m.Enum | None:
@@ -358,7 +358,9 @@ class _Build:
         """Adds what the value means to how it is laid out."""
         words = self.types.vocabulary
         low, high = meaning.limits(node, p, self.problem)
-        p = replace(p, minimum=low, maximum=high, reserved=meaning.reserved(node, p, self.problem))
+        above, below = meaning.open_limits(node, p, low, high, self.problem)
+        p = replace(p, minimum=low, maximum=high, above=above, below=below)
+        p = replace(p, reserved=meaning.reserved(node, p, self.problem))
         return replace(
             p,
             description=node.scalar("description", ""),
@@ -370,7 +372,8 @@ class _Build:
             functions=self.presence(node, p),
             optional=self.may_be_absent(node, p),
             deprecated=node.scalar("deprecated", False),
-            notes=tuple(node["notes"].plain()) if "notes" in node else (),
+            notes=sentences(node, "notes"),
+            uncertain=sentences(node, "uncertain"),
         )
 
     def reading(self, node: Node, p: m.Parameter) -> m.Reading | None:
@@ -548,6 +551,11 @@ class _Build:
                     most = min(most, (1 << (8 * counter.element.size)) - 1)
                 found[p.name] = most
         return found
+
+
+def sentences(node: Node, key: str) -> tuple[str, ...]:
+    """A list of sentences: `notes`, or what is `uncertain`."""
+    return tuple(node[key].plain()) if key in node else ()
 
 
 def sources(node: Node, vocabulary: Vocabulary, problems: Problems) -> tuple[m.Source, ...]:

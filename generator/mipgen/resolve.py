@@ -9,7 +9,7 @@ from typing import Literal
 
 from . import checks, evidence, loader
 from . import model as m
-from .layout import Types, Vocabulary, sources
+from .layout import Types, Vocabulary, sentences, sources
 from .nodes import Node
 from .problems import Problems, nearest
 
@@ -17,8 +17,10 @@ SHARED_SET = 0xFF
 
 Kind = Literal["command", "data", "shared"]
 
+ROLES: tuple[m.Role, ...] = (m.COMMAND, m.RESPONSE, m.DATA)
+
 #: Keys of a field that suit one role only.
-COMMAND_KEYS = ("functions", "responses", "silent_when", "timeout")
+COMMAND_KEYS = ("functions", "responses", "silent_when", "sent_by", "timeout")
 DATA_KEYS = ("max_rate",)
 
 
@@ -169,7 +171,8 @@ class _Sets:
         fields.sort(key=lambda f: (order[f.role], f.descriptor))
         return m.Set(
             number, name, kind, node["title"].value, node["description"].value, self.types.of(name), tuple(fields),
-            sources(node, self.types.vocabulary, self.problems), node.position,
+            sources(node, self.types.vocabulary, self.problems), self.named(node, kind, others),
+            sentences(node, "uncertain"), node.position,
         )  # fmt: skip
 
     def field(self, node: Node, number: int, set_name: str, kind: Kind) -> list[m.Field]:
@@ -200,7 +203,8 @@ class _Sets:
             functions=functions, required=record.required, required_count=record.required_count,
             max_rate=node.scalar("max_rate"), timeout=node.scalar("timeout"),
             advanced=node.scalar("advanced", False), deprecated=node.scalar("deprecated"),
-            notes=tuple(node["notes"].plain()) if "notes" in node else (), position=node.position,
+            sent_by=node.scalar("sent_by", "host"), also=sentences(node, "also"),
+            notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"), position=node.position,
         )  # fmt: skip
         silent = self.conditions(node.get("silent_when") if role == m.COMMAND else None, command)
         responses = [r for entry in node.get("responses") or () if (r := self.response(entry, node, command))]
@@ -248,7 +252,8 @@ class _Sets:
             ),
             required_count=record.required_count, command=command.name,
             when=self.conditions(node.get("when"), command),
-            notes=tuple(node["notes"].plain()) if "notes" in node else (), position=node.position,
+            also=(*(f"{name}_response" for name in command.also if "name" not in node), *sentences(node, "also")),
+            notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"), position=node.position,
         )  # fmt: skip
 
     def conditions(self, node: Node | None, command: m.Field) -> tuple[m.Condition, ...]:
@@ -298,29 +303,65 @@ class _Sets:
         if origin is None:
             self.problems.add(of.position, f"no set '{of.value}' to repeat{nearest(of.value, others)}")
             return []
-        found = []
+        if "fields" not in node["repeats"] and not self.whole(node):
+            self.problems.add(
+                node.keys["repeats"], "say which fields are repeated, by 'fields', or all of them, by their 'sources'"
+            )
         known = {f.name: f for f in origin.own_fields if f.role == m.DATA}
-        for entry in node["repeats"]["fields"]:
+        found: dict[str, m.Field] = {}
+
+        def repeat(field: m.Field, title: str, cited: tuple[m.Source, ...], place: m.Position) -> None:
+            found[field.name] = replace(
+                field,
+                set=number,
+                set_name=set_name,
+                definition=field.full_name,
+                title=title,
+                sources=cited,
+                position=place,
+            )
+
+        for entry in node["repeats"].get("fields") or ():
             name = entry["name"].value
             field = known.get(name)
             if field is None:
                 near = nearest(name, known)
                 self.problems.add(entry["name"].position, f"the set '{of.value}' has no data field '{name}'{near}")
                 continue
-            title = entry.scalar("title", field.title)
+            if name in found:
+                self.problems.add(entry["name"].position, f"'{name}' stands twice; remove one")
             cited = sources(entry, self.types.vocabulary, self.problems)
+            repeat(field, entry.scalar("title", field.title), cited, entry.position)
+        if self.whole(node):
+            cited = sources(node["repeats"], self.types.vocabulary, self.problems)
+            for name, field in known.items():
+                if name not in found:
+                    repeat(field, field.title, cited, of.position)
+        return list(found.values())
+
+    @staticmethod
+    def whole(node: Node) -> bool:
+        """Does a set repeat all of another? Then it gives the sources of all those that it does not list."""
+        return "repeats" in node and "sources" in node["repeats"]
+
+    def named(self, node: Node, kind: Kind, others: dict[str, m.Set]) -> tuple[m.Named, ...]:
+        """Descriptors without a layout, those of a set that this one repeats as a whole included."""
+        found: list[m.Named] = []
+        for entry in node.get("named") or ():
+            roles: list[m.Role] = [r for r in ROLES if r in entry]
+            if len(roles) != 1 or (roles == [m.DATA]) != (kind != "command"):
+                wanted = "'command: 0x..' or 'response: 0x..'" if kind == "command" else "'data: 0x..'"
+                self.problems.add(entry.position, f"a named descriptor of a {kind} set has {wanted}")
+                continue
             found.append(
-                replace(
-                    field,
-                    set=number,
-                    set_name=set_name,
-                    definition=field.full_name,
-                    title=title,
-                    sources=cited,
-                    position=entry.position,
+                m.Named(
+                    entry[roles[0]].value, roles[0], entry["name"].value, entry["title"].value,
+                    sources(entry, self.types.vocabulary, self.problems), entry.position,
                 )
-            )
-        return found
+            )  # fmt: skip
+        origin = others.get(node["repeats"]["of"].value) if self.whole(node) else None
+        found += origin.named if origin else ()
+        return tuple(sorted(found, key=lambda x: (x.role == m.RESPONSE, x.descriptor)))
 
 
 # --------------------------------------------------------------------------- devices

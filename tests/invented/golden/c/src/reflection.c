@@ -6,6 +6,7 @@
 #include "mip/3d.h"
 #include "mip/measurements.h"
 #include "mip/more.h"
+#include "mip/copy.h"
 #include "mip/shared.h"
 
 /* A member's place and the bytes of one item of it. */
@@ -348,6 +349,15 @@ static const struct mip_record record_tools_pin = {
     parameters_tools_pin, 3, sizeof(struct mip_tools_pin)};
 static const uint8_t required_tools_pin[] = {0, 2, 1};
 
+static const struct mip_parameter parameters_tools_hello[] = {
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_hello, reserved), 0, NULL, NULL, NULL, NULL, 0},
+    {"later", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_FIXED, 2, 1, 0, 2, 0,
+     MANY(struct mip_tools_hello, later), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_hello = {
+    parameters_tools_hello, 2, sizeof(struct mip_tools_hello)};
+
 static const struct mip_parameter parameters_tools_settings_response[] = {
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_tools_settings_response, port), 0, NULL, NULL, NULL, NULL, 0},
@@ -438,6 +448,13 @@ static const struct mip_parameter parameters_tools_pin_response[] = {
 };
 static const struct mip_record record_tools_pin_response = {
     parameters_tools_pin_response, 2, sizeof(struct mip_tools_pin_response)};
+
+static const struct mip_parameter parameters_tools_hello_response[] = {
+    {"seen", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_tools_hello_response, seen), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_tools_hello_response = {
+    parameters_tools_hello_response, 1, sizeof(struct mip_tools_hello_response)};
 
 static const struct mip_reading readings_tools_status_short_flags[] = {
     {"model-a", 0, 0, &names_tools_model_a_faults},
@@ -584,6 +601,21 @@ static const struct mip_parameter parameters_measurements_growing[] = {
 static const struct mip_record record_measurements_growing = {
     parameters_measurements_growing, 3, sizeof(struct mip_measurements_growing)};
 
+static const struct mip_parameter parameters_measurements_radio[] = {
+    {"connected", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_radio, connected), 0, NULL, NULL, NULL, NULL, 0},
+    {"strength", "", MIP_KIND_NUMBER, MIP_SCALAR_S32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_radio, strength), 0, NULL, NULL, NULL, NULL, 0},
+    {"noise", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_radio, noise), 0, NULL, NULL, NULL, NULL, 0},
+    {"gap", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_radio, gap), 0, NULL, NULL, NULL, NULL, 0},
+    {"gaps", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_FIXED, 2, 1, 0, 0, 0,
+     MANY(struct mip_measurements_radio, gaps), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_measurements_radio = {
+    parameters_measurements_radio, 5, sizeof(struct mip_measurements_radio)};
+
 static const struct mip_parameter parameters_more_own[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_more_own, mode), 0, &names_mode, NULL, NULL, NULL, 0},
@@ -621,6 +653,8 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_tools_inventory_codec, &record_tools_inventory, false, false, NULL, 0, 0},
     {&mip_tools_pin_codec, &record_tools_pin, true, true, required_tools_pin,
      sizeof(required_tools_pin), offsetof(struct mip_tools_pin, present)},
+    {&mip_tools_hello_codec, &record_tools_hello, false, true, NULL, 0,
+     offsetof(struct mip_tools_hello, present)},
     {&mip_tools_settings_response_codec, &record_tools_settings_response, false, false, NULL, 0, 0},
     {&mip_tools_set_time_fast_response_codec, &record_tools_set_time_fast_response, false, false,
      NULL, 0, 0},
@@ -631,6 +665,7 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_tools_inventory_response_codec, &record_tools_inventory_response, false, false, NULL, 0,
      0},
     {&mip_tools_pin_response_codec, &record_tools_pin_response, false, false, NULL, 0, 0},
+    {&mip_tools_hello_response_codec, &record_tools_hello_response, false, false, NULL, 0, 0},
     {&mip_tools_status_short_codec, &record_tools_status_short, false, false, NULL, 0, 0},
     {&mip_tools_status_long_codec, &record_tools_status_long, false, false, NULL, 0, 0},
     {&mip_tools_bias_vector_codec, &record_tools_bias_vector, false, false, NULL, 0, 0},
@@ -642,6 +677,7 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_measurements_arrays_codec, &record_measurements_arrays, false, false, NULL, 0, 0},
     {&mip_measurements_growing_codec, &record_measurements_growing, false, true, NULL, 0,
      offsetof(struct mip_measurements_growing, present)},
+    {&mip_measurements_radio_codec, &record_measurements_radio, false, false, NULL, 0, 0},
     {&mip_more_own_codec, &record_more_own, false, false, NULL, 0, 0},
     {&mip_shared_timestamp_codec, &record_shared_timestamp, false, false, NULL, 0, 0},
 };

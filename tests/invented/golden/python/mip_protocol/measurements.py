@@ -378,6 +378,55 @@ class Growing(Data):
         return codec.finished(out)
 
 
+_RADIO_0 = codec.Block("Biffdd", "connected", "strength", "noise", "gap", "gaps", "gaps")
+
+
+@dataclass(slots=True)
+class Radio(Data):
+    """Radio (0x80,0x07).
+
+    A bool vouches for values; one source has no layout that agrees with it.
+
+    - sheet: Radio
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x07
+    NAME = "measurements.radio"
+    ROLE = "data"
+
+    connected: bool
+    """Whether there is a connection."""
+    strength: int
+    """Of the signal. Valid if connected."""
+    noise: float
+    """Never nothing. [m] Range: … to 10. Valid if connected."""
+    gap: float = 0.0
+    """Reserved."""
+    gaps: tuple[float, float] = (0.0,) * 2
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Radio, int]:
+        v = _RADIO_0.read(raw, at)
+        at += 29
+        connected = codec.truth(v[0])
+        strength = v[1]
+        noise = v[2]
+        gap = v[3]
+        gaps = v[4:6]
+        return cls(connected, strength, noise, gap, gaps), at
+
+    def _write(self) -> bytes:
+        out = _RADIO_0.write(
+            self.connected,
+            self.strength,
+            self.noise,
+            self.gap,
+            *codec.exactly("gaps", self.gaps, 2),
+        )
+        return codec.finished(out)
+
+
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Accel,),
@@ -386,4 +435,5 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x04: (Health,),
     0x05: (Arrays,),
     0x06: (Growing,),
+    0x07: (Radio,),
 }

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from . import (
+    copy,
     measurements,
     mip_3d,
     more,
@@ -137,6 +138,10 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("drive", "drive", "scalar", scalar="u8", type=tools.Drive),
         Parameter("use", "use", "scalar", scalar="u8"),
     ),
+    tools.Hello: (
+        Parameter("reserved", "reserved", "scalar", scalar="float"),
+        Parameter("later", "later", "array", scalar="double", length=2),
+    ),
     tools.SettingsResponse: (
         Parameter("port", "port", "scalar", scalar="u8"),
         Parameter("mode", "mode", "scalar", scalar="u8", type=types.Mode),
@@ -176,6 +181,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("drive", "drive", "scalar", scalar="u8", type=tools.Drive),
         Parameter("use", "use", "scalar", scalar="u8"),
     ),
+    tools.HelloResponse: (Parameter("seen", "seen", "scalar", scalar="u32", units=("s",)),),
     tools.StatusShort: (
         Parameter("model", "model", "constant", scalar="u16", constant=4711),
         Parameter("selector", "selector", "constant", scalar="u8", constant=1),
@@ -247,6 +253,13 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("second", "second", "scalar", scalar="u16"),
         Parameter("third", "third", "scalar", scalar="float"),
     ),
+    measurements.Radio: (
+        Parameter("connected", "connected", "scalar", scalar="bool"),
+        Parameter("strength", "strength", "scalar", scalar="s32"),
+        Parameter("noise", "noise", "scalar", scalar="float", units=("m",)),
+        Parameter("gap", "gap", "scalar", scalar="float"),
+        Parameter("gaps", "gaps", "array", scalar="double", length=2),
+    ),
     more.Own: (Parameter("mode", "mode", "scalar", scalar="u8", type=types.Mode),),
     shared.Timestamp: (
         Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
@@ -256,3 +269,10 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
 
 PARAMETERS[more.Accel] = PARAMETERS[measurements.Accel]
 PARAMETERS[more.Strings] = PARAMETERS[measurements.Strings]
+PARAMETERS[copy.Accel] = PARAMETERS[measurements.Accel]
+PARAMETERS[copy.Numbers] = PARAMETERS[measurements.Numbers]
+PARAMETERS[copy.Strings] = PARAMETERS[measurements.Strings]
+PARAMETERS[copy.Health] = PARAMETERS[measurements.Health]
+PARAMETERS[copy.Arrays] = PARAMETERS[measurements.Arrays]
+PARAMETERS[copy.Growing] = PARAMETERS[measurements.Growing]
+PARAMETERS[copy.Radio] = PARAMETERS[measurements.Radio]

@@ -214,6 +214,35 @@ mip_error mip_measurements_growing_decode(struct mip_measurements_growing *value
 mip_error mip_measurements_growing_encode(const struct mip_measurements_growing *value,
                                           struct mip_builder *builder);
 
+/**
+ * Radio: data (0x80,0x07).
+ *
+ * A bool vouches for values; one source has no layout that agrees with it.
+ *
+ * - sheet: Radio
+ */
+struct mip_measurements_radio {
+    /** Whether there is a connection. */
+    mip_bool connected;
+    /** Of the signal. Valid if in connected is set. */
+    int32_t strength;
+    /** Never nothing. Unit: m. At most 10. Valid if in connected is set. */
+    float noise;
+    /** Reserved. */
+    float gap;
+    /**  */
+    double gaps[2];
+};
+
+#define MIP_MEASUREMENTS_RADIO_DESCRIPTOR 0x07
+#define MIP_MEASUREMENTS_RADIO_NAME "measurements.radio"
+
+extern const struct mip_codec mip_measurements_radio_codec;
+mip_error mip_measurements_radio_decode(struct mip_measurements_radio *value,
+                                        const struct mip_field *field);
+mip_error mip_measurements_radio_encode(const struct mip_measurements_radio *value,
+                                        struct mip_builder *builder);
+
 #ifdef __cplusplus
 }
 #endif

@@ -756,6 +756,54 @@ mip_error mip_tools_pin_response_decode(struct mip_tools_pin_response *value,
 mip_error mip_tools_pin_response_encode(const struct mip_tools_pin_response *value,
                                         struct mip_builder *builder);
 
+/**
+ * Hello: command (0x01,0x0C).
+ *
+ * The device asks and a host answers.
+ *
+ * Answered by mip_tools_hello_response.
+ *
+ * - sheet: Hello
+ */
+struct mip_tools_hello {
+    /** Parameters that are there; 0: those that must be. */
+    uint8_t present;
+    /** Send 1.0. */
+    float reserved;
+    /** May be absent. */
+    double later[2];
+};
+
+#define MIP_TOOLS_HELLO_DESCRIPTOR 0x0C
+#define MIP_TOOLS_HELLO_NAME "tools.hello"
+/** The value of `present` if later is the last parameter that is there. */
+#define MIP_TOOLS_HELLO_WITH_LATER 2
+
+extern const struct mip_codec mip_tools_hello_codec;
+mip_error mip_tools_hello_decode(struct mip_tools_hello *value, const struct mip_field *field);
+mip_error mip_tools_hello_encode(const struct mip_tools_hello *value, struct mip_builder *builder);
+
+/**
+ * Hello response: response (0x01,0x8C).
+ *
+ * Answers Hello (0x01,0x0C).
+ *
+ * - sheet: Hello
+ */
+struct mip_tools_hello_response {
+    /** When the device was seen. Unit: s. */
+    uint32_t seen;
+};
+
+#define MIP_TOOLS_HELLO_RESPONSE_DESCRIPTOR 0x8C
+#define MIP_TOOLS_HELLO_RESPONSE_NAME "tools.hello_response"
+
+extern const struct mip_codec mip_tools_hello_response_codec;
+mip_error mip_tools_hello_response_decode(struct mip_tools_hello_response *value,
+                                          const struct mip_field *field);
+mip_error mip_tools_hello_response_encode(const struct mip_tools_hello_response *value,
+                                          struct mip_builder *builder);
+
 #ifdef __cplusplus
 }
 #endif
