@@ -561,7 +561,7 @@ GX5_15 = Device(
             (0x82, 0x21),  # filter_data.pressure_altitude
         }
     ),
-    functions={},
+    functions={(0x0D, 0x21): "WSLD"},
     base_rates={0x80: 1000, 0x82: 500},
     ports=(
         Port(
