@@ -6,7 +6,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from . import __version__, audit, naming, render
+from . import __version__, audit, audit_sdk, naming, render
 from .model import RESPONSE, Model
 from .problems import Problems, SpecError, nearest
 from .resolve import load_model
@@ -44,16 +44,25 @@ def _parser() -> argparse.ArgumentParser:
             command.add_argument(
                 "--target", action="append", choices=render.names(), dest="targets", help="may be given more than once"
             )
-    compare = commands.add_parser("audit", help="list what manuals contain and the specification does not")
+    compare = commands.add_parser("audit", help="list where the specification differs from manuals and other sources")
     compare.add_argument("--spec", type=Path, default=ROOT / "spec", help="folder of the specification")
     compare.add_argument(
-        "--manual", action="append", required=True, metavar="ID=FILE", help="a manual as plain text; may be repeated"
+        "--manual", action="append", default=[], metavar="ID=FILE", help="a manual as plain text; may be repeated"
     )
-    compare.set_defaults(run=audit_manuals)
+    compare.add_argument(
+        "--sdk",
+        type=Path,
+        metavar="FOLDER",
+        help="facts about the vendor's SDK: a folder with layouts.yaml, names.yaml",
+    )
+    compare.set_defaults(run=audit_sources)
     return parser
 
 
-def audit_manuals(options: argparse.Namespace) -> int:
+def audit_sources(options: argparse.Namespace) -> int:
+    if not options.manual and options.sdk is None:
+        print("mipgen: nothing to compare with; give --manual ID=FILE, --sdk FOLDER or both", file=sys.stderr)
+        return 2
     model = load_model(options.spec)
     known = [x.id for x in model.protocol.manuals]
     findings = []
@@ -66,6 +75,11 @@ def audit_manuals(options: argparse.Namespace) -> int:
             print(f"mipgen: '{argument}': no such file; write --manual {manual}=FILE", file=sys.stderr)
             return 2
         findings += audit.audit(model, manual, Path(file))
+    if options.sdk is not None:
+        if not options.sdk.is_dir():
+            print(f"mipgen: '{options.sdk}': no such folder; write --sdk FOLDER", file=sys.stderr)
+            return 2
+        findings += audit_sdk.audit(model, options.sdk)
     print("".join(f"{f}\n" for f in findings), end="")
     print(f"{len(findings)} findings")
     return 1 if findings else 0
