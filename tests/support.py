@@ -41,6 +41,12 @@ def need(tool: str) -> str:
     return path
 
 
+def sent(p: m.Parameter) -> Any:
+    """What stands in place of a reserved parameter, in the form of the conformance protocol."""
+    value = p.reserved if p.length is None else [p.reserved] * int(p.length)
+    return codec.canonical(p.operation, value, p.name)
+
+
 @dataclass(frozen=True)
 class Driver:
     """A conformance driver, run once for each batch of requests."""

@@ -17,7 +17,7 @@ from mipgen import cli, codec
 from mipgen import model as m
 from mipgen.render import language
 from mipgen.targets import c as target
-from support import ROOT, SPECS, model, need
+from support import ROOT, SPECS, model, need, sent
 
 HERE = Path(__file__).parent
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
@@ -238,7 +238,7 @@ def record(operations: tuple[m.Operation, ...], parameters: tuple[m.Parameter, .
                 if q.counts == p.name:
                     values[q.name] = len(values[p.name])
         if p.name in values and p.reserved is not None:
-            values[p.name] = p.reserved if p.length is None else [p.reserved] * len(values[p.name])
+            values[p.name] = sent(p)
     return values
 
 

@@ -1,4 +1,4 @@
-"""Copied measurements (0x82).
+"""Copied measurements (0x92).
 
 All the fields of another set.
 """
@@ -10,7 +10,7 @@ from .field import Field
 
 
 class Accel(measurements.Accel):
-    """Third acceleration (0x82,0x01).
+    """Third acceleration (0x92,0x01).
 
     Has the values of measurements.Accel.
 
@@ -19,12 +19,12 @@ class Accel(measurements.Accel):
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.accel"
 
 
 class Numbers(measurements.Numbers):
-    """Numbers (0x82,0x02).
+    """Numbers (0x92,0x02).
 
     Has the values of measurements.Numbers.
 
@@ -33,12 +33,12 @@ class Numbers(measurements.Numbers):
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.numbers"
 
 
 class Strings(measurements.Strings):
-    """Strings (0x82,0x03).
+    """Strings (0x92,0x03).
 
     Has the values of measurements.Strings.
 
@@ -47,12 +47,12 @@ class Strings(measurements.Strings):
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.strings"
 
 
 class Health(measurements.Health):
-    """Health (0x82,0x04).
+    """Health (0x92,0x04).
 
     Has the values of measurements.Health.
 
@@ -61,12 +61,12 @@ class Health(measurements.Health):
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.health"
 
 
 class Arrays(measurements.Arrays):
-    """Arrays (0x82,0x05).
+    """Arrays (0x92,0x05).
 
     Has the values of measurements.Arrays.
 
@@ -75,12 +75,12 @@ class Arrays(measurements.Arrays):
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.arrays"
 
 
 class Growing(measurements.Growing):
-    """Growing (0x82,0x06).
+    """Growing (0x92,0x06).
 
     Has the values of measurements.Growing.
 
@@ -89,12 +89,12 @@ class Growing(measurements.Growing):
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.growing"
 
 
 class Radio(measurements.Radio):
-    """Radio (0x82,0x07).
+    """Radio (0x92,0x07).
 
     Has the values of measurements.Radio.
 
@@ -103,7 +103,7 @@ class Radio(measurements.Radio):
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.radio"
 
 

@@ -50,7 +50,7 @@ impl Field for Accel {
     const NAME: &'static str = "measurements.accel";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x80 | 0x81 | 0x82)
+        matches!(set, 0x80 | 0x81 | 0x92)
     }
 }
 
@@ -133,7 +133,7 @@ impl Field for Numbers {
     const NAME: &'static str = "measurements.numbers";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x80 | 0x82)
+        matches!(set, 0x80 | 0x92)
     }
 }
 
@@ -182,7 +182,7 @@ impl Field for Strings {
     const NAME: &'static str = "measurements.strings";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x80 | 0x81 | 0x82)
+        matches!(set, 0x80 | 0x81 | 0x92)
     }
 }
 
@@ -226,7 +226,7 @@ impl Field for Health {
     const NAME: &'static str = "measurements.health";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x80 | 0x82)
+        matches!(set, 0x80 | 0x92)
     }
 }
 
@@ -289,7 +289,7 @@ impl Field for Arrays {
     const NAME: &'static str = "measurements.arrays";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x80 | 0x82)
+        matches!(set, 0x80 | 0x92)
     }
 }
 
@@ -336,7 +336,7 @@ impl Field for Growing {
     const NAME: &'static str = "measurements.growing";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x80 | 0x82)
+        matches!(set, 0x80 | 0x92)
     }
 }
 
@@ -397,6 +397,6 @@ impl Field for Radio {
     const NAME: &'static str = "measurements.radio";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x80 | 0x82)
+        matches!(set, 0x80 | 0x92)
     }
 }

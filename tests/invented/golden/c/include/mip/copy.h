@@ -1,7 +1,7 @@
 /**
  * @file
  *
- * Copied measurements (0x82). All the fields of another set.
+ * Copied measurements (0x92). All the fields of another set.
  */
 #ifndef MIP_COPY_H
 #define MIP_COPY_H
@@ -17,10 +17,10 @@
 extern "C" {
 #endif
 
-#define MIP_COPY_SET 0x82
+#define MIP_COPY_SET 0x92
 
 /**
- * Third acceleration: data (0x82,0x01).
+ * Third acceleration: data (0x92,0x01).
  *
  * The same field as mip_measurements_accel.
  *
@@ -34,7 +34,7 @@ extern "C" {
 #define MIP_COPY_ACCEL_NAME "copy.accel"
 
 /**
- * Numbers: data (0x82,0x02).
+ * Numbers: data (0x92,0x02).
  *
  * The same field as mip_measurements_numbers.
  *
@@ -48,7 +48,7 @@ extern "C" {
 #define MIP_COPY_NUMBERS_NAME "copy.numbers"
 
 /**
- * Strings: data (0x82,0x03).
+ * Strings: data (0x92,0x03).
  *
  * The same field as mip_measurements_strings.
  *
@@ -62,7 +62,7 @@ extern "C" {
 #define MIP_COPY_STRINGS_NAME "copy.strings"
 
 /**
- * Health: data (0x82,0x04).
+ * Health: data (0x92,0x04).
  *
  * The same field as mip_measurements_health.
  *
@@ -76,7 +76,7 @@ extern "C" {
 #define MIP_COPY_HEALTH_NAME "copy.health"
 
 /**
- * Arrays: data (0x82,0x05).
+ * Arrays: data (0x92,0x05).
  *
  * The same field as mip_measurements_arrays.
  *
@@ -90,7 +90,7 @@ extern "C" {
 #define MIP_COPY_ARRAYS_NAME "copy.arrays"
 
 /**
- * Growing: data (0x82,0x06).
+ * Growing: data (0x92,0x06).
  *
  * The same field as mip_measurements_growing.
  *
@@ -106,7 +106,7 @@ extern "C" {
 #define MIP_COPY_GROWING_WITH_THIRD 3
 
 /**
- * Radio: data (0x82,0x07).
+ * Radio: data (0x92,0x07).
  *
  * The same field as mip_measurements_radio.
  *
