@@ -88,5 +88,5 @@ def test_every_path_is_there() -> None:
 def test_the_field_that_it_shows_is_in_the_specification() -> None:
     shown = block("yaml").splitlines()
     there = (ROOT / "spec/sets/base.yaml").read_text("utf-8")
-    for line in ("  - command: 0x09", "    name: comm_port_speed", "    functions: WRSLD"):
+    for line in ("  - command: 0x09", "    name: comm_speed", "    functions: WRSLD"):
         assert line in shown and line in there

@@ -71,12 +71,12 @@ class GpsTimeField(codec.OpenEnum):
 
     WEEK_NUMBER = 1
     """Week number."""
-    TIME_OF_WEEK = 2
+    TOW = 2
     """Time of week in whole seconds."""
 
 
 @dataclass(slots=True)
-class GetDeviceInformationResponse(Response):
+class GetDeviceInfoResponse(Response):
     """Get device information response (0x01,0x81).
 
     Answers Get device information (0x01,0x03).
@@ -88,14 +88,14 @@ class GetDeviceInformationResponse(Response):
 
     SET = 0x01
     DESCRIPTOR = 0x81
-    NAME = "base.get_device_information_response"
+    NAME = "base.get_device_info_response"
     ROLE = "response"
 
     device_info: BaseDeviceInfo
     """Identity of the device."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInformationResponse, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInfoResponse, int]:
         device_info, at = BaseDeviceInfo._read(raw, at)
         return cls(device_info), at
 
@@ -213,11 +213,11 @@ class GpsTimeUpdateWeekNumberResponse(Response):
         return codec.finished(out)
 
 
-_GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_0 = codec.Block("I", "time_of_week")
+_GPS_TIME_UPDATE_TOW_RESPONSE_0 = codec.Block("I", "tow")
 
 
 @dataclass(slots=True)
-class GpsTimeUpdateTimeOfWeekResponse(Response):
+class GpsTimeUpdateTowResponse(Response):
     """GPS time update, time of week (0x01,0x85).
 
     The current time of week.
@@ -229,26 +229,26 @@ class GpsTimeUpdateTimeOfWeekResponse(Response):
 
     SET = 0x01
     DESCRIPTOR = 0x85
-    NAME = "base.gps_time_update_time_of_week_response"
+    NAME = "base.gps_time_update_tow_response"
     ROLE = "response"
 
-    time_of_week: int
+    tow: int
     """GPS time of week in whole seconds. [s]"""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateTimeOfWeekResponse, int]:
-        v = _GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateTowResponse, int]:
+        v = _GPS_TIME_UPDATE_TOW_RESPONSE_0.read(raw, at)
         at += 4
-        time_of_week = v[0]
-        return cls(time_of_week), at
+        tow = v[0]
+        return cls(tow), at
 
     def _write(self) -> bytes:
-        out = _GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_0.write(self.time_of_week)
+        out = _GPS_TIME_UPDATE_TOW_RESPONSE_0.write(self.tow)
         return codec.finished(out)
 
 
 @dataclass(slots=True)
-class GetDeviceDescriptorsExtendedResponse(Response):
+class GetExtendedDescriptorsResponse(Response):
     """Get device descriptors (extended) response (0x01,0x86).
 
     Answers Get device descriptors (extended) (0x01,0x07).
@@ -260,7 +260,7 @@ class GetDeviceDescriptorsExtendedResponse(Response):
 
     SET = 0x01
     DESCRIPTOR = 0x86
-    NAME = "base.get_device_descriptors_extended_response"
+    NAME = "base.get_extended_descriptors_response"
     ROLE = "response"
 
     descriptors: tuple[int, ...]
@@ -269,7 +269,7 @@ class GetDeviceDescriptorsExtendedResponse(Response):
     """
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceDescriptorsExtendedResponse, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GetExtendedDescriptorsResponse, int]:
         n = codec.remaining(raw, at, 2)
         descriptors = codec.read_numbers("H", raw, at, n)
         at += n * 2
@@ -341,11 +341,11 @@ class ContinuousBuiltInTestResponse(Response):
         return codec.finished(out)
 
 
-_COMM_PORT_SPEED_RESPONSE_0 = codec.Block("BI", "port", "baud")
+_COMM_SPEED_RESPONSE_0 = codec.Block("BI", "port", "baud")
 
 
 @dataclass(slots=True)
-class CommPortSpeedResponse(Response):
+class CommSpeedResponse(Response):
     """Comm port speed response (0x01,0x89).
 
     Answers Comm port speed (0x01,0x09).
@@ -356,7 +356,7 @@ class CommPortSpeedResponse(Response):
 
     SET = 0x01
     DESCRIPTOR = 0x89
-    NAME = "base.comm_port_speed_response"
+    NAME = "base.comm_speed_response"
     ROLE = "response"
 
     port: int
@@ -365,15 +365,15 @@ class CommPortSpeedResponse(Response):
     """Baud rate; one that the port supports. [Bd]"""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommPortSpeedResponse, int]:
-        v = _COMM_PORT_SPEED_RESPONSE_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[CommSpeedResponse, int]:
+        v = _COMM_SPEED_RESPONSE_0.read(raw, at)
         at += 5
         port = v[0]
         baud = v[1]
         return cls(port, baud), at
 
     def _write(self) -> bytes:
-        out = _COMM_PORT_SPEED_RESPONSE_0.write(self.port, self.baud)
+        out = _COMM_SPEED_RESPONSE_0.write(self.port, self.baud)
         return codec.finished(out)
 
 
@@ -403,7 +403,7 @@ class Ping(Command):
 
 
 @dataclass(slots=True)
-class SetToIdle(Command):
+class SetIdle(Command):
     """Set to idle (0x01,0x02).
 
     Stops all data streams, and wakes a sleeping device, so that it can be set up.
@@ -417,11 +417,11 @@ class SetToIdle(Command):
 
     SET = 0x01
     DESCRIPTOR = 0x02
-    NAME = "base.set_to_idle"
+    NAME = "base.set_idle"
     ROLE = "command"
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[SetToIdle, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SetIdle, int]:
         return cls(), at
 
     def _write(self) -> bytes:
@@ -429,7 +429,7 @@ class SetToIdle(Command):
 
 
 @dataclass(slots=True)
-class GetDeviceInformation(Command):
+class GetDeviceInfo(Command):
     """Get device information (0x01,0x03).
 
     Gets the firmware version and the identity strings of the device.
@@ -441,12 +441,12 @@ class GetDeviceInformation(Command):
 
     SET = 0x01
     DESCRIPTOR = 0x03
-    NAME = "base.get_device_information"
+    NAME = "base.get_device_info"
     ROLE = "command"
-    RESPONSES = (GetDeviceInformationResponse,)
+    RESPONSES = (GetDeviceInfoResponse,)
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInformation, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceInfo, int]:
         return cls(), at
 
     def _write(self) -> bytes:
@@ -534,7 +534,7 @@ class Resume(Command):
 
 
 @dataclass(slots=True)
-class GetDeviceDescriptorsExtended(Command):
+class GetExtendedDescriptors(Command):
     """Get device descriptors (extended) (0x01,0x07).
 
     Gets the supported descriptors that did not fit into the reply of get device descriptors.
@@ -547,12 +547,12 @@ class GetDeviceDescriptorsExtended(Command):
 
     SET = 0x01
     DESCRIPTOR = 0x07
-    NAME = "base.get_device_descriptors_extended"
+    NAME = "base.get_extended_descriptors"
     ROLE = "command"
-    RESPONSES = (GetDeviceDescriptorsExtendedResponse,)
+    RESPONSES = (GetExtendedDescriptorsResponse,)
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GetDeviceDescriptorsExtended, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[GetExtendedDescriptors, int]:
         return cls(), at
 
     def _write(self) -> bytes:
@@ -587,14 +587,14 @@ class ContinuousBuiltInTest(Command):
         return b""
 
 
-_COMM_PORT_SPEED_0 = codec.Block("B", "function")
-_COMM_PORT_SPEED_1 = codec.Block("B", "port")
-_COMM_PORT_SPEED_2 = codec.Block("I", "baud")
-_COMM_PORT_SPEED_GROUPS = ((1, ("port",), False), (2, ("baud",), False))
+_COMM_SPEED_0 = codec.Block("B", "function")
+_COMM_SPEED_1 = codec.Block("B", "port")
+_COMM_SPEED_2 = codec.Block("I", "baud")
+_COMM_SPEED_GROUPS = ((1, ("port",), False), (2, ("baud",), False))
 
 
 @dataclass(slots=True)
-class CommPortSpeed(Command):
+class CommSpeed(Command):
     """Comm port speed (0x01,0x09).
 
     Baud rate of one communication port.
@@ -608,9 +608,9 @@ class CommPortSpeed(Command):
 
     SET = 0x01
     DESCRIPTOR = 0x09
-    NAME = "base.comm_port_speed"
+    NAME = "base.comm_speed"
     ROLE = "command"
-    RESPONSES = (CommPortSpeedResponse,)
+    RESPONSES = (CommSpeedResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
 
     function: FunctionSelector
@@ -621,35 +621,35 @@ class CommPortSpeed(Command):
     """Baud rate; one that the port supports. [Bd]"""
 
     @classmethod
-    def write(cls, port: int, baud: int) -> CommPortSpeed:
+    def write(cls, port: int, baud: int) -> CommSpeed:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, port=port, baud=baud)
 
     @classmethod
-    def read(cls, port: int) -> CommPortSpeed:
+    def read(cls, port: int) -> CommSpeed:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, port=port)
 
     @classmethod
-    def save(cls, port: int) -> CommPortSpeed:
+    def save(cls, port: int) -> CommSpeed:
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE, port=port)
 
     @classmethod
-    def load(cls, port: int) -> CommPortSpeed:
+    def load(cls, port: int) -> CommSpeed:
         """Load the saved setting."""
         return cls(FunctionSelector.LOAD, port=port)
 
     @classmethod
-    def default(cls, port: int) -> CommPortSpeed:
+    def default(cls, port: int) -> CommSpeed:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, port=port)
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[CommPortSpeed, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[CommSpeed, int]:
         port: int | None = None
         baud: int | None = None
-        v = _COMM_PORT_SPEED_0.read(raw, at)
+        v = _COMM_SPEED_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
         required = cls.REQUIRED.get(function, 0)
@@ -657,13 +657,13 @@ class CommPortSpeed(Command):
         try:
             if at == len(raw) and required < 1:
                 raise Truncated(1, 0)
-            v = _COMM_PORT_SPEED_1.read(raw, at)
+            v = _COMM_SPEED_1.read(raw, at)
             at += 1
             port = v[0]
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
-            v = _COMM_PORT_SPEED_2.read(raw, at)
+            v = _COMM_SPEED_2.read(raw, at)
             at += 4
             baud = v[0]
             done, end = 2, at
@@ -674,13 +674,13 @@ class CommPortSpeed(Command):
         return cls(function, port, baud), at
 
     def _write(self) -> bytes:
-        out = _COMM_PORT_SPEED_0.write(self.function)
+        out = _COMM_SPEED_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
-        there = codec.present(self, required, _COMM_PORT_SPEED_GROUPS)
+        there = codec.present(self, required, _COMM_SPEED_GROUPS)
         if there >= 1:
-            out += _COMM_PORT_SPEED_1.write(self.port)
+            out += _COMM_SPEED_1.write(self.port)
         if there >= 2:
-            out += _COMM_PORT_SPEED_2.write(self.baud)
+            out += _COMM_SPEED_2.write(self.baud)
         return codec.finished(out)
 
 
@@ -711,7 +711,7 @@ class GpsTimeUpdate(Command):
     DESCRIPTOR = 0x72
     NAME = "base.gps_time_update"
     ROLE = "command"
-    RESPONSES = (GpsTimeUpdateWeekNumberResponse, GpsTimeUpdateTimeOfWeekResponse)
+    RESPONSES = (GpsTimeUpdateWeekNumberResponse, GpsTimeUpdateTowResponse)
     REQUIRED = {1: 2, 2: 1, 6: 2}
 
     function: FunctionSelector
@@ -720,7 +720,7 @@ class GpsTimeUpdate(Command):
     """What the value is."""
     value: int | None = None
     """What field_id says. If field_id is week_number: unit week; GPS week number since 6 January
-    1980. If field_id is time_of_week: unit s; Whole seconds of the GPS week.
+    1980. If field_id is tow: unit s; Whole seconds of the GPS week.
     """
 
     @classmethod
@@ -782,7 +782,7 @@ class GpsTimeUpdate(Command):
 
 
 @dataclass(slots=True)
-class ResetDevice(Command):
+class SoftReset(Command):
     """Reset device (0x01,0x7E).
 
     Acknowledges the command, then resets the device at once.
@@ -794,46 +794,46 @@ class ResetDevice(Command):
 
     SET = 0x01
     DESCRIPTOR = 0x7E
-    NAME = "base.reset_device"
+    NAME = "base.soft_reset"
     ROLE = "command"
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[ResetDevice, int]:
+    def _read(cls, raw: bytes, at: int) -> tuple[SoftReset, int]:
         return cls(), at
 
     def _write(self) -> bytes:
         return b""
 
 
-GetDeviceInformationResponse.COMMANDS = (GetDeviceInformation,)
+GetDeviceInfoResponse.COMMANDS = (GetDeviceInfo,)
 GetDeviceDescriptorsResponse.COMMANDS = (GetDeviceDescriptors,)
 BuiltInTestResponse.COMMANDS = (BuiltInTest,)
 GpsTimeUpdateWeekNumberResponse.COMMANDS = (GpsTimeUpdate,)
-GpsTimeUpdateTimeOfWeekResponse.COMMANDS = (GpsTimeUpdate,)
-GetDeviceDescriptorsExtendedResponse.COMMANDS = (GetDeviceDescriptorsExtended,)
+GpsTimeUpdateTowResponse.COMMANDS = (GpsTimeUpdate,)
+GetExtendedDescriptorsResponse.COMMANDS = (GetExtendedDescriptors,)
 ContinuousBuiltInTestResponse.COMMANDS = (ContinuousBuiltInTest,)
-CommPortSpeedResponse.COMMANDS = (CommPortSpeed,)
+CommSpeedResponse.COMMANDS = (CommSpeed,)
 
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Ping,),
-    0x02: (SetToIdle,),
-    0x03: (GetDeviceInformation,),
+    0x02: (SetIdle,),
+    0x03: (GetDeviceInfo,),
     0x04: (GetDeviceDescriptors,),
     0x05: (BuiltInTest,),
     0x06: (Resume,),
-    0x07: (GetDeviceDescriptorsExtended,),
+    0x07: (GetExtendedDescriptors,),
     0x08: (ContinuousBuiltInTest,),
-    0x09: (CommPortSpeed,),
+    0x09: (CommSpeed,),
     0x72: (GpsTimeUpdate,),
-    0x7E: (ResetDevice,),
-    0x81: (GetDeviceInformationResponse,),
+    0x7E: (SoftReset,),
+    0x81: (GetDeviceInfoResponse,),
     0x82: (GetDeviceDescriptorsResponse,),
     0x83: (BuiltInTestResponse,),
     0x84: (GpsTimeUpdateWeekNumberResponse,),
-    0x85: (GpsTimeUpdateTimeOfWeekResponse,),
-    0x86: (GetDeviceDescriptorsExtendedResponse,),
+    0x85: (GpsTimeUpdateTowResponse,),
+    0x86: (GetExtendedDescriptorsResponse,),
     0x88: (ContinuousBuiltInTestResponse,),
-    0x89: (CommPortSpeedResponse,),
+    0x89: (CommSpeedResponse,),
 }

@@ -13,7 +13,7 @@ from .field import Data, Field
 
 
 @codec.open_flag(16)
-class GnssLlhPositionFlags(IntFlag):
+class LlhPositionFlags(IntFlag):
     """Which parts of the position are valid."""
 
     LAT_LON = 1 << 0
@@ -31,7 +31,7 @@ class GnssLlhPositionFlags(IntFlag):
 
 
 @codec.open_flag(16)
-class GnssEcefPositionFlags(IntFlag):
+class EcefPositionFlags(IntFlag):
     """Which parts of the position are valid."""
 
     POSITION = 1 << 0
@@ -63,7 +63,7 @@ class NedVelocityFlags(IntFlag):
 
 
 @codec.open_flag(16)
-class GnssEcefVelocityFlags(IntFlag):
+class EcefVelocityFlags(IntFlag):
     """Which parts of the velocity are valid."""
 
     VELOCITY = 1 << 0
@@ -226,7 +226,7 @@ class AntennaPower(codec.OpenEnum):
 
 
 @codec.open_flag(16)
-class GnssHardwareStatusFlags(IntFlag):
+class HardwareStatusFlags(IntFlag):
     """Which parts of the hardware status are valid."""
 
     SENSOR_STATE = 1 << 0
@@ -502,7 +502,7 @@ class BaseStationIndicators(IntFlag):
     """Galileo is supported."""
     BEIDOU = 1 << 3
     """BeiDou is supported."""
-    REF_STATION = 1 << 4
+    REFERENCE_STATION = 1 << 4
     """Reference station indicator."""
     SINGLE_RECEIVER = 1 << 5
     """Single receiver oscillator indicator."""
@@ -665,7 +665,7 @@ class BeidouIonoCorrectionFlags(IntFlag):
     """All of them."""
 
 
-_GNSS_LLH_POSITION_0 = codec.Block(
+_LLH_POSITION_0 = codec.Block(
     "ddddffH",
     "latitude",
     "longitude",
@@ -678,7 +678,7 @@ _GNSS_LLH_POSITION_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class GnssLlhPosition(Data):
+class LlhPosition(Data):
     """GNSS LLH position (0x91,0x03).
 
     GNSS position as latitude, longitude and height.
@@ -689,7 +689,7 @@ class GnssLlhPosition(Data):
 
     SET = 0x91
     DESCRIPTOR = 0x03
-    NAME = "gnss_1.gnss_llh_position"
+    NAME = "gnss_1.llh_position"
     ROLE = "data"
 
     latitude: float
@@ -704,12 +704,12 @@ class GnssLlhPosition(Data):
     """Horizontal accuracy. [m] Valid if valid_flags.horizontal_accuracy."""
     vertical_accuracy: float
     """Vertical accuracy. [m] Valid if valid_flags.vertical_accuracy."""
-    valid_flags: GnssLlhPositionFlags
+    valid_flags: LlhPositionFlags
     """Which values are valid."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssLlhPosition, int]:
-        v = _GNSS_LLH_POSITION_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[LlhPosition, int]:
+        v = _LLH_POSITION_0.read(raw, at)
         at += 42
         latitude = v[0]
         longitude = v[1]
@@ -717,7 +717,7 @@ class GnssLlhPosition(Data):
         msl_height = v[3]
         horizontal_accuracy = v[4]
         vertical_accuracy = v[5]
-        valid_flags = GnssLlhPositionFlags(v[6])
+        valid_flags = LlhPositionFlags(v[6])
         return cls(
             latitude,
             longitude,
@@ -729,7 +729,7 @@ class GnssLlhPosition(Data):
         ), at
 
     def _write(self) -> bytes:
-        out = _GNSS_LLH_POSITION_0.write(
+        out = _LLH_POSITION_0.write(
             self.latitude,
             self.longitude,
             self.ellipsoid_height,
@@ -741,11 +741,13 @@ class GnssLlhPosition(Data):
         return codec.finished(out)
 
 
-_GNSS_ECEF_POSITION_0 = codec.Block("dddfH", "x", "x", "x", "x_accuracy", "valid_flags")
+_ECEF_POSITION_0 = codec.Block(
+    "dddfH", "position", "position", "position", "position_accuracy", "valid_flags"
+)
 
 
 @dataclass(slots=True)
-class GnssEcefPosition(Data):
+class EcefPosition(Data):
     """GNSS ECEF position (0x91,0x04).
 
     GNSS position in Earth-fixed coordinates.
@@ -756,37 +758,37 @@ class GnssEcefPosition(Data):
 
     SET = 0x91
     DESCRIPTOR = 0x04
-    NAME = "gnss_1.gnss_ecef_position"
+    NAME = "gnss_1.ecef_position"
     ROLE = "data"
 
-    x: types.Vector3d
+    position: types.Vector3d
     """Position. [m] Frame: ecef. Valid if valid_flags.position."""
-    x_accuracy: float
+    position_accuracy: float
     """Accuracy of the position. [m] Valid if valid_flags.position_accuracy."""
-    valid_flags: GnssEcefPositionFlags
+    valid_flags: EcefPositionFlags
     """Which values are valid."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssEcefPosition, int]:
-        v = _GNSS_ECEF_POSITION_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[EcefPosition, int]:
+        v = _ECEF_POSITION_0.read(raw, at)
         at += 30
-        x = v[0:3]
-        x_accuracy = v[3]
-        valid_flags = GnssEcefPositionFlags(v[4])
-        return cls(x, x_accuracy, valid_flags), at
+        position = v[0:3]
+        position_accuracy = v[3]
+        valid_flags = EcefPositionFlags(v[4])
+        return cls(position, position_accuracy, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _GNSS_ECEF_POSITION_0.write(
-            *codec.exactly("x", self.x, 3), self.x_accuracy, self.valid_flags
+        out = _ECEF_POSITION_0.write(
+            *codec.exactly("position", self.position, 3), self.position_accuracy, self.valid_flags
         )
         return codec.finished(out)
 
 
 _NED_VELOCITY_0 = codec.Block(
     "ffffffffH",
-    "v_",
-    "v_",
-    "v_",
+    "velocity",
+    "velocity",
+    "velocity",
     "speed",
     "ground_speed",
     "heading",
@@ -811,7 +813,7 @@ class NedVelocity(Data):
     NAME = "gnss_1.ned_velocity"
     ROLE = "data"
 
-    v_: types.Vector3f
+    velocity: types.Vector3f
     """Velocity. [m/s] Frame: ned. Valid if valid_flags.velocity."""
     speed: float
     """Speed in space. [m/s] Valid if valid_flags.speed_3d."""
@@ -830,7 +832,7 @@ class NedVelocity(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[NedVelocity, int]:
         v = _NED_VELOCITY_0.read(raw, at)
         at += 34
-        v_ = v[0:3]
+        velocity = v[0:3]
         speed = v[3]
         ground_speed = v[4]
         heading = v[5]
@@ -838,12 +840,12 @@ class NedVelocity(Data):
         heading_accuracy = v[7]
         valid_flags = NedVelocityFlags(v[8])
         return cls(
-            v_, speed, ground_speed, heading, speed_accuracy, heading_accuracy, valid_flags
+            velocity, speed, ground_speed, heading, speed_accuracy, heading_accuracy, valid_flags
         ), at
 
     def _write(self) -> bytes:
         out = _NED_VELOCITY_0.write(
-            *codec.exactly("v_", self.v_, 3),
+            *codec.exactly("velocity", self.velocity, 3),
             self.speed,
             self.ground_speed,
             self.heading,
@@ -854,11 +856,13 @@ class NedVelocity(Data):
         return codec.finished(out)
 
 
-_GNSS_ECEF_VELOCITY_0 = codec.Block("ffffH", "v_", "v_", "v_", "v_accuracy", "valid_flags")
+_ECEF_VELOCITY_0 = codec.Block(
+    "ffffH", "velocity", "velocity", "velocity", "velocity_accuracy", "valid_flags"
+)
 
 
 @dataclass(slots=True)
-class GnssEcefVelocity(Data):
+class EcefVelocity(Data):
     """GNSS ECEF velocity (0x91,0x06).
 
     GNSS velocity in Earth-fixed coordinates.
@@ -869,28 +873,28 @@ class GnssEcefVelocity(Data):
 
     SET = 0x91
     DESCRIPTOR = 0x06
-    NAME = "gnss_1.gnss_ecef_velocity"
+    NAME = "gnss_1.ecef_velocity"
     ROLE = "data"
 
-    v_: types.Vector3f
+    velocity: types.Vector3f
     """Velocity. [m/s] Frame: ecef. Valid if valid_flags.velocity."""
-    v_accuracy: float
+    velocity_accuracy: float
     """Accuracy of the velocity. [m/s] Valid if valid_flags.velocity_accuracy."""
-    valid_flags: GnssEcefVelocityFlags
+    valid_flags: EcefVelocityFlags
     """Which values are valid."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssEcefVelocity, int]:
-        v = _GNSS_ECEF_VELOCITY_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocity, int]:
+        v = _ECEF_VELOCITY_0.read(raw, at)
         at += 18
-        v_ = v[0:3]
-        v_accuracy = v[3]
-        valid_flags = GnssEcefVelocityFlags(v[4])
-        return cls(v_, v_accuracy, valid_flags), at
+        velocity = v[0:3]
+        velocity_accuracy = v[3]
+        valid_flags = EcefVelocityFlags(v[4])
+        return cls(velocity, velocity_accuracy, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _GNSS_ECEF_VELOCITY_0.write(
-            *codec.exactly("v_", self.v_, 3), self.v_accuracy, self.valid_flags
+        out = _ECEF_VELOCITY_0.write(
+            *codec.exactly("velocity", self.velocity, 3), self.velocity_accuracy, self.valid_flags
         )
         return codec.finished(out)
 
@@ -1218,13 +1222,13 @@ class SvInfo(Data):
         return codec.finished(out)
 
 
-_GNSS_HARDWARE_STATUS_0 = codec.Block(
+_HARDWARE_STATUS_0 = codec.Block(
     "BBBH", "receiver_state", "antenna_state", "antenna_power", "valid_flags"
 )
 
 
 @dataclass(slots=True)
-class GnssHardwareStatus(Data):
+class HardwareStatus(Data):
     """GNSS hardware status (0x91,0x0D).
 
     State of the receiver and of its antenna.
@@ -1235,7 +1239,7 @@ class GnssHardwareStatus(Data):
 
     SET = 0x91
     DESCRIPTOR = 0x0D
-    NAME = "gnss_1.gnss_hardware_status"
+    NAME = "gnss_1.hardware_status"
     ROLE = "data"
 
     receiver_state: ReceiverState
@@ -1244,21 +1248,21 @@ class GnssHardwareStatus(Data):
     """State of the antenna. Valid if valid_flags.antenna_state."""
     antenna_power: AntennaPower
     """Supply of the antenna. Valid if valid_flags.antenna_power."""
-    valid_flags: GnssHardwareStatusFlags
+    valid_flags: HardwareStatusFlags
     """Which values are valid."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssHardwareStatus, int]:
-        v = _GNSS_HARDWARE_STATUS_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[HardwareStatus, int]:
+        v = _HARDWARE_STATUS_0.read(raw, at)
         at += 5
         receiver_state = ReceiverState(v[0])
         antenna_state = AntennaState(v[1])
         antenna_power = AntennaPower(v[2])
-        valid_flags = GnssHardwareStatusFlags(v[3])
+        valid_flags = HardwareStatusFlags(v[3])
         return cls(receiver_state, antenna_state, antenna_power, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _GNSS_HARDWARE_STATUS_0.write(
+        out = _HARDWARE_STATUS_0.write(
             self.receiver_state, self.antenna_state, self.antenna_power, self.valid_flags
         )
         return codec.finished(out)
@@ -1464,14 +1468,7 @@ class GpsLeapSeconds(Data):
 
 
 _SBAS_INFO_0 = codec.Block(
-    "dHBBBBH",
-    "time_of_week",
-    "week_number",
-    "sbas_system",
-    "sbas_id",
-    "count",
-    "sbas_status",
-    "valid_flags",
+    "dHBBBBH", "tow", "week_number", "sbas_system", "sbas_id", "count", "sbas_status", "valid_flags"
 )
 
 
@@ -1490,7 +1487,7 @@ class SbasInfo(Data):
     NAME = "gnss_1.sbas_info"
     ROLE = "data"
 
-    time_of_week: float
+    tow: float
     """GPS time of week. [s] Valid if valid_flags.tow."""
     week_number: int
     """GPS week number. [week] Valid if valid_flags.week_number."""
@@ -1509,20 +1506,18 @@ class SbasInfo(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[SbasInfo, int]:
         v = _SBAS_INFO_0.read(raw, at)
         at += 16
-        time_of_week = v[0]
+        tow = v[0]
         week_number = v[1]
         sbas_system = SbasSystem(v[2])
         sbas_id = v[3]
         count = v[4]
         sbas_status = SbasStatus(v[5])
         valid_flags = SbasInfoFlags(v[6])
-        return cls(
-            time_of_week, week_number, sbas_system, sbas_id, count, sbas_status, valid_flags
-        ), at
+        return cls(tow, week_number, sbas_system, sbas_id, count, sbas_status, valid_flags), at
 
     def _write(self) -> bytes:
         out = _SBAS_INFO_0.write(
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.sbas_system,
             self.sbas_id,
@@ -1695,7 +1690,7 @@ _SATELLITE_STATUS_0 = codec.Block(
     "BBdHBBffBH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "gnss_id",
     "satellite_id",
@@ -1726,7 +1721,7 @@ class SatelliteStatus(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
+    tow: float
     """GPS time of week. [s] Valid if valid_flags.tow."""
     week_number: int
     """GPS week number. [week] Valid if valid_flags.week_number."""
@@ -1749,7 +1744,7 @@ class SatelliteStatus(Data):
         at += 25
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         gnss_id = types.GnssConstellation(v[4])
         satellite_id = v[5]
@@ -1760,7 +1755,7 @@ class SatelliteStatus(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             gnss_id,
             satellite_id,
@@ -1774,7 +1769,7 @@ class SatelliteStatus(Data):
         out = _SATELLITE_STATUS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.gnss_id,
             self.satellite_id,
@@ -1790,7 +1785,7 @@ _RAW_0 = codec.Block(
     "BBdHHBBBBfBddfffffH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "receiver_id",
     "tracking_channel",
@@ -1802,9 +1797,9 @@ _RAW_0 = codec.Block(
     "pseudorange",
     "carrier_phase",
     "doppler",
-    "range_uncert",
-    "phase_uncert",
-    "doppler_uncert",
+    "range_uncertainty",
+    "phase_uncertainty",
+    "doppler_uncertainty",
     "lock_time",
     "valid_flags",
 )
@@ -1831,7 +1826,7 @@ class Raw(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
+    tow: float
     """GPS time of week. [s] Valid if valid_flags.tow."""
     week_number: int
     """GPS week number. [week] Valid if valid_flags.week_number."""
@@ -1857,11 +1852,11 @@ class Raw(Data):
     """Carrier phase. [cycle] Valid if valid_flags.carrier_phase."""
     doppler: float
     """Doppler shift. [Hz] Valid if valid_flags.doppler."""
-    range_uncert: float
+    range_uncertainty: float
     """Uncertainty of the pseudorange. [m] Valid if valid_flags.range_uncertainty."""
-    phase_uncert: float
+    phase_uncertainty: float
     """Uncertainty of the carrier phase. [cycle] Valid if valid_flags.carrier_phase_uncertainty."""
-    doppler_uncert: float
+    doppler_uncertainty: float
     """Uncertainty of the Doppler shift. [Hz] Valid if valid_flags.doppler_uncertainty."""
     lock_time: float
     """Lower limit of the time that the carrier phase has been locked. [s] Valid if
@@ -1876,7 +1871,7 @@ class Raw(Data):
         at += 61
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         receiver_id = v[4]
         tracking_channel = v[5]
@@ -1888,15 +1883,15 @@ class Raw(Data):
         pseudorange = v[11]
         carrier_phase = v[12]
         doppler = v[13]
-        range_uncert = v[14]
-        phase_uncert = v[15]
-        doppler_uncert = v[16]
+        range_uncertainty = v[14]
+        phase_uncertainty = v[15]
+        doppler_uncertainty = v[16]
         lock_time = v[17]
         valid_flags = RawFlags(v[18])
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             receiver_id,
             tracking_channel,
@@ -1908,9 +1903,9 @@ class Raw(Data):
             pseudorange,
             carrier_phase,
             doppler,
-            range_uncert,
-            phase_uncert,
-            doppler_uncert,
+            range_uncertainty,
+            phase_uncertainty,
+            doppler_uncertainty,
             lock_time,
             valid_flags,
         ), at
@@ -1919,7 +1914,7 @@ class Raw(Data):
         out = _RAW_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.receiver_id,
             self.tracking_channel,
@@ -1931,9 +1926,9 @@ class Raw(Data):
             self.pseudorange,
             self.carrier_phase,
             self.doppler,
-            self.range_uncert,
-            self.phase_uncert,
-            self.doppler_uncert,
+            self.range_uncertainty,
+            self.phase_uncertainty,
+            self.doppler_uncertainty,
             self.lock_time,
             self.valid_flags,
         )
@@ -1942,11 +1937,11 @@ class Raw(Data):
 
 _BASE_STATION_INFO_0 = codec.Block(
     "dHdddfHHH",
-    "time_of_week",
+    "tow",
     "week_number",
-    "ecef_pos",
-    "ecef_pos",
-    "ecef_pos",
+    "ecef_position",
+    "ecef_position",
+    "ecef_position",
     "height",
     "station_id",
     "indicators",
@@ -1968,11 +1963,11 @@ class BaseStationInfo(Data):
     NAME = "gnss_1.base_station_info"
     ROLE = "data"
 
-    time_of_week: float
+    tow: float
     """GPS time of week at which the message was received. [s] Valid if valid_flags.tow."""
     week_number: int
     """GPS week number. [week] Valid if valid_flags.week_number."""
-    ecef_pos: types.Vector3d
+    ecef_position: types.Vector3d
     """Position of the station. [m] Frame: ecef. Valid if valid_flags.ecef_position."""
     height: float
     """Height of the antenna above the marker that was surveyed. [m] Valid if valid_flags.height."""
@@ -1987,22 +1982,20 @@ class BaseStationInfo(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[BaseStationInfo, int]:
         v = _BASE_STATION_INFO_0.read(raw, at)
         at += 44
-        time_of_week = v[0]
+        tow = v[0]
         week_number = v[1]
-        ecef_pos = v[2:5]
+        ecef_position = v[2:5]
         height = v[5]
         station_id = v[6]
         indicators = BaseStationIndicators(v[7])
         valid_flags = BaseStationInfoFlags(v[8])
-        return cls(
-            time_of_week, week_number, ecef_pos, height, station_id, indicators, valid_flags
-        ), at
+        return cls(tow, week_number, ecef_position, height, station_id, indicators, valid_flags), at
 
     def _write(self) -> bytes:
         out = _BASE_STATION_INFO_0.write(
-            self.time_of_week,
+            self.tow,
             self.week_number,
-            *codec.exactly("ecef_pos", self.ecef_pos, 3),
+            *codec.exactly("ecef_position", self.ecef_position, 3),
             self.height,
             self.station_id,
             self.indicators,
@@ -2013,7 +2006,7 @@ class BaseStationInfo(Data):
 
 _RTK_CORRECTIONS_STATUS_0 = codec.Block(
     "dHHIffffIIIIH",
-    "time_of_week",
+    "tow",
     "week_number",
     "epoch_status",
     "dongle_status",
@@ -2043,7 +2036,7 @@ class RtkCorrectionsStatus(Data):
     NAME = "gnss_1.rtk_corrections_status"
     ROLE = "data"
 
-    time_of_week: float
+    tow: float
     """GPS time of week. [s] Valid if valid_flags.tow."""
     week_number: int
     """GPS week number. [week] Valid if valid_flags.week_number."""
@@ -2070,7 +2063,7 @@ class RtkCorrectionsStatus(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[RtkCorrectionsStatus, int]:
         v = _RTK_CORRECTIONS_STATUS_0.read(raw, at)
         at += 50
-        time_of_week = v[0]
+        tow = v[0]
         week_number = v[1]
         epoch_status = RtkEpochStatus(v[2])
         dongle_status = types.RtkStatusFlags(v[3])
@@ -2081,7 +2074,7 @@ class RtkCorrectionsStatus(Data):
         reserved = v[8:12]
         valid_flags = RtkCorrectionsStatusFlags(v[12])
         return cls(
-            time_of_week,
+            tow,
             week_number,
             epoch_status,
             dongle_status,
@@ -2095,7 +2088,7 @@ class RtkCorrectionsStatus(Data):
 
     def _write(self) -> bytes:
         out = _RTK_CORRECTIONS_STATUS_0.write(
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.epoch_status,
             self.dongle_status,
@@ -2113,11 +2106,11 @@ _GPS_EPHEMERIS_0 = codec.Block(
     "BBdHBBBBdddddddddddddddddddddddddH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "satellite_id",
     "health",
-    "iodec",
+    "iodc",
     "iode",
     "t_oc",
     "af0",
@@ -2153,7 +2146,7 @@ class GpsEphemeris(Data):
     """GPS ephemeris (0x91,0x61).
 
     Broadcast orbit and clock of one GPS satellite.
-    iodec changes with the clock data; the manual has it roll over at 4.
+    iodc changes with the clock data; the manual has it roll over at 4.
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
@@ -2168,7 +2161,7 @@ class GpsEphemeris(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
+    tow: float
     """GPS time of week. [s]"""
     week_number: int
     """GPS week number. [week]"""
@@ -2176,7 +2169,7 @@ class GpsEphemeris(Data):
     """Satellite within the constellation."""
     health: int
     """Health of satellite and signals. Valid if valid_flags.ephemeris."""
-    iodec: int
+    iodc: int
     """Issue of data, clock. Valid if valid_flags.ephemeris."""
     iode: int
     """Issue of data, ephemeris. Valid if valid_flags.ephemeris."""
@@ -2245,11 +2238,11 @@ class GpsEphemeris(Data):
         at += 218
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         satellite_id = v[4]
         health = v[5]
-        iodec = v[6]
+        iodc = v[6]
         iode = v[7]
         t_oc = v[8]
         af0 = v[9]
@@ -2280,11 +2273,11 @@ class GpsEphemeris(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
             health,
-            iodec,
+            iodc,
             iode,
             t_oc,
             af0,
@@ -2318,11 +2311,11 @@ class GpsEphemeris(Data):
         out = _GPS_EPHEMERIS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.satellite_id,
             self.health,
-            self.iodec,
+            self.iodc,
             self.iode,
             self.t_oc,
             self.af0,
@@ -2358,24 +2351,24 @@ _GLONASS_EPHEMERIS_0 = codec.Block(
     "BBdHBbIIBdddddffffffBBBfBBBBBBH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "satellite_id",
-    "freq_number",
+    "frequency_number",
     "tk",
     "tb",
-    "sat_type",
+    "satellite_type",
     "gamma",
     "tau_n",
-    "x",
-    "x",
-    "x",
-    "v_",
-    "v_",
-    "v_",
-    "a",
-    "a",
-    "a",
+    "position",
+    "position",
+    "position",
+    "velocity",
+    "velocity",
+    "velocity",
+    "accel",
+    "accel",
+    "accel",
     "health",
     "p",
     "nt",
@@ -2411,19 +2404,19 @@ class GlonassEphemeris(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
+    tow: float
     """GPS time of week. [s]"""
     week_number: int
     """GPS week number. [week]"""
     satellite_id: int
     """Satellite within the constellation."""
-    freq_number: int
+    frequency_number: int
     """GLONASS frequency number. Range: -7 to 24. Valid if valid_flags.ephemeris."""
     tk: int
     """Start of the frame within the day. [s] Valid if valid_flags.ephemeris."""
     tb: int
     """Reference time of the ephemeris. [s] Valid if valid_flags.ephemeris."""
-    sat_type: GlonassSatelliteType
+    satellite_type: GlonassSatelliteType
     """Generation of the satellite (M). Valid if valid_flags.ephemeris."""
     gamma: float
     """Relative deviation of the carrier frequency from its nominal value. [1] Valid if
@@ -2433,11 +2426,11 @@ class GlonassEphemeris(Data):
     """Correction of the satellite time relative to GLONASS time. [s] Valid if
     valid_flags.ephemeris.
     """
-    x: types.Vector3d
+    position: types.Vector3d
     """Position of the satellite in PZ-90. [m] Valid if valid_flags.ephemeris."""
-    v_: types.Vector3f
+    velocity: types.Vector3f
     """Velocity of the satellite in PZ-90. [m/s] Valid if valid_flags.ephemeris."""
-    a: types.Vector3f
+    accel: types.Vector3f
     """Acceleration of the satellite by perturbations, in PZ-90. [m/s^2] Valid if
     valid_flags.ephemeris.
     """
@@ -2470,18 +2463,18 @@ class GlonassEphemeris(Data):
         at += 102
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         satellite_id = v[4]
-        freq_number = v[5]
+        frequency_number = v[5]
         tk = v[6]
         tb = v[7]
-        sat_type = GlonassSatelliteType(v[8])
+        satellite_type = GlonassSatelliteType(v[8])
         gamma = v[9]
         tau_n = v[10]
-        x = v[11:14]
-        v_ = v[14:17]
-        a = v[17:20]
+        position = v[11:14]
+        velocity = v[14:17]
+        accel = v[17:20]
         health = v[20]
         p = v[21]
         nt = v[22]
@@ -2496,18 +2489,18 @@ class GlonassEphemeris(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
-            freq_number,
+            frequency_number,
             tk,
             tb,
-            sat_type,
+            satellite_type,
             gamma,
             tau_n,
-            x,
-            v_,
-            a,
+            position,
+            velocity,
+            accel,
             health,
             p,
             nt,
@@ -2525,18 +2518,18 @@ class GlonassEphemeris(Data):
         out = _GLONASS_EPHEMERIS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.satellite_id,
-            self.freq_number,
+            self.frequency_number,
             self.tk,
             self.tb,
-            self.sat_type,
+            self.satellite_type,
             self.gamma,
             self.tau_n,
-            *codec.exactly("x", self.x, 3),
-            *codec.exactly("v_", self.v_, 3),
-            *codec.exactly("a", self.a, 3),
+            *codec.exactly("position", self.position, 3),
+            *codec.exactly("velocity", self.velocity, 3),
+            *codec.exactly("accel", self.accel, 3),
             self.health,
             self.p,
             self.nt,
@@ -2556,11 +2549,11 @@ _GALILEO_EPHEMERIS_0 = codec.Block(
     "BBdHBBBBdddddddddddddddddddddddddH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "satellite_id",
     "health",
-    "iodec",
+    "iodc",
     "iode",
     "t_oc",
     "af0",
@@ -2598,7 +2591,7 @@ class GalileoEphemeris(Data):
     Broadcast orbit and clock of one Galileo satellite.
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     corrections hold here.
-    iodec changes with the clock data; the manual has it roll over at 4.
+    iodc changes with the clock data; the manual has it roll over at 4.
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
@@ -2613,7 +2606,7 @@ class GalileoEphemeris(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
+    tow: float
     """GPS time of week. [s]"""
     week_number: int
     """GPS week number. [week]"""
@@ -2621,7 +2614,7 @@ class GalileoEphemeris(Data):
     """Satellite within the constellation."""
     health: int
     """Health of satellite and signals. Valid if valid_flags.ephemeris."""
-    iodec: int
+    iodc: int
     """Issue of data, clock. Valid if valid_flags.ephemeris."""
     iode: int
     """Issue of data, ephemeris. Valid if valid_flags.ephemeris."""
@@ -2690,11 +2683,11 @@ class GalileoEphemeris(Data):
         at += 218
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         satellite_id = v[4]
         health = v[5]
-        iodec = v[6]
+        iodc = v[6]
         iode = v[7]
         t_oc = v[8]
         af0 = v[9]
@@ -2725,11 +2718,11 @@ class GalileoEphemeris(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
             health,
-            iodec,
+            iodc,
             iode,
             t_oc,
             af0,
@@ -2763,11 +2756,11 @@ class GalileoEphemeris(Data):
         out = _GALILEO_EPHEMERIS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.satellite_id,
             self.health,
-            self.iodec,
+            self.iodc,
             self.iode,
             self.t_oc,
             self.af0,
@@ -2803,11 +2796,11 @@ _BEIDOU_EPHEMERIS_0 = codec.Block(
     "BBdHBBBBdddddddddddddddddddddddddH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "satellite_id",
     "health",
-    "iodec",
+    "iodc",
     "iode",
     "t_oc",
     "af0",
@@ -2845,7 +2838,7 @@ class BeidouEphemeris(Data):
     Broadcast orbit and clock of one BeiDou satellite.
     The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     corrections hold here.
-    iodec changes with the clock data; the manual has it roll over at 4.
+    iodc changes with the clock data; the manual has it roll over at 4.
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
@@ -2860,7 +2853,7 @@ class BeidouEphemeris(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
+    tow: float
     """GPS time of week. [s]"""
     week_number: int
     """GPS week number. [week]"""
@@ -2868,7 +2861,7 @@ class BeidouEphemeris(Data):
     """Satellite within the constellation."""
     health: int
     """Health of satellite and signals. Valid if valid_flags.ephemeris."""
-    iodec: int
+    iodc: int
     """Issue of data, clock. Valid if valid_flags.ephemeris."""
     iode: int
     """Issue of data, ephemeris. Valid if valid_flags.ephemeris."""
@@ -2937,11 +2930,11 @@ class BeidouEphemeris(Data):
         at += 218
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         satellite_id = v[4]
         health = v[5]
-        iodec = v[6]
+        iodc = v[6]
         iode = v[7]
         t_oc = v[8]
         af0 = v[9]
@@ -2972,11 +2965,11 @@ class BeidouEphemeris(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
             health,
-            iodec,
+            iodc,
             iode,
             t_oc,
             af0,
@@ -3010,11 +3003,11 @@ class BeidouEphemeris(Data):
         out = _BEIDOU_EPHEMERIS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.satellite_id,
             self.health,
-            self.iodec,
+            self.iodc,
             self.iode,
             self.t_oc,
             self.af0,
@@ -3239,17 +3232,17 @@ class BeidouIonoCorrection(Data):
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
-    0x03: (GnssLlhPosition,),
-    0x04: (GnssEcefPosition,),
+    0x03: (LlhPosition,),
+    0x04: (EcefPosition,),
     0x05: (NedVelocity,),
-    0x06: (GnssEcefVelocity,),
+    0x06: (EcefVelocity,),
     0x07: (Dop,),
     0x08: (UtcTime,),
     0x09: (GpsTime,),
     0x0A: (ClockInfo,),
     0x0B: (FixInfo,),
     0x0C: (SvInfo,),
-    0x0D: (GnssHardwareStatus,),
+    0x0D: (HardwareStatus,),
     0x0E: (DgpsInfo,),
     0x0F: (DgpsChannel,),
     0x10: (ClockInfo2,),

@@ -9,10 +9,10 @@ from . import gnss_1
 from .field import Field
 
 
-class GnssLlhPosition(gnss_1.GnssLlhPosition):
+class LlhPosition(gnss_1.LlhPosition):
     """GNSS LLH position (0x93,0x03).
 
-    Has the values of gnss_1.GnssLlhPosition.
+    Has the values of gnss_1.LlhPosition.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -20,13 +20,13 @@ class GnssLlhPosition(gnss_1.GnssLlhPosition):
     __slots__ = ()
 
     SET = 0x93
-    NAME = "gnss_corrections.gnss_llh_position"
+    NAME = "gnss_corrections.llh_position"
 
 
-class GnssEcefPosition(gnss_1.GnssEcefPosition):
+class EcefPosition(gnss_1.EcefPosition):
     """GNSS ECEF position (0x93,0x04).
 
-    Has the values of gnss_1.GnssEcefPosition.
+    Has the values of gnss_1.EcefPosition.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -34,7 +34,7 @@ class GnssEcefPosition(gnss_1.GnssEcefPosition):
     __slots__ = ()
 
     SET = 0x93
-    NAME = "gnss_corrections.gnss_ecef_position"
+    NAME = "gnss_corrections.ecef_position"
 
 
 class NedVelocity(gnss_1.NedVelocity):
@@ -51,10 +51,10 @@ class NedVelocity(gnss_1.NedVelocity):
     NAME = "gnss_corrections.ned_velocity"
 
 
-class GnssEcefVelocity(gnss_1.GnssEcefVelocity):
+class EcefVelocity(gnss_1.EcefVelocity):
     """GNSS ECEF velocity (0x93,0x06).
 
-    Has the values of gnss_1.GnssEcefVelocity.
+    Has the values of gnss_1.EcefVelocity.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -62,7 +62,7 @@ class GnssEcefVelocity(gnss_1.GnssEcefVelocity):
     __slots__ = ()
 
     SET = 0x93
-    NAME = "gnss_corrections.gnss_ecef_velocity"
+    NAME = "gnss_corrections.ecef_velocity"
 
 
 class Dop(gnss_1.Dop):
@@ -149,10 +149,10 @@ class SvInfo(gnss_1.SvInfo):
     NAME = "gnss_corrections.sv_info"
 
 
-class GnssHardwareStatus(gnss_1.GnssHardwareStatus):
+class HardwareStatus(gnss_1.HardwareStatus):
     """GNSS hardware status (0x93,0x0D).
 
-    Has the values of gnss_1.GnssHardwareStatus.
+    Has the values of gnss_1.HardwareStatus.
 
     - mip-sdk-4: Gnss3 Data (0x93)
     """
@@ -160,7 +160,7 @@ class GnssHardwareStatus(gnss_1.GnssHardwareStatus):
     __slots__ = ()
 
     SET = 0x93
-    NAME = "gnss_corrections.gnss_hardware_status"
+    NAME = "gnss_corrections.hardware_status"
 
 
 class DgpsInfo(gnss_1.DgpsInfo):
@@ -419,17 +419,17 @@ class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
-    0x03: (GnssLlhPosition,),
-    0x04: (GnssEcefPosition,),
+    0x03: (LlhPosition,),
+    0x04: (EcefPosition,),
     0x05: (NedVelocity,),
-    0x06: (GnssEcefVelocity,),
+    0x06: (EcefVelocity,),
     0x07: (Dop,),
     0x08: (UtcTime,),
     0x09: (GpsTime,),
     0x0A: (ClockInfo,),
     0x0B: (FixInfo,),
     0x0C: (SvInfo,),
-    0x0D: (GnssHardwareStatus,),
+    0x0D: (HardwareStatus,),
     0x0E: (DgpsInfo,),
     0x0F: (DgpsChannel,),
     0x10: (ClockInfo2,),

@@ -141,15 +141,15 @@ bitfield! {
 /// - The rotation does not matter for GNSS positions and velocities; set it to zero.
 /// - A read names the format that the answer shall have.
 ///
-/// Functions: write, read, save, load, default. Response: [`FrameConfigurationResponse`]. Supported
-/// by 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`FrameConfigResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
 /// - Manual 3dm-cv7-gnss-ins: Aiding Frames
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct FrameConfiguration {
+pub struct FrameConfig {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Number of the frame.
@@ -167,17 +167,17 @@ pub struct FrameConfiguration {
     /// Rotation from the frame to the vehicle.
     ///
     /// Selected by `format`.
-    pub rotation: Option<FrameConfigurationRotation>,
+    pub rotation: Option<FrameConfigRotation>,
 }
 
-impl FrameConfiguration {
+impl FrameConfig {
     /// Apply the new setting.
     #[must_use]
     pub fn write(
         frame_id: u8,
         tracking_enabled: bool,
         translation: impl Into<types::Vector3f>,
-        rotation: FrameConfigurationRotation,
+        rotation: FrameConfigRotation,
     ) -> Self {
         Self {
             function: types::FunctionSelector::WRITE,
@@ -253,7 +253,7 @@ impl FrameConfiguration {
     }
 }
 
-impl Wire for FrameConfiguration {
+impl Wire for FrameConfig {
     const SIZE: usize = 32;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -279,11 +279,11 @@ impl Wire for FrameConfiguration {
     }
 }
 
-/// The alternatives of `rotation` in [`FrameConfiguration`].
+/// The alternatives of `rotation` in [`FrameConfig`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum FrameConfigurationRotation {
+pub enum FrameConfigRotation {
     /// Roll, pitch and yaw.
     Euler(types::Vector3f),
     /// Quaternion, scalar part first.
@@ -292,13 +292,13 @@ pub enum FrameConfigurationRotation {
     Other(AidingFrameFormat),
 }
 
-impl core::default::Default for FrameConfigurationRotation {
+impl core::default::Default for FrameConfigRotation {
     fn default() -> Self {
         Self::Other(AidingFrameFormat(0))
     }
 }
 
-impl FrameConfigurationRotation {
+impl FrameConfigRotation {
     /// The tag that goes with it.
     #[must_use]
     pub const fn tag(&self) -> AidingFrameFormat {
@@ -310,7 +310,7 @@ impl FrameConfigurationRotation {
     }
 }
 
-impl Union for FrameConfigurationRotation {
+impl Union for FrameConfigRotation {
     type Tag = AidingFrameFormat;
 
     fn decode_as(tag: Self::Tag, reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -334,21 +334,21 @@ impl Union for FrameConfigurationRotation {
     }
 }
 
-impl Field for FrameConfiguration {
+impl Field for FrameConfig {
     const SET: u8 = 0x13;
     const DESCRIPTOR: u8 = 0x01;
-    const NAME: &'static str = "aiding.frame_configuration";
+    const NAME: &'static str = "aiding.frame_config";
 }
 
-impl Command for FrameConfiguration {
-    type Response = FrameConfigurationResponse;
+impl Command for FrameConfig {
+    type Response = FrameConfigResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<FrameConfiguration> for FrameConfigurationResponse {}
+impl ResponseOf<FrameConfig> for FrameConfigResponse {}
 
 /// Echo control (0x13,0x1F).
 ///
@@ -1225,14 +1225,14 @@ impl Command for Pressure {
 ///
 /// Answers Frame configuration (0x13,0x01).
 ///
-/// Command: [`FrameConfiguration`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`FrameConfig`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
 /// - Manual 3dm-cv7-gnss-ins: Aiding Frames
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct FrameConfigurationResponse {
+pub struct FrameConfigResponse {
     /// Number of the frame.
     ///
     /// Range: 1 to 4.
@@ -1248,10 +1248,10 @@ pub struct FrameConfigurationResponse {
     /// Rotation from the frame to the vehicle.
     ///
     /// Selected by `format`.
-    pub rotation: FrameConfigurationRotation,
+    pub rotation: FrameConfigRotation,
 }
 
-impl Wire for FrameConfigurationResponse {
+impl Wire for FrameConfigResponse {
     const SIZE: usize = 31;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -1273,10 +1273,10 @@ impl Wire for FrameConfigurationResponse {
     }
 }
 
-impl Field for FrameConfigurationResponse {
+impl Field for FrameConfigResponse {
     const SET: u8 = 0x13;
     const DESCRIPTOR: u8 = 0x81;
-    const NAME: &'static str = "aiding.frame_configuration_response";
+    const NAME: &'static str = "aiding.frame_config_response";
 }
 
 /// Echo control response (0x13,0x9F).

@@ -92,7 +92,7 @@ open_enum! {
         /// Week number.
         WEEK_NUMBER = 1, "week_number";
         /// Time of week in whole seconds.
-        TIME_OF_WEEK = 2, "time_of_week";
+        TOW = 2, "tow";
     }
 }
 
@@ -155,9 +155,9 @@ impl Command for Ping {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SetToIdle;
+pub struct SetIdle;
 
-impl SetToIdle {
+impl SetIdle {
     /// The command with its parameters.
     #[must_use]
     pub fn new() -> Self {
@@ -165,7 +165,7 @@ impl SetToIdle {
     }
 }
 
-impl Wire for SetToIdle {
+impl Wire for SetIdle {
     const SIZE: usize = 0;
 
     fn decode_from(_: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -177,13 +177,13 @@ impl Wire for SetToIdle {
     }
 }
 
-impl Field for SetToIdle {
+impl Field for SetIdle {
     const SET: u8 = 0x01;
     const DESCRIPTOR: u8 = 0x02;
-    const NAME: &'static str = "base.set_to_idle";
+    const NAME: &'static str = "base.set_idle";
 }
 
-impl Command for SetToIdle {
+impl Command for SetIdle {
     type Response = ();
 }
 
@@ -191,16 +191,16 @@ impl Command for SetToIdle {
 ///
 /// Gets the firmware version and the identity strings of the device.
 ///
-/// Response: [`GetDeviceInformationResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Response: [`GetDeviceInfoResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
 /// - Manual 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GetDeviceInformation;
+pub struct GetDeviceInfo;
 
-impl GetDeviceInformation {
+impl GetDeviceInfo {
     /// The command with its parameters.
     #[must_use]
     pub fn new() -> Self {
@@ -208,7 +208,7 @@ impl GetDeviceInformation {
     }
 }
 
-impl Wire for GetDeviceInformation {
+impl Wire for GetDeviceInfo {
     const SIZE: usize = 0;
 
     fn decode_from(_: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -220,21 +220,21 @@ impl Wire for GetDeviceInformation {
     }
 }
 
-impl Field for GetDeviceInformation {
+impl Field for GetDeviceInfo {
     const SET: u8 = 0x01;
     const DESCRIPTOR: u8 = 0x03;
-    const NAME: &'static str = "base.get_device_information";
+    const NAME: &'static str = "base.get_device_info";
 }
 
-impl Command for GetDeviceInformation {
-    type Response = GetDeviceInformationResponse;
+impl Command for GetDeviceInfo {
+    type Response = GetDeviceInfoResponse;
 
     fn expects_response(&self) -> bool {
         true
     }
 }
 
-impl ResponseOf<GetDeviceInformation> for GetDeviceInformationResponse {}
+impl ResponseOf<GetDeviceInfo> for GetDeviceInfoResponse {}
 
 /// Get device descriptors (0x01,0x04).
 ///
@@ -394,17 +394,16 @@ impl Command for Resume {
 ///
 /// - Only supported if get device descriptors lists (0x01,0x07).
 ///
-/// Response: [`GetDeviceDescriptorsExtendedResponse`]. Supported by 3DM-CV7-GNSS/INS and
-/// 3DM-GX5-15.
+/// Response: [`GetExtendedDescriptorsResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
 /// - Manual 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GetDeviceDescriptorsExtended;
+pub struct GetExtendedDescriptors;
 
-impl GetDeviceDescriptorsExtended {
+impl GetExtendedDescriptors {
     /// The command with its parameters.
     #[must_use]
     pub fn new() -> Self {
@@ -412,7 +411,7 @@ impl GetDeviceDescriptorsExtended {
     }
 }
 
-impl Wire for GetDeviceDescriptorsExtended {
+impl Wire for GetExtendedDescriptors {
     const SIZE: usize = 0;
 
     fn decode_from(_: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -424,21 +423,21 @@ impl Wire for GetDeviceDescriptorsExtended {
     }
 }
 
-impl Field for GetDeviceDescriptorsExtended {
+impl Field for GetExtendedDescriptors {
     const SET: u8 = 0x01;
     const DESCRIPTOR: u8 = 0x07;
-    const NAME: &'static str = "base.get_device_descriptors_extended";
+    const NAME: &'static str = "base.get_extended_descriptors";
 }
 
-impl Command for GetDeviceDescriptorsExtended {
-    type Response = GetDeviceDescriptorsExtendedResponse;
+impl Command for GetExtendedDescriptors {
+    type Response = GetExtendedDescriptorsResponse;
 
     fn expects_response(&self) -> bool {
         true
     }
 }
 
-impl ResponseOf<GetDeviceDescriptorsExtended> for GetDeviceDescriptorsExtendedResponse {}
+impl ResponseOf<GetExtendedDescriptors> for GetExtendedDescriptorsResponse {}
 
 /// Continuous built-in test (0x01,0x08).
 ///
@@ -501,14 +500,14 @@ impl ResponseOf<ContinuousBuiltInTest> for ContinuousBuiltInTestResponse {}
 /// - Send it alone in a packet while the device is idle, and wait 250 ms before going on.
 /// - Commands and data during the change may be lost or come at either rate.
 ///
-/// Functions: write, read, save, load, default. Response: [`CommPortSpeedResponse`]. Supported by
+/// Functions: write, read, save, load, default. Response: [`CommSpeedResponse`]. Supported by
 /// 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct CommPortSpeed {
+pub struct CommSpeed {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Port id of the device; 0 means all ports, and is for save, load and default only.
@@ -519,7 +518,7 @@ pub struct CommPortSpeed {
     pub baud: Option<u32>,
 }
 
-impl CommPortSpeed {
+impl CommSpeed {
     /// Apply the new setting.
     #[must_use]
     pub fn write(port: u8, baud: u32) -> Self {
@@ -561,7 +560,7 @@ impl CommPortSpeed {
     }
 }
 
-impl Wire for CommPortSpeed {
+impl Wire for CommSpeed {
     const SIZE: usize = 6;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -581,21 +580,21 @@ impl Wire for CommPortSpeed {
     }
 }
 
-impl Field for CommPortSpeed {
+impl Field for CommSpeed {
     const SET: u8 = 0x01;
     const DESCRIPTOR: u8 = 0x09;
-    const NAME: &'static str = "base.comm_port_speed";
+    const NAME: &'static str = "base.comm_speed";
 }
 
-impl Command for CommPortSpeed {
-    type Response = CommPortSpeedResponse;
+impl Command for CommSpeed {
+    type Response = CommSpeedResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<CommPortSpeed> for CommPortSpeedResponse {}
+impl ResponseOf<CommSpeed> for CommSpeedResponse {}
 
 /// GPS time update (0x01,0x72).
 ///
@@ -625,7 +624,7 @@ pub struct GpsTimeUpdate {
     /// What field_id says.
     ///
     /// - If field_id is week_number: unit week; GPS week number since 6 January 1980.
-    /// - If field_id is time_of_week: unit s; Whole seconds of the GPS week.
+    /// - If field_id is tow: unit s; Whole seconds of the GPS week.
     pub value: Option<u32>,
 }
 
@@ -707,15 +706,15 @@ impl Command for GpsTimeUpdate {
 
 impl ResponseOf<GpsTimeUpdate> for GpsTimeUpdateWeekNumberResponse {}
 
-impl ResponseOf<GpsTimeUpdate> for GpsTimeUpdateTimeOfWeekResponse {}
+impl ResponseOf<GpsTimeUpdate> for GpsTimeUpdateTowResponse {}
 
 crate::macros::responses! {
     /// What [`GpsTimeUpdate`] is answered with.
     GpsTimeUpdateResponses {
         /// The response [`GpsTimeUpdateWeekNumberResponse`].
         WeekNumber(GpsTimeUpdateWeekNumberResponse),
-        /// The response [`GpsTimeUpdateTimeOfWeekResponse`].
-        TimeOfWeek(GpsTimeUpdateTimeOfWeekResponse),
+        /// The response [`GpsTimeUpdateTowResponse`].
+        Tow(GpsTimeUpdateTowResponse),
     }
 }
 
@@ -730,9 +729,9 @@ crate::macros::responses! {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ResetDevice;
+pub struct SoftReset;
 
-impl ResetDevice {
+impl SoftReset {
     /// The command with its parameters.
     #[must_use]
     pub fn new() -> Self {
@@ -740,7 +739,7 @@ impl ResetDevice {
     }
 }
 
-impl Wire for ResetDevice {
+impl Wire for SoftReset {
     const SIZE: usize = 0;
 
     fn decode_from(_: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -752,13 +751,13 @@ impl Wire for ResetDevice {
     }
 }
 
-impl Field for ResetDevice {
+impl Field for SoftReset {
     const SET: u8 = 0x01;
     const DESCRIPTOR: u8 = 0x7E;
-    const NAME: &'static str = "base.reset_device";
+    const NAME: &'static str = "base.soft_reset";
 }
 
-impl Command for ResetDevice {
+impl Command for SoftReset {
     type Response = ();
 }
 
@@ -766,19 +765,19 @@ impl Command for ResetDevice {
 ///
 /// Answers Get device information (0x01,0x03).
 ///
-/// Command: [`GetDeviceInformation`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Command: [`GetDeviceInfo`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
 /// - Manual 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GetDeviceInformationResponse {
+pub struct GetDeviceInfoResponse {
     /// Identity of the device.
     pub device_info: BaseDeviceInfo,
 }
 
-impl Wire for GetDeviceInformationResponse {
+impl Wire for GetDeviceInfoResponse {
     const SIZE: usize = 82;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -792,10 +791,10 @@ impl Wire for GetDeviceInformationResponse {
     }
 }
 
-impl Field for GetDeviceInformationResponse {
+impl Field for GetDeviceInfoResponse {
     const SET: u8 = 0x01;
     const DESCRIPTOR: u8 = 0x81;
-    const NAME: &'static str = "base.get_device_information_response";
+    const NAME: &'static str = "base.get_device_info_response";
 }
 
 /// Get device descriptors response (0x01,0x82).
@@ -934,51 +933,51 @@ impl Field for GpsTimeUpdateWeekNumberResponse {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GpsTimeUpdateTimeOfWeekResponse {
+pub struct GpsTimeUpdateTowResponse {
     /// GPS time of week in whole seconds.
     ///
     /// Unit: s.
-    pub time_of_week: u32,
+    pub tow: u32,
 }
 
-impl Wire for GpsTimeUpdateTimeOfWeekResponse {
+impl Wire for GpsTimeUpdateTowResponse {
     const SIZE: usize = 4;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let time_of_week = reader.read()?;
-        Ok(Self { time_of_week })
+        let tow = reader.read()?;
+        Ok(Self { tow })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.time_of_week)?;
+        writer.write(&self.tow)?;
         Ok(())
     }
 }
 
-impl Field for GpsTimeUpdateTimeOfWeekResponse {
+impl Field for GpsTimeUpdateTowResponse {
     const SET: u8 = 0x01;
     const DESCRIPTOR: u8 = 0x85;
-    const NAME: &'static str = "base.gps_time_update_time_of_week_response";
+    const NAME: &'static str = "base.gps_time_update_tow_response";
 }
 
 /// Get device descriptors (extended) response (0x01,0x86).
 ///
 /// Answers Get device descriptors (extended) (0x01,0x07).
 ///
-/// Command: [`GetDeviceDescriptorsExtended`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Command: [`GetExtendedDescriptors`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
 /// - Manual 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GetDeviceDescriptorsExtendedResponse {
+pub struct GetExtendedDescriptorsResponse {
     /// Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
     /// byte.
     pub descriptors: crate::List<u16, 126>,
 }
 
-impl Wire for GetDeviceDescriptorsExtendedResponse {
+impl Wire for GetExtendedDescriptorsResponse {
     const SIZE: usize = 252;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -992,10 +991,10 @@ impl Wire for GetDeviceDescriptorsExtendedResponse {
     }
 }
 
-impl Field for GetDeviceDescriptorsExtendedResponse {
+impl Field for GetExtendedDescriptorsResponse {
     const SET: u8 = 0x01;
     const DESCRIPTOR: u8 = 0x86;
-    const NAME: &'static str = "base.get_device_descriptors_extended_response";
+    const NAME: &'static str = "base.get_extended_descriptors_response";
 }
 
 /// Continuous built-in test response (0x01,0x88).
@@ -1046,13 +1045,13 @@ impl Field for ContinuousBuiltInTestResponse {
 ///
 /// Answers Comm port speed (0x01,0x09).
 ///
-/// Command: [`CommPortSpeed`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`CommSpeed`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct CommPortSpeedResponse {
+pub struct CommSpeedResponse {
     /// Port id of the device; 0 means all ports, and is for save, load and default only.
     pub port: u8,
     /// Baud rate; one that the port supports.
@@ -1061,7 +1060,7 @@ pub struct CommPortSpeedResponse {
     pub baud: u32,
 }
 
-impl Wire for CommPortSpeedResponse {
+impl Wire for CommSpeedResponse {
     const SIZE: usize = 5;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -1077,8 +1076,8 @@ impl Wire for CommPortSpeedResponse {
     }
 }
 
-impl Field for CommPortSpeedResponse {
+impl Field for CommSpeedResponse {
     const SET: u8 = 0x01;
     const DESCRIPTOR: u8 = 0x89;
-    const NAME: &'static str = "base.comm_port_speed_response";
+    const NAME: &'static str = "base.comm_speed_response";
 }

@@ -39,13 +39,13 @@ open_enum! {
     /// Where the filter takes GNSS data from.
     GnssAidingSource: u8 {
         /// All internal receivers.
-        ALL_INT = 1, "all_int";
+        ALL_INTERNAL = 1, "all_internal";
         /// GNSS measurements that the user sends.
-        EXT = 2, "ext";
+        EXTERNAL = 2, "external";
         /// Internal receiver 1 only.
-        INT_1 = 3, "int_1";
+        INTERNAL_1 = 3, "internal_1";
         /// Internal receiver 2 only.
-        INT_2 = 4, "int_2";
+        INTERNAL_2 = 4, "internal_2";
     }
 }
 
@@ -88,11 +88,11 @@ bitfield! {
     /// Measurements that the filter uses.
     MeasurementFlags: u16 {
         /// Accelerometer measurements.
-        ACCELEROMETER: bool = 0,
-            "accelerometer", accelerometer, set_accelerometer, with_accelerometer;
+        ACCEL: bool = 0,
+            "accel", accel, set_accel, with_accel;
         /// Magnetometer measurements, on models that have a magnetometer.
-        MAGNETOMETER: bool = 1,
-            "magnetometer", magnetometer, set_magnetometer, with_magnetometer;
+        MAG: bool = 1,
+            "mag", mag, set_mag, with_mag;
     }
 }
 
@@ -146,7 +146,7 @@ open_enum! {
     /// A source of aiding measurements.
     AidingSource: u16 {
         /// GNSS position and velocity.
-        GNSS_POS_VEL = 0, "gnss_pos_vel";
+        GNSS_POSITION_VELOCITY = 0, "gnss_position_velocity";
         /// GNSS heading of two antennas.
         GNSS_HEADING = 1, "gnss_heading";
         /// Built-in pressure altimeter.
@@ -154,15 +154,15 @@ open_enum! {
         /// Speed sensor or odometer.
         SPEED = 3, "speed";
         /// Built-in magnetometer.
-        MAGNETOMETER = 4, "magnetometer";
+        MAG = 4, "mag";
         /// Heading that the user sends.
         EXTERNAL_HEADING = 5, "external_heading";
         /// Pressure altitude that the user sends.
         EXTERNAL_ALTIMETER = 6, "external_altimeter";
         /// Magnetic field that the user sends.
-        EXTERNAL_MAGNETOMETER = 7, "external_magnetometer";
+        EXTERNAL_MAG = 7, "external_mag";
         /// Velocity in the vehicle that the user sends.
-        BODY_FRAME_VEL = 8, "body_frame_vel";
+        BODY_FRAME_VELOCITY = 8, "body_frame_velocity";
         /// All sources, for save, load and default.
         ALL = 65535, "all";
     }
@@ -210,11 +210,11 @@ open_enum! {
     /// Which initial conditions the device finds itself and which the user gives.
     InitialConditionSource: u8 {
         /// Position, velocity and attitude are found.
-        AUTO_POS_VEL_ATT = 0, "auto_pos_vel_att";
+        AUTO_POSITION_VELOCITY_ATTITUDE = 0, "auto_position_velocity_attitude";
         /// Position, velocity, pitch and roll are found; the heading is given.
-        AUTO_POS_VEL_PITCH_ROLL = 1, "auto_pos_vel_pitch_roll";
+        AUTO_POSITION_VELOCITY_PITCH_ROLL = 1, "auto_position_velocity_pitch_roll";
         /// Position and velocity are found; the attitude is given.
-        AUTO_POS_VEL = 2, "auto_pos_vel";
+        AUTO_POSITION_VELOCITY = 2, "auto_position_velocity";
         /// Position, velocity and attitude are given.
         MANUAL = 3, "manual";
     }
@@ -230,8 +230,8 @@ bitfield! {
         KINEMATIC: bool = 1,
             "kinematic", kinematic, set_kinematic, with_kinematic;
         /// From the built-in magnetometer.
-        MAGNETOMETER: bool = 2,
-            "magnetometer", magnetometer, set_magnetometer, with_magnetometer;
+        MAG: bool = 2,
+            "mag", mag, set_mag, with_mag;
         /// From the heading that the user sends.
         EXTERNAL: bool = 3,
             "external", external, set_external, with_external;
@@ -276,7 +276,7 @@ open_enum! {
     /// A point of reference.
     ReferencePoint: u8 {
         /// The origin of the vehicle.
-        VEH = 1, "veh";
+        VEHICLE = 1, "vehicle";
     }
 }
 
@@ -296,9 +296,9 @@ open_enum! {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ResetNavigationFilter;
+pub struct Reset;
 
-impl ResetNavigationFilter {
+impl Reset {
     /// The command with its parameters.
     #[must_use]
     pub fn new() -> Self {
@@ -306,7 +306,7 @@ impl ResetNavigationFilter {
     }
 }
 
-impl Wire for ResetNavigationFilter {
+impl Wire for Reset {
     const SIZE: usize = 0;
 
     fn decode_from(_: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -318,13 +318,13 @@ impl Wire for ResetNavigationFilter {
     }
 }
 
-impl Field for ResetNavigationFilter {
+impl Field for Reset {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x01;
-    const NAME: &'static str = "filter.reset_navigation_filter";
+    const NAME: &'static str = "filter.reset";
 }
 
-impl Command for ResetNavigationFilter {
+impl Command for Reset {
     type Response = ();
 }
 
@@ -406,14 +406,14 @@ impl Command for SetInitialAttitude {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SetInitialHeadingControl {
+pub struct SetInitialHeading {
     /// Initial heading.
     ///
     /// Unit: rad; frame: ned; range: -3.141592653589793 to 3.141592653589793.
     pub heading: f32,
 }
 
-impl SetInitialHeadingControl {
+impl SetInitialHeading {
     /// The command with its parameters.
     #[must_use]
     pub fn new(heading: f32) -> Self {
@@ -421,7 +421,7 @@ impl SetInitialHeadingControl {
     }
 }
 
-impl Wire for SetInitialHeadingControl {
+impl Wire for SetInitialHeading {
     const SIZE: usize = 4;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -435,13 +435,13 @@ impl Wire for SetInitialHeadingControl {
     }
 }
 
-impl Field for SetInitialHeadingControl {
+impl Field for SetInitialHeading {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x03;
-    const NAME: &'static str = "filter.set_initial_heading_control";
+    const NAME: &'static str = "filter.set_initial_heading";
 }
 
-impl Command for SetInitialHeadingControl {
+impl Command for SetInitialHeading {
     type Response = ();
 }
 
@@ -450,7 +450,7 @@ impl Command for SetInitialHeadingControl {
 /// Starts a filter that was set up to wait for this command.
 ///
 /// - The filter waits in its initialization state if `wait_for_run_command` of
-///   `navigation_filter_initialization` is set.
+///   `initialization_config` is set.
 ///
 /// Supported by 3DM-CV7-GNSS/INS.
 ///
@@ -458,9 +458,9 @@ impl Command for SetInitialHeadingControl {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct RunNavigationFilter;
+pub struct Run;
 
-impl RunNavigationFilter {
+impl Run {
     /// The command with its parameters.
     #[must_use]
     pub fn new() -> Self {
@@ -468,7 +468,7 @@ impl RunNavigationFilter {
     }
 }
 
-impl Wire for RunNavigationFilter {
+impl Wire for Run {
     const SIZE: usize = 0;
 
     fn decode_from(_: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -480,13 +480,13 @@ impl Wire for RunNavigationFilter {
     }
 }
 
-impl Field for RunNavigationFilter {
+impl Field for Run {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x05;
-    const NAME: &'static str = "filter.run_navigation_filter";
+    const NAME: &'static str = "filter.run";
 }
 
-impl Command for RunNavigationFilter {
+impl Command for Run {
     type Response = ();
 }
 
@@ -589,16 +589,16 @@ impl ResponseOf<VehicleDynamicsMode> for VehicleDynamicsModeResponse {}
 /// - It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
 ///   velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
 ///   vector of the filter.
-/// - The 3DM-CV7 takes the inverse instead: `3dm.sensor_to_vehicle_frame_transformation_euler`.
+/// - The 3DM-CV7 takes the inverse instead: `3dm.sensor_to_vehicle_transform_euler`.
 ///
-/// Functions: write, read, save, load, default. Response:
-/// [`SensorToVehicleFrameTransformationResponse`]. Supported by 3DM-GX5-15.
+/// Functions: write, read, save, load, default. Response: [`SensorToVehicleRotationEulerResponse`].
+/// Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SensorToVehicleFrameTransformation {
+pub struct SensorToVehicleRotationEuler {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Roll angle.
@@ -615,7 +615,7 @@ pub struct SensorToVehicleFrameTransformation {
     pub yaw: Option<f32>,
 }
 
-impl SensorToVehicleFrameTransformation {
+impl SensorToVehicleRotationEuler {
     /// Apply the new setting.
     #[must_use]
     pub fn write(roll: f32, pitch: f32, yaw: f32) -> Self {
@@ -661,7 +661,7 @@ impl SensorToVehicleFrameTransformation {
     }
 }
 
-impl Wire for SensorToVehicleFrameTransformation {
+impl Wire for SensorToVehicleRotationEuler {
     const SIZE: usize = 13;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -683,21 +683,21 @@ impl Wire for SensorToVehicleFrameTransformation {
     }
 }
 
-impl Field for SensorToVehicleFrameTransformation {
+impl Field for SensorToVehicleRotationEuler {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x11;
-    const NAME: &'static str = "filter.sensor_to_vehicle_frame_transformation";
+    const NAME: &'static str = "filter.sensor_to_vehicle_rotation_euler";
 }
 
-impl Command for SensorToVehicleFrameTransformation {
-    type Response = SensorToVehicleFrameTransformationResponse;
+impl Command for SensorToVehicleRotationEuler {
+    type Response = SensorToVehicleRotationEulerResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<SensorToVehicleFrameTransformation> for SensorToVehicleFrameTransformationResponse {}
+impl ResponseOf<SensorToVehicleRotationEuler> for SensorToVehicleRotationEulerResponse {}
 
 /// Sensor to vehicle offset (0x0D,0x12).
 ///
@@ -804,16 +804,16 @@ impl ResponseOf<SensorToVehicleOffset> for SensorToVehicleOffsetResponse {}
 /// - The magnitude of the vector is limited to 10.
 /// - 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
 /// - On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding commands
-///   use `aiding.frame_configuration`.
+///   use `aiding.frame_config`.
 ///
-/// Functions: write, read, save, load, default. Response: [`GnssAntennaOffsetControlResponse`].
-/// Supported by 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`AntennaOffsetResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GnssAntennaOffsetControl {
+pub struct AntennaOffset {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// From the sensor origin to the centre of the antenna.
@@ -822,7 +822,7 @@ pub struct GnssAntennaOffsetControl {
     pub offset: Option<types::Vector3f>,
 }
 
-impl GnssAntennaOffsetControl {
+impl AntennaOffset {
     /// Apply the new setting.
     #[must_use]
     pub fn write(offset: impl Into<types::Vector3f>) -> Self {
@@ -863,7 +863,7 @@ impl GnssAntennaOffsetControl {
     }
 }
 
-impl Wire for GnssAntennaOffsetControl {
+impl Wire for AntennaOffset {
     const SIZE: usize = 13;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -881,41 +881,41 @@ impl Wire for GnssAntennaOffsetControl {
     }
 }
 
-impl Field for GnssAntennaOffsetControl {
+impl Field for AntennaOffset {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x13;
-    const NAME: &'static str = "filter.gnss_antenna_offset_control";
+    const NAME: &'static str = "filter.antenna_offset";
 }
 
-impl Command for GnssAntennaOffsetControl {
-    type Response = GnssAntennaOffsetControlResponse;
+impl Command for AntennaOffset {
+    type Response = AntennaOffsetResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<GnssAntennaOffsetControl> for GnssAntennaOffsetControlResponse {}
+impl ResponseOf<AntennaOffset> for AntennaOffsetResponse {}
 
 /// Estimation control flags (0x0D,0x14).
 ///
 /// Which states the filter estimates.
 ///
-/// Functions: write, read, save, load, default. Response: [`EstimationControlFlagsResponse`].
-/// Supported by 3DM-GX5-15.
+/// Functions: write, read, save, load, default. Response: [`EstimationControlResponse`]. Supported
+/// by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct EstimationControlFlags {
+pub struct EstimationControl {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// States to estimate.
     pub flags: Option<EstimatedStates>,
 }
 
-impl EstimationControlFlags {
+impl EstimationControl {
     /// Apply the new setting.
     #[must_use]
     pub fn write(flags: EstimatedStates) -> Self {
@@ -956,7 +956,7 @@ impl EstimationControlFlags {
     }
 }
 
-impl Wire for EstimationControlFlags {
+impl Wire for EstimationControl {
     const SIZE: usize = 3;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -974,21 +974,21 @@ impl Wire for EstimationControlFlags {
     }
 }
 
-impl Field for EstimationControlFlags {
+impl Field for EstimationControl {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x14;
-    const NAME: &'static str = "filter.estimation_control_flags";
+    const NAME: &'static str = "filter.estimation_control";
 }
 
-impl Command for EstimationControlFlags {
-    type Response = EstimationControlFlagsResponse;
+impl Command for EstimationControl {
+    type Response = EstimationControlResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<EstimationControlFlags> for EstimationControlFlagsResponse {}
+impl ResponseOf<EstimationControl> for EstimationControlResponse {}
 
 /// GNSS aiding source (0x0D,0x15).
 ///
@@ -997,21 +997,21 @@ impl ResponseOf<EstimationControlFlags> for EstimationControlFlagsResponse {}
 /// - A change while the filter runs may put it back into initialization until the new source gives
 ///   data.
 ///
-/// Functions: write, read, save, load, default. Response: [`GnssAidingSourceControlResponse`].
-/// Supported by 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`GnssSourceResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GnssAidingSourceControl {
+pub struct GnssSource {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Source of the GNSS data.
     pub source: Option<GnssAidingSource>,
 }
 
-impl GnssAidingSourceControl {
+impl GnssSource {
     /// Apply the new setting.
     #[must_use]
     pub fn write(source: GnssAidingSource) -> Self {
@@ -1052,7 +1052,7 @@ impl GnssAidingSourceControl {
     }
 }
 
-impl Wire for GnssAidingSourceControl {
+impl Wire for GnssSource {
     const SIZE: usize = 2;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -1070,21 +1070,21 @@ impl Wire for GnssAidingSourceControl {
     }
 }
 
-impl Field for GnssAidingSourceControl {
+impl Field for GnssSource {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x15;
-    const NAME: &'static str = "filter.gnss_aiding_source_control";
+    const NAME: &'static str = "filter.gnss_source";
 }
 
-impl Command for GnssAidingSourceControl {
-    type Response = GnssAidingSourceControlResponse;
+impl Command for GnssSource {
+    type Response = GnssSourceResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<GnssAidingSourceControl> for GnssAidingSourceControlResponse {}
+impl ResponseOf<GnssSource> for GnssSourceResponse {}
 
 /// External GNSS update (0x0D,0x16).
 ///
@@ -1209,8 +1209,8 @@ impl Command for ExternalGnssUpdate {
 ///
 /// Gives the filter one measurement of the heading of the sensor frame in the NED frame.
 ///
-/// - Refused unless external heading updates are enabled, by `heading_update_control` on the
-///   3DM-GX5 and by `aiding_measurement_control` on the 3DM-CV7.
+/// - Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5 and by
+///   `aiding_measurement_enable` on the 3DM-CV7.
 /// - The 3DM-GX5-15 takes at most 20 updates per second.
 /// - If the declination source is not valid, -25 models refuse true headings and -45 models
 ///   magnetic ones.
@@ -1275,49 +1275,49 @@ impl Command for ExternalHeadingUpdate {
 ///
 /// Source of the heading that aids the filter.
 ///
-/// Functions: write, read, save, load, default. Response: [`HeadingUpdateControlResponse`].
-/// Supported by 3DM-GX5-15.
+/// Functions: write, read, save, load, default. Response: [`HeadingSourceResponse`]. Supported by
+/// 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct HeadingUpdateControl {
+pub struct HeadingSource {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Source of the heading.
-    pub enable: Option<HeadingUpdateSource>,
+    pub source: Option<HeadingUpdateSource>,
 }
 
-impl HeadingUpdateControl {
+impl HeadingSource {
     /// Apply the new setting.
     #[must_use]
-    pub fn write(enable: HeadingUpdateSource) -> Self {
-        Self { function: types::FunctionSelector::WRITE, enable: Some(enable) }
+    pub fn write(source: HeadingUpdateSource) -> Self {
+        Self { function: types::FunctionSelector::WRITE, source: Some(source) }
     }
 
     /// Send the current setting back in a response.
     #[must_use]
     pub fn read() -> Self {
-        Self { function: types::FunctionSelector::READ, enable: None }
+        Self { function: types::FunctionSelector::READ, source: None }
     }
 
     /// Save the current setting to non-volatile memory.
     #[must_use]
     pub fn save() -> Self {
-        Self { function: types::FunctionSelector::SAVE, enable: None }
+        Self { function: types::FunctionSelector::SAVE, source: None }
     }
 
     /// Load the saved setting.
     #[must_use]
     pub fn load() -> Self {
-        Self { function: types::FunctionSelector::LOAD, enable: None }
+        Self { function: types::FunctionSelector::LOAD, source: None }
     }
 
     /// Load the factory default setting.
     #[must_use]
     pub fn load_default() -> Self {
-        Self { function: types::FunctionSelector::DEFAULT, enable: None }
+        Self { function: types::FunctionSelector::DEFAULT, source: None }
     }
 
     /// How many parameters a function needs.
@@ -1330,39 +1330,39 @@ impl HeadingUpdateControl {
     }
 }
 
-impl Wire for HeadingUpdateControl {
+impl Wire for HeadingSource {
     const SIZE: usize = 2;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let function = reader.read()?;
         let required = Self::required(function);
-        let enable = reader.group(required >= 1, Reader::read)?;
-        Ok(Self { function, enable })
+        let source = reader.group(required >= 1, Reader::read)?;
+        Ok(Self { function, source })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         let required = Self::required(self.function);
         writer.write(&self.function)?;
-        writer.some(required >= 1, &self.enable)?;
+        writer.some(required >= 1, &self.source)?;
         Ok(())
     }
 }
 
-impl Field for HeadingUpdateControl {
+impl Field for HeadingSource {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x18;
-    const NAME: &'static str = "filter.heading_update_control";
+    const NAME: &'static str = "filter.heading_source";
 }
 
-impl Command for HeadingUpdateControl {
-    type Response = HeadingUpdateControlResponse;
+impl Command for HeadingSource {
+    type Response = HeadingSourceResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<HeadingUpdateControl> for HeadingUpdateControlResponse {}
+impl ResponseOf<HeadingSource> for HeadingSourceResponse {}
 
 /// Automatic initialization (0x0D,0x19).
 ///
@@ -1467,15 +1467,15 @@ impl ResponseOf<AutoInitializationControl> for AutoInitializationControlResponse
 ///
 /// - The factory values suit most laboratory conditions.
 ///
-/// Functions: write, read, save, load, default. Response:
-/// [`AccelerometerNoiseStandardDeviationResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Functions: write, read, save, load, default. Response: [`AccelNoiseResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
 /// - Manual 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct AccelerometerNoiseStandardDeviation {
+pub struct AccelNoise {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Standard deviation per axis.
@@ -1484,7 +1484,7 @@ pub struct AccelerometerNoiseStandardDeviation {
     pub noise: Option<types::Vector3f>,
 }
 
-impl AccelerometerNoiseStandardDeviation {
+impl AccelNoise {
     /// Apply the new setting.
     #[must_use]
     pub fn write(noise: impl Into<types::Vector3f>) -> Self {
@@ -1525,7 +1525,7 @@ impl AccelerometerNoiseStandardDeviation {
     }
 }
 
-impl Wire for AccelerometerNoiseStandardDeviation {
+impl Wire for AccelNoise {
     const SIZE: usize = 13;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -1543,24 +1543,21 @@ impl Wire for AccelerometerNoiseStandardDeviation {
     }
 }
 
-impl Field for AccelerometerNoiseStandardDeviation {
+impl Field for AccelNoise {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x1A;
-    const NAME: &'static str = "filter.accelerometer_noise_standard_deviation";
+    const NAME: &'static str = "filter.accel_noise";
 }
 
-impl Command for AccelerometerNoiseStandardDeviation {
-    type Response = AccelerometerNoiseStandardDeviationResponse;
+impl Command for AccelNoise {
+    type Response = AccelNoiseResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<AccelerometerNoiseStandardDeviation>
-    for AccelerometerNoiseStandardDeviationResponse
-{
-}
+impl ResponseOf<AccelNoise> for AccelNoiseResponse {}
 
 /// Gyroscope noise (0x0D,0x1B).
 ///
@@ -1568,15 +1565,15 @@ impl ResponseOf<AccelerometerNoiseStandardDeviation>
 ///
 /// - The factory values suit most laboratory conditions.
 ///
-/// Functions: write, read, save, load, default. Response:
-/// [`GyroscopeNoiseStandardDeviationResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Functions: write, read, save, load, default. Response: [`GyroNoiseResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
 /// - Manual 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GyroscopeNoiseStandardDeviation {
+pub struct GyroNoise {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Standard deviation per axis.
@@ -1585,7 +1582,7 @@ pub struct GyroscopeNoiseStandardDeviation {
     pub noise: Option<types::Vector3f>,
 }
 
-impl GyroscopeNoiseStandardDeviation {
+impl GyroNoise {
     /// Apply the new setting.
     #[must_use]
     pub fn write(noise: impl Into<types::Vector3f>) -> Self {
@@ -1626,7 +1623,7 @@ impl GyroscopeNoiseStandardDeviation {
     }
 }
 
-impl Wire for GyroscopeNoiseStandardDeviation {
+impl Wire for GyroNoise {
     const SIZE: usize = 13;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -1644,34 +1641,34 @@ impl Wire for GyroscopeNoiseStandardDeviation {
     }
 }
 
-impl Field for GyroscopeNoiseStandardDeviation {
+impl Field for GyroNoise {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x1B;
-    const NAME: &'static str = "filter.gyroscope_noise_standard_deviation";
+    const NAME: &'static str = "filter.gyro_noise";
 }
 
-impl Command for GyroscopeNoiseStandardDeviation {
-    type Response = GyroscopeNoiseStandardDeviationResponse;
+impl Command for GyroNoise {
+    type Response = GyroNoiseResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<GyroscopeNoiseStandardDeviation> for GyroscopeNoiseStandardDeviationResponse {}
+impl ResponseOf<GyroNoise> for GyroNoiseResponse {}
 
 /// Accelerometer bias model (0x0D,0x1C).
 ///
 /// Parameters of the model by which the accelerometer bias drifts.
 ///
-/// Functions: write, read, save, load, default. Response:
-/// [`AccelerometerBiasModelParametersResponse`]. Supported by 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`AccelBiasModelResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct AccelerometerBiasModelParameters {
+pub struct AccelBiasModel {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Reciprocal of the correlation time per axis.
@@ -1684,7 +1681,7 @@ pub struct AccelerometerBiasModelParameters {
     pub noise: Option<types::Vector3f>,
 }
 
-impl AccelerometerBiasModelParameters {
+impl AccelBiasModel {
     /// Apply the new setting.
     #[must_use]
     pub fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) -> Self {
@@ -1729,7 +1726,7 @@ impl AccelerometerBiasModelParameters {
     }
 }
 
-impl Wire for AccelerometerBiasModelParameters {
+impl Wire for AccelBiasModel {
     const SIZE: usize = 25;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -1749,35 +1746,35 @@ impl Wire for AccelerometerBiasModelParameters {
     }
 }
 
-impl Field for AccelerometerBiasModelParameters {
+impl Field for AccelBiasModel {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x1C;
-    const NAME: &'static str = "filter.accelerometer_bias_model_parameters";
+    const NAME: &'static str = "filter.accel_bias_model";
 }
 
-impl Command for AccelerometerBiasModelParameters {
-    type Response = AccelerometerBiasModelParametersResponse;
+impl Command for AccelBiasModel {
+    type Response = AccelBiasModelResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<AccelerometerBiasModelParameters> for AccelerometerBiasModelParametersResponse {}
+impl ResponseOf<AccelBiasModel> for AccelBiasModelResponse {}
 
 /// Gyroscope bias model (0x0D,0x1D).
 ///
 /// Parameters of the model by which the gyroscope bias drifts.
 ///
-/// Functions: write, read, save, load, default. Response: [`GyroscopeBiasModelParametersResponse`].
-/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Functions: write, read, save, load, default. Response: [`GyroBiasModelResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
 /// - Manual 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GyroscopeBiasModelParameters {
+pub struct GyroBiasModel {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Reciprocal of the correlation time per axis.
@@ -1790,7 +1787,7 @@ pub struct GyroscopeBiasModelParameters {
     pub noise: Option<types::Vector3f>,
 }
 
-impl GyroscopeBiasModelParameters {
+impl GyroBiasModel {
     /// Apply the new setting.
     #[must_use]
     pub fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) -> Self {
@@ -1835,7 +1832,7 @@ impl GyroscopeBiasModelParameters {
     }
 }
 
-impl Wire for GyroscopeBiasModelParameters {
+impl Wire for GyroBiasModel {
     const SIZE: usize = 25;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -1855,21 +1852,21 @@ impl Wire for GyroscopeBiasModelParameters {
     }
 }
 
-impl Field for GyroscopeBiasModelParameters {
+impl Field for GyroBiasModel {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x1D;
-    const NAME: &'static str = "filter.gyroscope_bias_model_parameters";
+    const NAME: &'static str = "filter.gyro_bias_model";
 }
 
-impl Command for GyroscopeBiasModelParameters {
-    type Response = GyroscopeBiasModelParametersResponse;
+impl Command for GyroBiasModel {
+    type Response = GyroBiasModelResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<GyroscopeBiasModelParameters> for GyroscopeBiasModelParametersResponse {}
+impl ResponseOf<GyroBiasModel> for GyroBiasModelResponse {}
 
 /// Automatic zero velocity update (0x0D,0x1E).
 ///
@@ -1985,8 +1982,8 @@ impl ResponseOf<AutoZupt> for AutoZuptResponse {}
 ///
 /// - Better than `external_heading_update` where the heading changes quickly; the time must be
 ///   accurate.
-/// - Refused unless external heading updates are enabled, by `heading_update_control` on the
-///   3DM-GX5 and by `aiding_measurement_control` on the 3DM-CV7.
+/// - Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5 and by
+///   `aiding_measurement_enable` on the 3DM-CV7.
 /// - The 3DM-GX5-15 takes at most 20 updates per second.
 /// - If the declination source is not valid, -25 models refuse true headings and -45 models
 ///   magnetic ones.
@@ -2002,11 +1999,11 @@ pub struct ExternalHeadingUpdateWithTime {
     /// GPS time of week of the measurement.
     ///
     /// Unit: s.
-    pub gps_time: f64,
+    pub tow: f64,
     /// GPS week, counted without rollover.
     ///
     /// Unit: week.
-    pub gps_week: u16,
+    pub week_number: u16,
     /// Heading relative to the north that `type` names.
     ///
     /// Unit: rad; frame: ned; range: -3.141592653589793 to 3.141592653589793.
@@ -2023,13 +2020,13 @@ impl ExternalHeadingUpdateWithTime {
     /// The command with its parameters.
     #[must_use]
     pub fn new(
-        gps_time: f64,
-        gps_week: u16,
+        tow: f64,
+        week_number: u16,
         heading: f32,
         heading_uncertainty: f32,
         type_: HeadingType,
     ) -> Self {
-        Self { gps_time, gps_week, heading, heading_uncertainty, type_ }
+        Self { tow, week_number, heading, heading_uncertainty, type_ }
     }
 }
 
@@ -2037,17 +2034,17 @@ impl Wire for ExternalHeadingUpdateWithTime {
     const SIZE: usize = 19;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let gps_time = reader.read()?;
-        let gps_week = reader.read()?;
+        let tow = reader.read()?;
+        let week_number = reader.read()?;
         let heading = reader.read()?;
         let heading_uncertainty = reader.read()?;
         let type_ = reader.read()?;
-        Ok(Self { gps_time, gps_week, heading, heading_uncertainty, type_ })
+        Ok(Self { tow, week_number, heading, heading_uncertainty, type_ })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.gps_time)?;
-        writer.write(&self.gps_week)?;
+        writer.write(&self.tow)?;
+        writer.write(&self.week_number)?;
         writer.write(&self.heading)?;
         writer.write(&self.heading_uncertainty)?;
         writer.write(&self.type_)?;
@@ -2072,15 +2069,15 @@ impl Command for ExternalHeadingUpdateWithTime {
 /// - The update applies while the magnitude of the angular rate vector is at or below the
 ///   threshold.
 ///
-/// Functions: write, read, save, load, default. Response: [`ZeroAngularRateUpdateControlResponse`].
-/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Functions: write, read, save, load, default. Response: [`AutoAngularZuptResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
 /// - Manual 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ZeroAngularRateUpdateControl {
+pub struct AutoAngularZupt {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// 0 disables, 1 enables.
@@ -2093,7 +2090,7 @@ pub struct ZeroAngularRateUpdateControl {
     pub threshold: Option<f32>,
 }
 
-impl ZeroAngularRateUpdateControl {
+impl AutoAngularZupt {
     /// Apply the new setting.
     #[must_use]
     pub fn write(enable: u8, threshold: f32) -> Self {
@@ -2138,7 +2135,7 @@ impl ZeroAngularRateUpdateControl {
     }
 }
 
-impl Wire for ZeroAngularRateUpdateControl {
+impl Wire for AutoAngularZupt {
     const SIZE: usize = 6;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -2158,21 +2155,21 @@ impl Wire for ZeroAngularRateUpdateControl {
     }
 }
 
-impl Field for ZeroAngularRateUpdateControl {
+impl Field for AutoAngularZupt {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x20;
-    const NAME: &'static str = "filter.zero_angular_rate_update_control";
+    const NAME: &'static str = "filter.auto_angular_zupt";
 }
 
-impl Command for ZeroAngularRateUpdateControl {
-    type Response = ZeroAngularRateUpdateControlResponse;
+impl Command for AutoAngularZupt {
+    type Response = AutoAngularZuptResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<ZeroAngularRateUpdateControl> for ZeroAngularRateUpdateControlResponse {}
+impl ResponseOf<AutoAngularZupt> for AutoAngularZuptResponse {}
 
 /// Tare orientation (0x0D,0x21).
 ///
@@ -2323,9 +2320,9 @@ impl Command for CommandedZupt {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct CommandedZeroAngularRateUpdate;
+pub struct CommandedAngularZupt;
 
-impl CommandedZeroAngularRateUpdate {
+impl CommandedAngularZupt {
     /// The command with its parameters.
     #[must_use]
     pub fn new() -> Self {
@@ -2333,7 +2330,7 @@ impl CommandedZeroAngularRateUpdate {
     }
 }
 
-impl Wire for CommandedZeroAngularRateUpdate {
+impl Wire for CommandedAngularZupt {
     const SIZE: usize = 0;
 
     fn decode_from(_: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -2345,13 +2342,13 @@ impl Wire for CommandedZeroAngularRateUpdate {
     }
 }
 
-impl Field for CommandedZeroAngularRateUpdate {
+impl Field for CommandedAngularZupt {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x23;
-    const NAME: &'static str = "filter.commanded_zero_angular_rate_update";
+    const NAME: &'static str = "filter.commanded_angular_zupt";
 }
 
-impl Command for CommandedZeroAngularRateUpdate {
+impl Command for CommandedAngularZupt {
     type Response = ();
 }
 
@@ -2359,14 +2356,14 @@ impl Command for CommandedZeroAngularRateUpdate {
 ///
 /// Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
 ///
-/// Functions: write, read, save, load, default. Response: [`SetReferencePositionResponse`].
-/// Supported by 3DM-GX5-15.
+/// Functions: write, read, save, load, default. Response: [`ReferencePositionResponse`]. Supported
+/// by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SetReferencePosition {
+pub struct ReferencePosition {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// 0 disables, 1 enables.
@@ -2387,7 +2384,7 @@ pub struct SetReferencePosition {
     pub altitude: Option<f64>,
 }
 
-impl SetReferencePosition {
+impl ReferencePosition {
     /// Apply the new setting.
     #[must_use]
     pub fn write(enable: u8, latitude: f64, longitude: f64, altitude: f64) -> Self {
@@ -2458,7 +2455,7 @@ impl SetReferencePosition {
     }
 }
 
-impl Wire for SetReferencePosition {
+impl Wire for ReferencePosition {
     const SIZE: usize = 26;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -2482,21 +2479,21 @@ impl Wire for SetReferencePosition {
     }
 }
 
-impl Field for SetReferencePosition {
+impl Field for ReferencePosition {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x26;
-    const NAME: &'static str = "filter.set_reference_position";
+    const NAME: &'static str = "filter.reference_position";
 }
 
-impl Command for SetReferencePosition {
-    type Response = SetReferencePositionResponse;
+impl Command for ReferencePosition {
+    type Response = ReferencePositionResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<SetReferencePosition> for SetReferencePositionResponse {}
+impl ResponseOf<ReferencePosition> for ReferencePositionResponse {}
 
 /// Capture automatic magnetometer calibration (0x0D,0x27).
 ///
@@ -2512,12 +2509,12 @@ impl ResponseOf<SetReferencePosition> for SetReferencePositionResponse {}
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct MagCaptureAutoCal {
+pub struct MagCaptureAutoCalibration {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
 }
 
-impl MagCaptureAutoCal {
+impl MagCaptureAutoCalibration {
     /// Apply the new setting.
     #[must_use]
     pub fn write() -> Self {
@@ -2531,7 +2528,7 @@ impl MagCaptureAutoCal {
     }
 }
 
-impl Wire for MagCaptureAutoCal {
+impl Wire for MagCaptureAutoCalibration {
     const SIZE: usize = 1;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -2545,13 +2542,13 @@ impl Wire for MagCaptureAutoCal {
     }
 }
 
-impl Field for MagCaptureAutoCal {
+impl Field for MagCaptureAutoCalibration {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x27;
-    const NAME: &'static str = "filter.mag_capture_auto_cal";
+    const NAME: &'static str = "filter.mag_capture_auto_calibration";
 }
 
-impl Command for MagCaptureAutoCal {
+impl Command for MagCaptureAutoCalibration {
     type Response = ();
 }
 
@@ -2561,15 +2558,15 @@ impl Command for MagCaptureAutoCal {
 ///
 /// - The factory values suit most laboratory conditions.
 ///
-/// Functions: write, read, save, load, default. Response:
-/// [`GravityNoiseStandardDeviationResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Functions: write, read, save, load, default. Response: [`GravityNoiseResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
 /// - Manual 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GravityNoiseStandardDeviation {
+pub struct GravityNoise {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Standard deviation per axis.
@@ -2578,7 +2575,7 @@ pub struct GravityNoiseStandardDeviation {
     pub noise: Option<types::Vector3f>,
 }
 
-impl GravityNoiseStandardDeviation {
+impl GravityNoise {
     /// Apply the new setting.
     #[must_use]
     pub fn write(noise: impl Into<types::Vector3f>) -> Self {
@@ -2619,7 +2616,7 @@ impl GravityNoiseStandardDeviation {
     }
 }
 
-impl Wire for GravityNoiseStandardDeviation {
+impl Wire for GravityNoise {
     const SIZE: usize = 13;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -2637,21 +2634,21 @@ impl Wire for GravityNoiseStandardDeviation {
     }
 }
 
-impl Field for GravityNoiseStandardDeviation {
+impl Field for GravityNoise {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x28;
-    const NAME: &'static str = "filter.gravity_noise_standard_deviation";
+    const NAME: &'static str = "filter.gravity_noise";
 }
 
-impl Command for GravityNoiseStandardDeviation {
-    type Response = GravityNoiseStandardDeviationResponse;
+impl Command for GravityNoise {
+    type Response = GravityNoiseResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<GravityNoiseStandardDeviation> for GravityNoiseStandardDeviationResponse {}
+impl ResponseOf<GravityNoise> for GravityNoiseResponse {}
 
 /// Pressure altitude noise (0x0D,0x29).
 ///
@@ -2942,21 +2939,21 @@ impl ResponseOf<SoftIronMatrixNoise> for SoftIronMatrixNoiseResponse {}
 ///
 /// Which inertial measurements the filter uses.
 ///
-/// Functions: write, read, save, load, default. Response: [`EnableDisableMeasurementsResponse`].
-/// Supported by 3DM-GX5-15.
+/// Functions: write, read, save, load, default. Response: [`EnableMeasurementsResponse`]. Supported
+/// by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct EnableDisableMeasurements {
+pub struct EnableMeasurements {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Measurements to use.
     pub control: Option<MeasurementFlags>,
 }
 
-impl EnableDisableMeasurements {
+impl EnableMeasurements {
     /// Apply the new setting.
     #[must_use]
     pub fn write(control: MeasurementFlags) -> Self {
@@ -2997,7 +2994,7 @@ impl EnableDisableMeasurements {
     }
 }
 
-impl Wire for EnableDisableMeasurements {
+impl Wire for EnableMeasurements {
     const SIZE: usize = 3;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -3015,21 +3012,21 @@ impl Wire for EnableDisableMeasurements {
     }
 }
 
-impl Field for EnableDisableMeasurements {
+impl Field for EnableMeasurements {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x41;
-    const NAME: &'static str = "filter.enable_disable_measurements";
+    const NAME: &'static str = "filter.enable_measurements";
 }
 
-impl Command for EnableDisableMeasurements {
-    type Response = EnableDisableMeasurementsResponse;
+impl Command for EnableMeasurements {
+    type Response = EnableMeasurementsResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<EnableDisableMeasurements> for EnableDisableMeasurementsResponse {}
+impl ResponseOf<EnableMeasurements> for EnableMeasurementsResponse {}
 
 /// Magnetometer noise (0x0D,0x42).
 ///
@@ -3131,14 +3128,14 @@ impl ResponseOf<MagNoise> for MagNoiseResponse {}
 ///
 /// - Without a good declination source, keep automatic magnetometer calibration off.
 ///
-/// Functions: write, read, save, load, default. Response:
-/// [`MagneticFieldDeclinationSourceControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`MagneticDeclinationSourceResponse`].
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct MagneticFieldDeclinationSourceControl {
+pub struct MagneticDeclinationSource {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Source of the declination.
@@ -3149,7 +3146,7 @@ pub struct MagneticFieldDeclinationSourceControl {
     pub declination: Option<f32>,
 }
 
-impl MagneticFieldDeclinationSourceControl {
+impl MagneticDeclinationSource {
     /// Apply the new setting.
     #[must_use]
     pub fn write(source: MagParameterSource, declination: f32) -> Self {
@@ -3194,7 +3191,7 @@ impl MagneticFieldDeclinationSourceControl {
     }
 }
 
-impl Wire for MagneticFieldDeclinationSourceControl {
+impl Wire for MagneticDeclinationSource {
     const SIZE: usize = 6;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -3214,24 +3211,21 @@ impl Wire for MagneticFieldDeclinationSourceControl {
     }
 }
 
-impl Field for MagneticFieldDeclinationSourceControl {
+impl Field for MagneticDeclinationSource {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x43;
-    const NAME: &'static str = "filter.magnetic_field_declination_source_control";
+    const NAME: &'static str = "filter.magnetic_declination_source";
 }
 
-impl Command for MagneticFieldDeclinationSourceControl {
-    type Response = MagneticFieldDeclinationSourceControlResponse;
+impl Command for MagneticDeclinationSource {
+    type Response = MagneticDeclinationSourceResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<MagneticFieldDeclinationSourceControl>
-    for MagneticFieldDeclinationSourceControlResponse
-{
-}
+impl ResponseOf<MagneticDeclinationSource> for MagneticDeclinationSourceResponse {}
 
 /// Gravity magnitude error adaptive measurement (0x0D,0x44).
 ///
@@ -3244,13 +3238,13 @@ impl ResponseOf<MagneticFieldDeclinationSourceControl>
 ///   pitch and roll accuracy under linear acceleration, low limits cost heading accuracy.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`GravityMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by 3DM-GX5-15.
+/// [`AccelMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GravityMagnitudeErrorAdaptiveMeasurement {
+pub struct AccelMagnitudeErrorAdaptiveMeasurement {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Kind of adaptation.
@@ -3281,7 +3275,7 @@ pub struct GravityMagnitudeErrorAdaptiveMeasurement {
     pub minimum_uncertainty: Option<f32>,
 }
 
-impl GravityMagnitudeErrorAdaptiveMeasurement {
+impl AccelMagnitudeErrorAdaptiveMeasurement {
     /// Apply the new setting.
     #[must_use]
     pub fn write(adaptive_measurement: AdaptiveMeasurementSelector) -> Self {
@@ -3409,7 +3403,7 @@ impl GravityMagnitudeErrorAdaptiveMeasurement {
     }
 }
 
-impl Wire for GravityMagnitudeErrorAdaptiveMeasurement {
+impl Wire for AccelMagnitudeErrorAdaptiveMeasurement {
     const SIZE: usize = 26;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -3448,22 +3442,22 @@ impl Wire for GravityMagnitudeErrorAdaptiveMeasurement {
     }
 }
 
-impl Field for GravityMagnitudeErrorAdaptiveMeasurement {
+impl Field for AccelMagnitudeErrorAdaptiveMeasurement {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x44;
-    const NAME: &'static str = "filter.gravity_magnitude_error_adaptive_measurement";
+    const NAME: &'static str = "filter.accel_magnitude_error_adaptive_measurement";
 }
 
-impl Command for GravityMagnitudeErrorAdaptiveMeasurement {
-    type Response = GravityMagnitudeErrorAdaptiveMeasurementResponse;
+impl Command for AccelMagnitudeErrorAdaptiveMeasurement {
+    type Response = AccelMagnitudeErrorAdaptiveMeasurementResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<GravityMagnitudeErrorAdaptiveMeasurement>
-    for GravityMagnitudeErrorAdaptiveMeasurementResponse
+impl ResponseOf<AccelMagnitudeErrorAdaptiveMeasurement>
+    for AccelMagnitudeErrorAdaptiveMeasurementResponse
 {
 }
 
@@ -3937,21 +3931,21 @@ impl ResponseOf<AltitudeAiding> for AltitudeAidingResponse {}
 ///
 /// What aids pitch and roll while the motion is gentle.
 ///
-/// Functions: write, read, save, load, default. Response: [`PitchRollAidingControlResponse`].
-/// Supported by 3DM-GX5-15.
+/// Functions: write, read, save, load, default. Response: [`PitchRollAidingResponse`]. Supported by
+/// 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct PitchRollAidingControl {
+pub struct PitchRollAiding {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Source of the aiding.
     pub aiding: Option<PitchRollAidingSource>,
 }
 
-impl PitchRollAidingControl {
+impl PitchRollAiding {
     /// Apply the new setting.
     #[must_use]
     pub fn write(aiding: PitchRollAidingSource) -> Self {
@@ -3992,7 +3986,7 @@ impl PitchRollAidingControl {
     }
 }
 
-impl Wire for PitchRollAidingControl {
+impl Wire for PitchRollAiding {
     const SIZE: usize = 2;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -4010,21 +4004,21 @@ impl Wire for PitchRollAidingControl {
     }
 }
 
-impl Field for PitchRollAidingControl {
+impl Field for PitchRollAiding {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x4B;
-    const NAME: &'static str = "filter.pitch_roll_aiding_control";
+    const NAME: &'static str = "filter.pitch_roll_aiding";
 }
 
-impl Command for PitchRollAidingControl {
-    type Response = PitchRollAidingControlResponse;
+impl Command for PitchRollAiding {
+    type Response = PitchRollAidingResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<PitchRollAidingControl> for PitchRollAidingControlResponse {}
+impl ResponseOf<PitchRollAiding> for PitchRollAidingResponse {}
 
 /// Magnetic inclination source (0x0D,0x4C).
 ///
@@ -4032,13 +4026,13 @@ impl ResponseOf<PitchRollAidingControl> for PitchRollAidingControlResponse {}
 ///
 /// - Without a good inclination source, keep automatic magnetometer calibration off.
 ///
-/// Functions: write, read, save, load, default. Response: [`InclinationSourceResponse`].
+/// Functions: write, read, save, load, default. Response: [`MagneticInclinationSourceResponse`].
 ///
 /// - Manual mip-sdk-4: Inclination Source (0x0D,0x4C)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct InclinationSource {
+pub struct MagneticInclinationSource {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Source of the inclination.
@@ -4049,7 +4043,7 @@ pub struct InclinationSource {
     pub inclination: Option<f32>,
 }
 
-impl InclinationSource {
+impl MagneticInclinationSource {
     /// Apply the new setting.
     #[must_use]
     pub fn write(source: MagParameterSource, inclination: f32) -> Self {
@@ -4094,7 +4088,7 @@ impl InclinationSource {
     }
 }
 
-impl Wire for InclinationSource {
+impl Wire for MagneticInclinationSource {
     const SIZE: usize = 6;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -4114,21 +4108,21 @@ impl Wire for InclinationSource {
     }
 }
 
-impl Field for InclinationSource {
+impl Field for MagneticInclinationSource {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x4C;
-    const NAME: &'static str = "filter.inclination_source";
+    const NAME: &'static str = "filter.magnetic_inclination_source";
 }
 
-impl Command for InclinationSource {
-    type Response = InclinationSourceResponse;
+impl Command for MagneticInclinationSource {
+    type Response = MagneticInclinationSourceResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<InclinationSource> for InclinationSourceResponse {}
+impl ResponseOf<MagneticInclinationSource> for MagneticInclinationSourceResponse {}
 
 /// Magnetic field magnitude source (0x0D,0x4D).
 ///
@@ -4137,13 +4131,13 @@ impl ResponseOf<InclinationSource> for InclinationSourceResponse {}
 /// - Without a good magnitude source, keep automatic magnetometer calibration off.
 /// - The adaptive measurement (0x0D,0x45) relies on it too.
 ///
-/// Functions: write, read, save, load, default. Response: [`MagFieldMagnitudeSourceResponse`].
+/// Functions: write, read, save, load, default. Response: [`MagneticMagnitudeSourceResponse`].
 ///
 /// - Manual mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct MagFieldMagnitudeSource {
+pub struct MagneticMagnitudeSource {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Source of the magnitude.
@@ -4154,7 +4148,7 @@ pub struct MagFieldMagnitudeSource {
     pub magnitude: Option<f32>,
 }
 
-impl MagFieldMagnitudeSource {
+impl MagneticMagnitudeSource {
     /// Apply the new setting.
     #[must_use]
     pub fn write(source: MagParameterSource, magnitude: f32) -> Self {
@@ -4199,7 +4193,7 @@ impl MagFieldMagnitudeSource {
     }
 }
 
-impl Wire for MagFieldMagnitudeSource {
+impl Wire for MagneticMagnitudeSource {
     const SIZE: usize = 6;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -4219,21 +4213,21 @@ impl Wire for MagFieldMagnitudeSource {
     }
 }
 
-impl Field for MagFieldMagnitudeSource {
+impl Field for MagneticMagnitudeSource {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x4D;
-    const NAME: &'static str = "filter.mag_field_magnitude_source";
+    const NAME: &'static str = "filter.magnetic_magnitude_source";
 }
 
-impl Command for MagFieldMagnitudeSource {
-    type Response = MagFieldMagnitudeSourceResponse;
+impl Command for MagneticMagnitudeSource {
+    type Response = MagneticMagnitudeSourceResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<MagFieldMagnitudeSource> for MagFieldMagnitudeSourceResponse {}
+impl ResponseOf<MagneticMagnitudeSource> for MagneticMagnitudeSourceResponse {}
 
 /// Sensor to vehicle rotation, matrix (0x0D,0x4E).
 ///
@@ -4361,38 +4355,38 @@ pub struct SensorToVehicleRotationQuaternion {
     /// Unit quaternion, scalar part first.
     ///
     /// Unit: 1.
-    pub quat: Option<types::Quatf>,
+    pub q: Option<types::Quatf>,
 }
 
 impl SensorToVehicleRotationQuaternion {
     /// Apply the new setting.
     #[must_use]
-    pub fn write(quat: impl Into<types::Quatf>) -> Self {
-        Self { function: types::FunctionSelector::WRITE, quat: Some(quat.into()) }
+    pub fn write(q: impl Into<types::Quatf>) -> Self {
+        Self { function: types::FunctionSelector::WRITE, q: Some(q.into()) }
     }
 
     /// Send the current setting back in a response.
     #[must_use]
     pub fn read() -> Self {
-        Self { function: types::FunctionSelector::READ, quat: None }
+        Self { function: types::FunctionSelector::READ, q: None }
     }
 
     /// Save the current setting to non-volatile memory.
     #[must_use]
     pub fn save() -> Self {
-        Self { function: types::FunctionSelector::SAVE, quat: None }
+        Self { function: types::FunctionSelector::SAVE, q: None }
     }
 
     /// Load the saved setting.
     #[must_use]
     pub fn load() -> Self {
-        Self { function: types::FunctionSelector::LOAD, quat: None }
+        Self { function: types::FunctionSelector::LOAD, q: None }
     }
 
     /// Load the factory default setting.
     #[must_use]
     pub fn load_default() -> Self {
-        Self { function: types::FunctionSelector::DEFAULT, quat: None }
+        Self { function: types::FunctionSelector::DEFAULT, q: None }
     }
 
     /// How many parameters a function needs.
@@ -4411,14 +4405,14 @@ impl Wire for SensorToVehicleRotationQuaternion {
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let function = reader.read()?;
         let required = Self::required(function);
-        let quat = reader.group(required >= 1, Reader::read)?;
-        Ok(Self { function, quat })
+        let q = reader.group(required >= 1, Reader::read)?;
+        Ok(Self { function, q })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         let required = Self::required(self.function);
         writer.write(&self.function)?;
-        writer.some(required >= 1, &self.quat)?;
+        writer.some(required >= 1, &self.q)?;
         Ok(())
     }
 }
@@ -4443,14 +4437,14 @@ impl ResponseOf<SensorToVehicleRotationQuaternion> for SensorToVehicleRotationQu
 ///
 /// Enables or disables one source of aiding measurements.
 ///
-/// Functions: write, read, save, load, default. Response: [`AidingMeasurementControlResponse`].
+/// Functions: write, read, save, load, default. Response: [`AidingMeasurementEnableResponse`].
 /// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct AidingMeasurementControl {
+pub struct AidingMeasurementEnable {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// The source; `all` is for save, load and default.
@@ -4459,7 +4453,7 @@ pub struct AidingMeasurementControl {
     pub enable: Option<crate::Bool>,
 }
 
-impl AidingMeasurementControl {
+impl AidingMeasurementEnable {
     /// Apply the new setting.
     #[must_use]
     pub fn write(aiding_source: AidingSource, enable: bool) -> Self {
@@ -4521,7 +4515,7 @@ impl AidingMeasurementControl {
     }
 }
 
-impl Wire for AidingMeasurementControl {
+impl Wire for AidingMeasurementEnable {
     const SIZE: usize = 4;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -4541,21 +4535,21 @@ impl Wire for AidingMeasurementControl {
     }
 }
 
-impl Field for AidingMeasurementControl {
+impl Field for AidingMeasurementEnable {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x50;
-    const NAME: &'static str = "filter.aiding_measurement_control";
+    const NAME: &'static str = "filter.aiding_measurement_enable";
 }
 
-impl Command for AidingMeasurementControl {
-    type Response = AidingMeasurementControlResponse;
+impl Command for AidingMeasurementEnable {
+    type Response = AidingMeasurementEnableResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<AidingMeasurementControl> for AidingMeasurementControlResponse {}
+impl ResponseOf<AidingMeasurementEnable> for AidingMeasurementEnableResponse {}
 
 /// Kinematic constraint (0x0D,0x51).
 ///
@@ -4701,22 +4695,22 @@ impl ResponseOf<KinematicConstraint> for KinematicConstraintResponse {}
 /// - Kinematic alignment sets the heading once the speed reaches 2 m/s.
 /// - External alignment needs a heading at least every 5 seconds.
 ///
-/// Functions: write, read, save, load, default. Response:
-/// [`NavigationFilterInitializationResponse`]. Supported by 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`InitializationConfigResponse`].
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct NavigationFilterInitialization {
+pub struct InitializationConfig {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
-    /// 1: the filter starts only after `run_navigation_filter`; 0: as soon as it can.
+    /// 1: the filter starts only after `run`; 0: as soon as it can.
     ///
     /// Range: 0 to 1.
     pub wait_for_run_command: Option<u8>,
     /// Which initial conditions are found and which are given.
-    pub initial_cond_src: Option<InitialConditionSource>,
+    pub initial_condition_source: Option<InitialConditionSource>,
     /// Ways in which the initial heading may be found.
     pub auto_heading_alignment_selector: Option<HeadingAlignment>,
     /// Given heading.
@@ -4747,13 +4741,13 @@ pub struct NavigationFilterInitialization {
     pub reference_frame_selector: Option<ReferenceFrame>,
 }
 
-impl NavigationFilterInitialization {
+impl InitializationConfig {
     /// Apply the new setting.
     #[must_use]
     #[allow(clippy::too_many_arguments)]
     pub fn write(
         wait_for_run_command: u8,
-        initial_cond_src: InitialConditionSource,
+        initial_condition_source: InitialConditionSource,
         auto_heading_alignment_selector: HeadingAlignment,
         initial_heading: f32,
         initial_pitch: f32,
@@ -4765,7 +4759,7 @@ impl NavigationFilterInitialization {
         Self {
             function: types::FunctionSelector::WRITE,
             wait_for_run_command: Some(wait_for_run_command),
-            initial_cond_src: Some(initial_cond_src),
+            initial_condition_source: Some(initial_condition_source),
             auto_heading_alignment_selector: Some(auto_heading_alignment_selector),
             initial_heading: Some(initial_heading),
             initial_pitch: Some(initial_pitch),
@@ -4782,7 +4776,7 @@ impl NavigationFilterInitialization {
         Self {
             function: types::FunctionSelector::READ,
             wait_for_run_command: None,
-            initial_cond_src: None,
+            initial_condition_source: None,
             auto_heading_alignment_selector: None,
             initial_heading: None,
             initial_pitch: None,
@@ -4799,7 +4793,7 @@ impl NavigationFilterInitialization {
         Self {
             function: types::FunctionSelector::SAVE,
             wait_for_run_command: None,
-            initial_cond_src: None,
+            initial_condition_source: None,
             auto_heading_alignment_selector: None,
             initial_heading: None,
             initial_pitch: None,
@@ -4816,7 +4810,7 @@ impl NavigationFilterInitialization {
         Self {
             function: types::FunctionSelector::LOAD,
             wait_for_run_command: None,
-            initial_cond_src: None,
+            initial_condition_source: None,
             auto_heading_alignment_selector: None,
             initial_heading: None,
             initial_pitch: None,
@@ -4833,7 +4827,7 @@ impl NavigationFilterInitialization {
         Self {
             function: types::FunctionSelector::DEFAULT,
             wait_for_run_command: None,
-            initial_cond_src: None,
+            initial_condition_source: None,
             auto_heading_alignment_selector: None,
             initial_heading: None,
             initial_pitch: None,
@@ -4854,14 +4848,14 @@ impl NavigationFilterInitialization {
     }
 }
 
-impl Wire for NavigationFilterInitialization {
+impl Wire for InitializationConfig {
     const SIZE: usize = 41;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let function = reader.read()?;
         let required = Self::required(function);
         let wait_for_run_command = reader.group(required >= 1, Reader::read)?;
-        let initial_cond_src = reader.group(required >= 2, Reader::read)?;
+        let initial_condition_source = reader.group(required >= 2, Reader::read)?;
         let auto_heading_alignment_selector = reader.group(required >= 3, Reader::read)?;
         let initial_heading = reader.group(required >= 4, Reader::read)?;
         let initial_pitch = reader.group(required >= 5, Reader::read)?;
@@ -4872,7 +4866,7 @@ impl Wire for NavigationFilterInitialization {
         Ok(Self {
             function,
             wait_for_run_command,
-            initial_cond_src,
+            initial_condition_source,
             auto_heading_alignment_selector,
             initial_heading,
             initial_pitch,
@@ -4887,7 +4881,7 @@ impl Wire for NavigationFilterInitialization {
         let required = Self::required(self.function);
         writer.write(&self.function)?;
         writer.some(required >= 1, &self.wait_for_run_command)?;
-        writer.some(required >= 2, &self.initial_cond_src)?;
+        writer.some(required >= 2, &self.initial_condition_source)?;
         writer.some(required >= 3, &self.auto_heading_alignment_selector)?;
         writer.some(required >= 4, &self.initial_heading)?;
         writer.some(required >= 5, &self.initial_pitch)?;
@@ -4899,34 +4893,34 @@ impl Wire for NavigationFilterInitialization {
     }
 }
 
-impl Field for NavigationFilterInitialization {
+impl Field for InitializationConfig {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x52;
-    const NAME: &'static str = "filter.navigation_filter_initialization";
+    const NAME: &'static str = "filter.initialization_config";
 }
 
-impl Command for NavigationFilterInitialization {
-    type Response = NavigationFilterInitializationResponse;
+impl Command for InitializationConfig {
+    type Response = InitializationConfigResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<NavigationFilterInitialization> for NavigationFilterInitializationResponse {}
+impl ResponseOf<InitializationConfig> for InitializationConfigResponse {}
 
 /// Adaptive filter control (0x0D,0x53).
 ///
 /// How the filter adapts to measurements that do not fit its model.
 ///
-/// Functions: write, read, save, load, default. Response: [`AdaptiveFilterControlResponse`].
+/// Functions: write, read, save, load, default. Response: [`AdaptiveFilterOptionsResponse`].
 /// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct AdaptiveFilterControl {
+pub struct AdaptiveFilterOptions {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Strength of the adaptation.
@@ -4939,7 +4933,7 @@ pub struct AdaptiveFilterControl {
     pub time_limit: Option<u16>,
 }
 
-impl AdaptiveFilterControl {
+impl AdaptiveFilterOptions {
     /// Apply the new setting.
     #[must_use]
     pub fn write(level: AdaptiveLevel, time_limit: u16) -> Self {
@@ -4984,7 +4978,7 @@ impl AdaptiveFilterControl {
     }
 }
 
-impl Wire for AdaptiveFilterControl {
+impl Wire for AdaptiveFilterOptions {
     const SIZE: usize = 4;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -5004,21 +4998,21 @@ impl Wire for AdaptiveFilterControl {
     }
 }
 
-impl Field for AdaptiveFilterControl {
+impl Field for AdaptiveFilterOptions {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x53;
-    const NAME: &'static str = "filter.adaptive_filter_control";
+    const NAME: &'static str = "filter.adaptive_filter_options";
 }
 
-impl Command for AdaptiveFilterControl {
-    type Response = AdaptiveFilterControlResponse;
+impl Command for AdaptiveFilterOptions {
+    type Response = AdaptiveFilterOptionsResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<AdaptiveFilterControl> for AdaptiveFilterControlResponse {}
+impl ResponseOf<AdaptiveFilterOptions> for AdaptiveFilterOptionsResponse {}
 
 /// GNSS multi-antenna offset (0x0D,0x54).
 ///
@@ -5026,14 +5020,14 @@ impl ResponseOf<AdaptiveFilterControl> for AdaptiveFilterControlResponse {}
 ///
 /// - The magnitude of the vector is limited to 10.
 ///
-/// Functions: write, read, save, load, default. Response:
-/// [`GnssMultiAntennaOffsetControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`MultiAntennaOffsetResponse`]. Supported
+/// by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GnssMultiAntennaOffsetControl {
+pub struct MultiAntennaOffset {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Number of the receiver, from 1.
@@ -5046,7 +5040,7 @@ pub struct GnssMultiAntennaOffsetControl {
     pub antenna_offset: Option<types::Vector3f>,
 }
 
-impl GnssMultiAntennaOffsetControl {
+impl MultiAntennaOffset {
     /// Apply the new setting.
     #[must_use]
     pub fn write(receiver_id: u8, antenna_offset: impl Into<types::Vector3f>) -> Self {
@@ -5108,7 +5102,7 @@ impl GnssMultiAntennaOffsetControl {
     }
 }
 
-impl Wire for GnssMultiAntennaOffsetControl {
+impl Wire for MultiAntennaOffset {
     const SIZE: usize = 14;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -5128,34 +5122,34 @@ impl Wire for GnssMultiAntennaOffsetControl {
     }
 }
 
-impl Field for GnssMultiAntennaOffsetControl {
+impl Field for MultiAntennaOffset {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x54;
-    const NAME: &'static str = "filter.gnss_multi_antenna_offset_control";
+    const NAME: &'static str = "filter.multi_antenna_offset";
 }
 
-impl Command for GnssMultiAntennaOffsetControl {
-    type Response = GnssMultiAntennaOffsetControlResponse;
+impl Command for MultiAntennaOffset {
+    type Response = MultiAntennaOffsetResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<GnssMultiAntennaOffsetControl> for GnssMultiAntennaOffsetControlResponse {}
+impl ResponseOf<MultiAntennaOffset> for MultiAntennaOffsetResponse {}
 
 /// Relative position configuration (0x0D,0x55).
 ///
 /// Reference point of the relative position that the filter reports.
 ///
-/// Functions: write, read, save, load, default. Response:
-/// [`RelativePositionConfigurationResponse`]. Supported by 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`RelativePositionConfigResponse`].
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct RelativePositionConfiguration {
+pub struct RelativePositionConfig {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Source of the reference point.
@@ -5169,7 +5163,7 @@ pub struct RelativePositionConfiguration {
     pub reference_coordinates: Option<types::Vector3d>,
 }
 
-impl RelativePositionConfiguration {
+impl RelativePositionConfig {
     /// Apply the new setting.
     #[must_use]
     pub fn write(
@@ -5239,7 +5233,7 @@ impl RelativePositionConfiguration {
     }
 }
 
-impl Wire for RelativePositionConfiguration {
+impl Wire for RelativePositionConfig {
     const SIZE: usize = 27;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -5261,27 +5255,27 @@ impl Wire for RelativePositionConfiguration {
     }
 }
 
-impl Field for RelativePositionConfiguration {
+impl Field for RelativePositionConfig {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x55;
-    const NAME: &'static str = "filter.relative_position_configuration";
+    const NAME: &'static str = "filter.relative_position_config";
 }
 
-impl Command for RelativePositionConfiguration {
-    type Response = RelativePositionConfigurationResponse;
+impl Command for RelativePositionConfig {
+    type Response = RelativePositionConfigResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<RelativePositionConfiguration> for RelativePositionConfigurationResponse {}
+impl ResponseOf<RelativePositionConfig> for RelativePositionConfigResponse {}
 
 /// Reference point lever arm (0x0D,0x56).
 ///
 /// Moves the point to which the position and the velocity of the filter refer.
 ///
-/// - It shifts `llh_position`, `velocity_ned`, `ecef_position`, `ecef_velocity` and
+/// - It shifts `llh_position`, `ned_velocity`, `ecef_position`, `ecef_velocity` and
 ///   `ned_relative_position` of set `filter_data`, depending on the attitude and, for velocities,
 ///   on the angular rate.
 /// - The magnitude of the vector is limited to 10.
@@ -5297,7 +5291,7 @@ pub struct ReferencePointLeverArm {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Point to move; it must be 1.
-    pub ref_point_sel: Option<ReferencePoint>,
+    pub reference_point: Option<ReferencePoint>,
     /// From the sensor to the point.
     ///
     /// Unit: m; frame: vehicle; range: -10 to 10.
@@ -5308,12 +5302,12 @@ impl ReferencePointLeverArm {
     /// Apply the new setting.
     #[must_use]
     pub fn write(
-        ref_point_sel: ReferencePoint,
+        reference_point: ReferencePoint,
         lever_arm_offset: impl Into<types::Vector3f>,
     ) -> Self {
         Self {
             function: types::FunctionSelector::WRITE,
-            ref_point_sel: Some(ref_point_sel),
+            reference_point: Some(reference_point),
             lever_arm_offset: Some(lever_arm_offset.into()),
         }
     }
@@ -5323,7 +5317,7 @@ impl ReferencePointLeverArm {
     pub fn read() -> Self {
         Self {
             function: types::FunctionSelector::READ,
-            ref_point_sel: None,
+            reference_point: None,
             lever_arm_offset: None,
         }
     }
@@ -5333,7 +5327,7 @@ impl ReferencePointLeverArm {
     pub fn save() -> Self {
         Self {
             function: types::FunctionSelector::SAVE,
-            ref_point_sel: None,
+            reference_point: None,
             lever_arm_offset: None,
         }
     }
@@ -5343,7 +5337,7 @@ impl ReferencePointLeverArm {
     pub fn load() -> Self {
         Self {
             function: types::FunctionSelector::LOAD,
-            ref_point_sel: None,
+            reference_point: None,
             lever_arm_offset: None,
         }
     }
@@ -5353,7 +5347,7 @@ impl ReferencePointLeverArm {
     pub fn load_default() -> Self {
         Self {
             function: types::FunctionSelector::DEFAULT,
-            ref_point_sel: None,
+            reference_point: None,
             lever_arm_offset: None,
         }
     }
@@ -5374,15 +5368,15 @@ impl Wire for ReferencePointLeverArm {
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let function = reader.read()?;
         let required = Self::required(function);
-        let ref_point_sel = reader.group(required >= 1, Reader::read)?;
+        let reference_point = reader.group(required >= 1, Reader::read)?;
         let lever_arm_offset = reader.group(required >= 2, Reader::read)?;
-        Ok(Self { function, ref_point_sel, lever_arm_offset })
+        Ok(Self { function, reference_point, lever_arm_offset })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         let required = Self::required(self.function);
         writer.write(&self.function)?;
-        writer.some(required >= 1, &self.ref_point_sel)?;
+        writer.some(required >= 1, &self.reference_point)?;
         writer.some(required >= 2, &self.lever_arm_offset)?;
         Ok(())
     }
@@ -5488,14 +5482,14 @@ impl Command for SpeedMeasurement {
 ///
 /// - It corrects for the speed that such a point has only because the vehicle turns.
 ///
-/// Functions: write, read, save, load, default. Response: [`MeasurementSpeedLeverArmResponse`].
-/// Supported by 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`SpeedLeverArmResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct MeasurementSpeedLeverArm {
+pub struct SpeedLeverArm {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Send 1.
@@ -5508,7 +5502,7 @@ pub struct MeasurementSpeedLeverArm {
     pub lever_arm_offset: Option<types::Vector3f>,
 }
 
-impl MeasurementSpeedLeverArm {
+impl SpeedLeverArm {
     /// Apply the new setting.
     #[must_use]
     pub fn write(lever_arm_offset: impl Into<types::Vector3f>) -> Self {
@@ -5554,7 +5548,7 @@ impl MeasurementSpeedLeverArm {
     }
 }
 
-impl Wire for MeasurementSpeedLeverArm {
+impl Wire for SpeedLeverArm {
     const SIZE: usize = 14;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -5574,21 +5568,21 @@ impl Wire for MeasurementSpeedLeverArm {
     }
 }
 
-impl Field for MeasurementSpeedLeverArm {
+impl Field for SpeedLeverArm {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x61;
-    const NAME: &'static str = "filter.measurement_speed_lever_arm";
+    const NAME: &'static str = "filter.speed_lever_arm";
 }
 
-impl Command for MeasurementSpeedLeverArm {
-    type Response = MeasurementSpeedLeverArmResponse;
+impl Command for SpeedLeverArm {
+    type Response = SpeedLeverArmResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<MeasurementSpeedLeverArm> for MeasurementSpeedLeverArmResponse {}
+impl ResponseOf<SpeedLeverArm> for SpeedLeverArmResponse {}
 
 /// Vertical gyro constraint (0x0D,0x62).
 ///
@@ -5790,14 +5784,14 @@ impl ResponseOf<WheeledVehicleConstraintControl> for WheeledVehicleConstraintCon
 /// Lets the filter track the error of the antenna offset.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`GnssAntennaOffsetCalibrationControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
+/// [`GnssAntennaCalibrationControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
 /// - Manual 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GnssAntennaOffsetCalibrationControl {
+pub struct GnssAntennaCalibrationControl {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// 0 disables, 1 enables.
@@ -5810,7 +5804,7 @@ pub struct GnssAntennaOffsetCalibrationControl {
     pub max_offset: Option<f32>,
 }
 
-impl GnssAntennaOffsetCalibrationControl {
+impl GnssAntennaCalibrationControl {
     /// Apply the new setting.
     #[must_use]
     pub fn write(enable: u8, max_offset: f32) -> Self {
@@ -5855,7 +5849,7 @@ impl GnssAntennaOffsetCalibrationControl {
     }
 }
 
-impl Wire for GnssAntennaOffsetCalibrationControl {
+impl Wire for GnssAntennaCalibrationControl {
     const SIZE: usize = 6;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -5875,24 +5869,21 @@ impl Wire for GnssAntennaOffsetCalibrationControl {
     }
 }
 
-impl Field for GnssAntennaOffsetCalibrationControl {
+impl Field for GnssAntennaCalibrationControl {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x64;
-    const NAME: &'static str = "filter.gnss_antenna_offset_calibration_control";
+    const NAME: &'static str = "filter.gnss_antenna_calibration_control";
 }
 
-impl Command for GnssAntennaOffsetCalibrationControl {
-    type Response = GnssAntennaOffsetCalibrationControlResponse;
+impl Command for GnssAntennaCalibrationControl {
+    type Response = GnssAntennaCalibrationControlResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<GnssAntennaOffsetCalibrationControl>
-    for GnssAntennaOffsetCalibrationControlResponse
-{
-}
+impl ResponseOf<GnssAntennaCalibrationControl> for GnssAntennaCalibrationControlResponse {}
 
 /// Vehicle dynamics mode response (0x0D,0x80).
 ///
@@ -5933,13 +5924,13 @@ impl Field for VehicleDynamicsModeResponse {
 ///
 /// Answers Sensor to vehicle frame transformation (0x0D,0x11).
 ///
-/// Command: [`SensorToVehicleFrameTransformation`]. Supported by 3DM-GX5-15.
+/// Command: [`SensorToVehicleRotationEuler`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SensorToVehicleFrameTransformationResponse {
+pub struct SensorToVehicleRotationEulerResponse {
     /// Roll angle.
     ///
     /// Unit: rad.
@@ -5954,7 +5945,7 @@ pub struct SensorToVehicleFrameTransformationResponse {
     pub yaw: f32,
 }
 
-impl Wire for SensorToVehicleFrameTransformationResponse {
+impl Wire for SensorToVehicleRotationEulerResponse {
     const SIZE: usize = 12;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -5972,10 +5963,10 @@ impl Wire for SensorToVehicleFrameTransformationResponse {
     }
 }
 
-impl Field for SensorToVehicleFrameTransformationResponse {
+impl Field for SensorToVehicleRotationEulerResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x81;
-    const NAME: &'static str = "filter.sensor_to_vehicle_frame_transformation_response";
+    const NAME: &'static str = "filter.sensor_to_vehicle_rotation_euler_response";
 }
 
 /// Sensor to vehicle offset response (0x0D,0x82).
@@ -6019,20 +6010,20 @@ impl Field for SensorToVehicleOffsetResponse {
 ///
 /// Answers GNSS antenna offset (0x0D,0x13).
 ///
-/// Command: [`GnssAntennaOffsetControl`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`AntennaOffset`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GnssAntennaOffsetControlResponse {
+pub struct AntennaOffsetResponse {
     /// From the sensor origin to the centre of the antenna.
     ///
     /// Unit: m; frame: vehicle; range: -10 to 10.
     pub offset: types::Vector3f,
 }
 
-impl Wire for GnssAntennaOffsetControlResponse {
+impl Wire for AntennaOffsetResponse {
     const SIZE: usize = 12;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6046,28 +6037,28 @@ impl Wire for GnssAntennaOffsetControlResponse {
     }
 }
 
-impl Field for GnssAntennaOffsetControlResponse {
+impl Field for AntennaOffsetResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x83;
-    const NAME: &'static str = "filter.gnss_antenna_offset_control_response";
+    const NAME: &'static str = "filter.antenna_offset_response";
 }
 
 /// Estimation control flags response (0x0D,0x84).
 ///
 /// Answers Estimation control flags (0x0D,0x14).
 ///
-/// Command: [`EstimationControlFlags`]. Supported by 3DM-GX5-15.
+/// Command: [`EstimationControl`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct EstimationControlFlagsResponse {
+pub struct EstimationControlResponse {
     /// States to estimate.
     pub flags: EstimatedStates,
 }
 
-impl Wire for EstimationControlFlagsResponse {
+impl Wire for EstimationControlResponse {
     const SIZE: usize = 2;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6081,28 +6072,28 @@ impl Wire for EstimationControlFlagsResponse {
     }
 }
 
-impl Field for EstimationControlFlagsResponse {
+impl Field for EstimationControlResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x84;
-    const NAME: &'static str = "filter.estimation_control_flags_response";
+    const NAME: &'static str = "filter.estimation_control_response";
 }
 
 /// GNSS aiding source response (0x0D,0x86).
 ///
 /// Answers GNSS aiding source (0x0D,0x15).
 ///
-/// Command: [`GnssAidingSourceControl`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`GnssSource`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GnssAidingSourceControlResponse {
+pub struct GnssSourceResponse {
     /// Source of the GNSS data.
     pub source: GnssAidingSource,
 }
 
-impl Wire for GnssAidingSourceControlResponse {
+impl Wire for GnssSourceResponse {
     const SIZE: usize = 1;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6116,45 +6107,45 @@ impl Wire for GnssAidingSourceControlResponse {
     }
 }
 
-impl Field for GnssAidingSourceControlResponse {
+impl Field for GnssSourceResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x86;
-    const NAME: &'static str = "filter.gnss_aiding_source_control_response";
+    const NAME: &'static str = "filter.gnss_source_response";
 }
 
 /// Heading update control response (0x0D,0x87).
 ///
 /// Answers Heading update control (0x0D,0x18).
 ///
-/// Command: [`HeadingUpdateControl`]. Supported by 3DM-GX5-15.
+/// Command: [`HeadingSource`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct HeadingUpdateControlResponse {
+pub struct HeadingSourceResponse {
     /// Source of the heading.
-    pub enable: HeadingUpdateSource,
+    pub source: HeadingUpdateSource,
 }
 
-impl Wire for HeadingUpdateControlResponse {
+impl Wire for HeadingSourceResponse {
     const SIZE: usize = 1;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let enable = reader.read()?;
-        Ok(Self { enable })
+        let source = reader.read()?;
+        Ok(Self { source })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.enable)?;
+        writer.write(&self.source)?;
         Ok(())
     }
 }
 
-impl Field for HeadingUpdateControlResponse {
+impl Field for HeadingSourceResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x87;
-    const NAME: &'static str = "filter.heading_update_control_response";
+    const NAME: &'static str = "filter.heading_source_response";
 }
 
 /// Automatic initialization response (0x0D,0x88).
@@ -6198,21 +6189,21 @@ impl Field for AutoInitializationControlResponse {
 ///
 /// Answers Accelerometer noise (0x0D,0x1A).
 ///
-/// Command: [`AccelerometerNoiseStandardDeviation`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Command: [`AccelNoise`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
 /// - Manual 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct AccelerometerNoiseStandardDeviationResponse {
+pub struct AccelNoiseResponse {
     /// Standard deviation per axis.
     ///
     /// Unit: m/s^2.
     pub noise: types::Vector3f,
 }
 
-impl Wire for AccelerometerNoiseStandardDeviationResponse {
+impl Wire for AccelNoiseResponse {
     const SIZE: usize = 12;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6226,31 +6217,31 @@ impl Wire for AccelerometerNoiseStandardDeviationResponse {
     }
 }
 
-impl Field for AccelerometerNoiseStandardDeviationResponse {
+impl Field for AccelNoiseResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x89;
-    const NAME: &'static str = "filter.accelerometer_noise_standard_deviation_response";
+    const NAME: &'static str = "filter.accel_noise_response";
 }
 
 /// Gyroscope noise response (0x0D,0x8A).
 ///
 /// Answers Gyroscope noise (0x0D,0x1B).
 ///
-/// Command: [`GyroscopeNoiseStandardDeviation`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Command: [`GyroNoise`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
 /// - Manual 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GyroscopeNoiseStandardDeviationResponse {
+pub struct GyroNoiseResponse {
     /// Standard deviation per axis.
     ///
     /// Unit: rad/s.
     pub noise: types::Vector3f,
 }
 
-impl Wire for GyroscopeNoiseStandardDeviationResponse {
+impl Wire for GyroNoiseResponse {
     const SIZE: usize = 12;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6264,23 +6255,23 @@ impl Wire for GyroscopeNoiseStandardDeviationResponse {
     }
 }
 
-impl Field for GyroscopeNoiseStandardDeviationResponse {
+impl Field for GyroNoiseResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x8A;
-    const NAME: &'static str = "filter.gyroscope_noise_standard_deviation_response";
+    const NAME: &'static str = "filter.gyro_noise_response";
 }
 
 /// Accelerometer bias model response (0x0D,0x8B).
 ///
 /// Answers Accelerometer bias model (0x0D,0x1C).
 ///
-/// Command: [`AccelerometerBiasModelParameters`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`AccelBiasModel`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct AccelerometerBiasModelParametersResponse {
+pub struct AccelBiasModelResponse {
     /// Reciprocal of the correlation time per axis.
     ///
     /// Unit: 1/s.
@@ -6291,7 +6282,7 @@ pub struct AccelerometerBiasModelParametersResponse {
     pub noise: types::Vector3f,
 }
 
-impl Wire for AccelerometerBiasModelParametersResponse {
+impl Wire for AccelBiasModelResponse {
     const SIZE: usize = 24;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6307,24 +6298,24 @@ impl Wire for AccelerometerBiasModelParametersResponse {
     }
 }
 
-impl Field for AccelerometerBiasModelParametersResponse {
+impl Field for AccelBiasModelResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x8B;
-    const NAME: &'static str = "filter.accelerometer_bias_model_parameters_response";
+    const NAME: &'static str = "filter.accel_bias_model_response";
 }
 
 /// Gyroscope bias model response (0x0D,0x8C).
 ///
 /// Answers Gyroscope bias model (0x0D,0x1D).
 ///
-/// Command: [`GyroscopeBiasModelParameters`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Command: [`GyroBiasModel`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
 /// - Manual 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GyroscopeBiasModelParametersResponse {
+pub struct GyroBiasModelResponse {
     /// Reciprocal of the correlation time per axis.
     ///
     /// Unit: 1/s.
@@ -6335,7 +6326,7 @@ pub struct GyroscopeBiasModelParametersResponse {
     pub noise: types::Vector3f,
 }
 
-impl Wire for GyroscopeBiasModelParametersResponse {
+impl Wire for GyroBiasModelResponse {
     const SIZE: usize = 24;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6351,10 +6342,10 @@ impl Wire for GyroscopeBiasModelParametersResponse {
     }
 }
 
-impl Field for GyroscopeBiasModelParametersResponse {
+impl Field for GyroBiasModelResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x8C;
-    const NAME: &'static str = "filter.gyroscope_bias_model_parameters_response";
+    const NAME: &'static str = "filter.gyro_bias_model_response";
 }
 
 /// Automatic zero velocity update response (0x0D,0x8D).
@@ -6404,14 +6395,14 @@ impl Field for AutoZuptResponse {
 ///
 /// Answers Zero angular rate update (0x0D,0x20).
 ///
-/// Command: [`ZeroAngularRateUpdateControl`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Command: [`AutoAngularZupt`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
 /// - Manual 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ZeroAngularRateUpdateControlResponse {
+pub struct AutoAngularZuptResponse {
     /// 0 disables, 1 enables.
     ///
     /// Range: 0 to 1.
@@ -6422,7 +6413,7 @@ pub struct ZeroAngularRateUpdateControlResponse {
     pub threshold: f32,
 }
 
-impl Wire for ZeroAngularRateUpdateControlResponse {
+impl Wire for AutoAngularZuptResponse {
     const SIZE: usize = 5;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6438,23 +6429,23 @@ impl Wire for ZeroAngularRateUpdateControlResponse {
     }
 }
 
-impl Field for ZeroAngularRateUpdateControlResponse {
+impl Field for AutoAngularZuptResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x8E;
-    const NAME: &'static str = "filter.zero_angular_rate_update_control_response";
+    const NAME: &'static str = "filter.auto_angular_zupt_response";
 }
 
 /// Set reference position response (0x0D,0x90).
 ///
 /// Answers Set reference position (0x0D,0x26).
 ///
-/// Command: [`SetReferencePosition`]. Supported by 3DM-GX5-15.
+/// Command: [`ReferencePosition`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SetReferencePositionResponse {
+pub struct ReferencePositionResponse {
     /// 0 disables, 1 enables.
     ///
     /// Range: 0 to 1.
@@ -6473,7 +6464,7 @@ pub struct SetReferencePositionResponse {
     pub altitude: f64,
 }
 
-impl Wire for SetReferencePositionResponse {
+impl Wire for ReferencePositionResponse {
     const SIZE: usize = 25;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6493,31 +6484,31 @@ impl Wire for SetReferencePositionResponse {
     }
 }
 
-impl Field for SetReferencePositionResponse {
+impl Field for ReferencePositionResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x90;
-    const NAME: &'static str = "filter.set_reference_position_response";
+    const NAME: &'static str = "filter.reference_position_response";
 }
 
 /// Gravity noise response (0x0D,0x93).
 ///
 /// Answers Gravity noise (0x0D,0x28).
 ///
-/// Command: [`GravityNoiseStandardDeviation`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Command: [`GravityNoise`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
 /// - Manual 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GravityNoiseStandardDeviationResponse {
+pub struct GravityNoiseResponse {
     /// Standard deviation per axis.
     ///
     /// Unit: g.
     pub noise: types::Vector3f,
 }
 
-impl Wire for GravityNoiseStandardDeviationResponse {
+impl Wire for GravityNoiseResponse {
     const SIZE: usize = 12;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6531,10 +6522,10 @@ impl Wire for GravityNoiseStandardDeviationResponse {
     }
 }
 
-impl Field for GravityNoiseStandardDeviationResponse {
+impl Field for GravityNoiseResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x93;
-    const NAME: &'static str = "filter.gravity_noise_standard_deviation_response";
+    const NAME: &'static str = "filter.gravity_noise_response";
 }
 
 /// Pressure altitude noise response (0x0D,0x94).
@@ -6688,18 +6679,18 @@ impl Field for TareOrientationResponse {
 ///
 /// Answers Enable or disable measurements (0x0D,0x41).
 ///
-/// Command: [`EnableDisableMeasurements`]. Supported by 3DM-GX5-15.
+/// Command: [`EnableMeasurements`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct EnableDisableMeasurementsResponse {
+pub struct EnableMeasurementsResponse {
     /// Measurements to use.
     pub control: MeasurementFlags,
 }
 
-impl Wire for EnableDisableMeasurementsResponse {
+impl Wire for EnableMeasurementsResponse {
     const SIZE: usize = 2;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6713,10 +6704,10 @@ impl Wire for EnableDisableMeasurementsResponse {
     }
 }
 
-impl Field for EnableDisableMeasurementsResponse {
+impl Field for EnableMeasurementsResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0xB0;
-    const NAME: &'static str = "filter.enable_disable_measurements_response";
+    const NAME: &'static str = "filter.enable_measurements_response";
 }
 
 /// Magnetometer noise response (0x0D,0xB1).
@@ -6760,13 +6751,13 @@ impl Field for MagNoiseResponse {
 ///
 /// Answers Magnetic declination source (0x0D,0x43).
 ///
-/// Command: [`MagneticFieldDeclinationSourceControl`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`MagneticDeclinationSource`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct MagneticFieldDeclinationSourceControlResponse {
+pub struct MagneticDeclinationSourceResponse {
     /// Source of the declination.
     pub source: MagParameterSource,
     /// Declination; used only if `source` is manual.
@@ -6775,7 +6766,7 @@ pub struct MagneticFieldDeclinationSourceControlResponse {
     pub declination: f32,
 }
 
-impl Wire for MagneticFieldDeclinationSourceControlResponse {
+impl Wire for MagneticDeclinationSourceResponse {
     const SIZE: usize = 5;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6791,23 +6782,23 @@ impl Wire for MagneticFieldDeclinationSourceControlResponse {
     }
 }
 
-impl Field for MagneticFieldDeclinationSourceControlResponse {
+impl Field for MagneticDeclinationSourceResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0xB2;
-    const NAME: &'static str = "filter.magnetic_field_declination_source_control_response";
+    const NAME: &'static str = "filter.magnetic_declination_source_response";
 }
 
 /// Gravity magnitude error adaptive measurement response (0x0D,0xB3).
 ///
 /// Answers Gravity magnitude error adaptive measurement (0x0D,0x44).
 ///
-/// Command: [`GravityMagnitudeErrorAdaptiveMeasurement`]. Supported by 3DM-GX5-15.
+/// Command: [`AccelMagnitudeErrorAdaptiveMeasurement`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GravityMagnitudeErrorAdaptiveMeasurementResponse {
+pub struct AccelMagnitudeErrorAdaptiveMeasurementResponse {
     /// Kind of adaptation.
     pub adaptive_measurement: AdaptiveMeasurementSelector,
     /// Cut-off frequency of the low-pass filter.
@@ -6836,7 +6827,7 @@ pub struct GravityMagnitudeErrorAdaptiveMeasurementResponse {
     pub minimum_uncertainty: f32,
 }
 
-impl Wire for GravityMagnitudeErrorAdaptiveMeasurementResponse {
+impl Wire for AccelMagnitudeErrorAdaptiveMeasurementResponse {
     const SIZE: usize = 25;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6870,10 +6861,10 @@ impl Wire for GravityMagnitudeErrorAdaptiveMeasurementResponse {
     }
 }
 
-impl Field for GravityMagnitudeErrorAdaptiveMeasurementResponse {
+impl Field for AccelMagnitudeErrorAdaptiveMeasurementResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0xB3;
-    const NAME: &'static str = "filter.gravity_magnitude_error_adaptive_measurement_response";
+    const NAME: &'static str = "filter.accel_magnitude_error_adaptive_measurement_response";
 }
 
 /// Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
@@ -7053,18 +7044,18 @@ impl Field for AltitudeAidingResponse {
 ///
 /// Answers Pitch and roll aiding (0x0D,0x4B).
 ///
-/// Command: [`PitchRollAidingControl`]. Supported by 3DM-GX5-15.
+/// Command: [`PitchRollAiding`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct PitchRollAidingControlResponse {
+pub struct PitchRollAidingResponse {
     /// Source of the aiding.
     pub aiding: PitchRollAidingSource,
 }
 
-impl Wire for PitchRollAidingControlResponse {
+impl Wire for PitchRollAidingResponse {
     const SIZE: usize = 1;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -7078,23 +7069,23 @@ impl Wire for PitchRollAidingControlResponse {
     }
 }
 
-impl Field for PitchRollAidingControlResponse {
+impl Field for PitchRollAidingResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0xBB;
-    const NAME: &'static str = "filter.pitch_roll_aiding_control_response";
+    const NAME: &'static str = "filter.pitch_roll_aiding_response";
 }
 
 /// Magnetic inclination source response (0x0D,0xBC).
 ///
 /// Answers Magnetic inclination source (0x0D,0x4C).
 ///
-/// Command: [`InclinationSource`].
+/// Command: [`MagneticInclinationSource`].
 ///
 /// - Manual mip-sdk-4: Inclination Source (0x0D,0x4C)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct InclinationSourceResponse {
+pub struct MagneticInclinationSourceResponse {
     /// Source of the inclination.
     pub source: MagParameterSource,
     /// Inclination; used only if `source` is manual.
@@ -7103,7 +7094,7 @@ pub struct InclinationSourceResponse {
     pub inclination: f32,
 }
 
-impl Wire for InclinationSourceResponse {
+impl Wire for MagneticInclinationSourceResponse {
     const SIZE: usize = 5;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -7119,23 +7110,23 @@ impl Wire for InclinationSourceResponse {
     }
 }
 
-impl Field for InclinationSourceResponse {
+impl Field for MagneticInclinationSourceResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0xBC;
-    const NAME: &'static str = "filter.inclination_source_response";
+    const NAME: &'static str = "filter.magnetic_inclination_source_response";
 }
 
 /// Magnetic field magnitude source response (0x0D,0xBD).
 ///
 /// Answers Magnetic field magnitude source (0x0D,0x4D).
 ///
-/// Command: [`MagFieldMagnitudeSource`].
+/// Command: [`MagneticMagnitudeSource`].
 ///
 /// - Manual mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct MagFieldMagnitudeSourceResponse {
+pub struct MagneticMagnitudeSourceResponse {
     /// Source of the magnitude.
     pub source: MagParameterSource,
     /// Magnitude; used only if `source` is manual.
@@ -7144,7 +7135,7 @@ pub struct MagFieldMagnitudeSourceResponse {
     pub magnitude: f32,
 }
 
-impl Wire for MagFieldMagnitudeSourceResponse {
+impl Wire for MagneticMagnitudeSourceResponse {
     const SIZE: usize = 5;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -7160,10 +7151,10 @@ impl Wire for MagFieldMagnitudeSourceResponse {
     }
 }
 
-impl Field for MagFieldMagnitudeSourceResponse {
+impl Field for MagneticMagnitudeSourceResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0xBD;
-    const NAME: &'static str = "filter.mag_field_magnitude_source_response";
+    const NAME: &'static str = "filter.magnetic_magnitude_source_response";
 }
 
 /// Sensor to vehicle rotation, matrix response (0x0D,0xBE).
@@ -7217,19 +7208,19 @@ pub struct SensorToVehicleRotationQuaternionResponse {
     /// Unit quaternion, scalar part first.
     ///
     /// Unit: 1.
-    pub quat: types::Quatf,
+    pub q: types::Quatf,
 }
 
 impl Wire for SensorToVehicleRotationQuaternionResponse {
     const SIZE: usize = 16;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let quat = reader.read()?;
-        Ok(Self { quat })
+        let q = reader.read()?;
+        Ok(Self { q })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.quat)?;
+        writer.write(&self.q)?;
         Ok(())
     }
 }
@@ -7244,20 +7235,20 @@ impl Field for SensorToVehicleRotationQuaternionResponse {
 ///
 /// Answers Aiding measurement control (0x0D,0x50).
 ///
-/// Command: [`AidingMeasurementControl`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`AidingMeasurementEnable`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct AidingMeasurementControlResponse {
+pub struct AidingMeasurementEnableResponse {
     /// The source; `all` is for save, load and default.
     pub aiding_source: AidingSource,
     /// Whether the filter uses the source.
     pub enable: crate::Bool,
 }
 
-impl Wire for AidingMeasurementControlResponse {
+impl Wire for AidingMeasurementEnableResponse {
     const SIZE: usize = 3;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -7273,10 +7264,10 @@ impl Wire for AidingMeasurementControlResponse {
     }
 }
 
-impl Field for AidingMeasurementControlResponse {
+impl Field for AidingMeasurementEnableResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0xD0;
-    const NAME: &'static str = "filter.aiding_measurement_control_response";
+    const NAME: &'static str = "filter.aiding_measurement_enable_response";
 }
 
 /// Kinematic constraint response (0x0D,0xD1).
@@ -7332,19 +7323,19 @@ impl Field for KinematicConstraintResponse {
 ///
 /// Answers Navigation filter initialization (0x0D,0x52).
 ///
-/// Command: [`NavigationFilterInitialization`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`InitializationConfig`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct NavigationFilterInitializationResponse {
-    /// 1: the filter starts only after `run_navigation_filter`; 0: as soon as it can.
+pub struct InitializationConfigResponse {
+    /// 1: the filter starts only after `run`; 0: as soon as it can.
     ///
     /// Range: 0 to 1.
     pub wait_for_run_command: u8,
     /// Which initial conditions are found and which are given.
-    pub initial_cond_src: InitialConditionSource,
+    pub initial_condition_source: InitialConditionSource,
     /// Ways in which the initial heading may be found.
     pub auto_heading_alignment_selector: HeadingAlignment,
     /// Given heading.
@@ -7375,12 +7366,12 @@ pub struct NavigationFilterInitializationResponse {
     pub reference_frame_selector: ReferenceFrame,
 }
 
-impl Wire for NavigationFilterInitializationResponse {
+impl Wire for InitializationConfigResponse {
     const SIZE: usize = 40;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let wait_for_run_command = reader.read()?;
-        let initial_cond_src = reader.read()?;
+        let initial_condition_source = reader.read()?;
         let auto_heading_alignment_selector = reader.read()?;
         let initial_heading = reader.read()?;
         let initial_pitch = reader.read()?;
@@ -7390,7 +7381,7 @@ impl Wire for NavigationFilterInitializationResponse {
         let reference_frame_selector = reader.read()?;
         Ok(Self {
             wait_for_run_command,
-            initial_cond_src,
+            initial_condition_source,
             auto_heading_alignment_selector,
             initial_heading,
             initial_pitch,
@@ -7403,7 +7394,7 @@ impl Wire for NavigationFilterInitializationResponse {
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         writer.write(&self.wait_for_run_command)?;
-        writer.write(&self.initial_cond_src)?;
+        writer.write(&self.initial_condition_source)?;
         writer.write(&self.auto_heading_alignment_selector)?;
         writer.write(&self.initial_heading)?;
         writer.write(&self.initial_pitch)?;
@@ -7415,23 +7406,23 @@ impl Wire for NavigationFilterInitializationResponse {
     }
 }
 
-impl Field for NavigationFilterInitializationResponse {
+impl Field for InitializationConfigResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0xD2;
-    const NAME: &'static str = "filter.navigation_filter_initialization_response";
+    const NAME: &'static str = "filter.initialization_config_response";
 }
 
 /// Adaptive filter control response (0x0D,0xD3).
 ///
 /// Answers Adaptive filter control (0x0D,0x53).
 ///
-/// Command: [`AdaptiveFilterControl`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`AdaptiveFilterOptions`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct AdaptiveFilterControlResponse {
+pub struct AdaptiveFilterOptionsResponse {
     /// Strength of the adaptation.
     ///
     /// Default: 2.
@@ -7442,7 +7433,7 @@ pub struct AdaptiveFilterControlResponse {
     pub time_limit: u16,
 }
 
-impl Wire for AdaptiveFilterControlResponse {
+impl Wire for AdaptiveFilterOptionsResponse {
     const SIZE: usize = 3;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -7458,23 +7449,23 @@ impl Wire for AdaptiveFilterControlResponse {
     }
 }
 
-impl Field for AdaptiveFilterControlResponse {
+impl Field for AdaptiveFilterOptionsResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0xD3;
-    const NAME: &'static str = "filter.adaptive_filter_control_response";
+    const NAME: &'static str = "filter.adaptive_filter_options_response";
 }
 
 /// GNSS multi-antenna offset response (0x0D,0xD4).
 ///
 /// Answers GNSS multi-antenna offset (0x0D,0x54).
 ///
-/// Command: [`GnssMultiAntennaOffsetControl`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`MultiAntennaOffset`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GnssMultiAntennaOffsetControlResponse {
+pub struct MultiAntennaOffsetResponse {
     /// Number of the receiver, from 1.
     ///
     /// Range: at least 1.
@@ -7485,7 +7476,7 @@ pub struct GnssMultiAntennaOffsetControlResponse {
     pub antenna_offset: types::Vector3f,
 }
 
-impl Wire for GnssMultiAntennaOffsetControlResponse {
+impl Wire for MultiAntennaOffsetResponse {
     const SIZE: usize = 13;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -7501,23 +7492,23 @@ impl Wire for GnssMultiAntennaOffsetControlResponse {
     }
 }
 
-impl Field for GnssMultiAntennaOffsetControlResponse {
+impl Field for MultiAntennaOffsetResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0xD4;
-    const NAME: &'static str = "filter.gnss_multi_antenna_offset_control_response";
+    const NAME: &'static str = "filter.multi_antenna_offset_response";
 }
 
 /// Relative position configuration response (0x0D,0xD5).
 ///
 /// Answers Relative position configuration (0x0D,0x55).
 ///
-/// Command: [`RelativePositionConfiguration`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`RelativePositionConfig`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct RelativePositionConfigurationResponse {
+pub struct RelativePositionConfigResponse {
     /// Source of the reference point.
     pub source: RelativePositionSource,
     /// Frame of the coordinates.
@@ -7529,7 +7520,7 @@ pub struct RelativePositionConfigurationResponse {
     pub reference_coordinates: types::Vector3d,
 }
 
-impl Wire for RelativePositionConfigurationResponse {
+impl Wire for RelativePositionConfigResponse {
     const SIZE: usize = 26;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -7547,10 +7538,10 @@ impl Wire for RelativePositionConfigurationResponse {
     }
 }
 
-impl Field for RelativePositionConfigurationResponse {
+impl Field for RelativePositionConfigResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0xD5;
-    const NAME: &'static str = "filter.relative_position_configuration_response";
+    const NAME: &'static str = "filter.relative_position_config_response";
 }
 
 /// Reference point lever arm response (0x0D,0xD6).
@@ -7565,7 +7556,7 @@ impl Field for RelativePositionConfigurationResponse {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ReferencePointLeverArmResponse {
     /// Point to move; it must be 1.
-    pub ref_point_sel: ReferencePoint,
+    pub reference_point: ReferencePoint,
     /// From the sensor to the point.
     ///
     /// Unit: m; frame: vehicle; range: -10 to 10.
@@ -7576,13 +7567,13 @@ impl Wire for ReferencePointLeverArmResponse {
     const SIZE: usize = 13;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let ref_point_sel = reader.read()?;
+        let reference_point = reader.read()?;
         let lever_arm_offset = reader.read()?;
-        Ok(Self { ref_point_sel, lever_arm_offset })
+        Ok(Self { reference_point, lever_arm_offset })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.ref_point_sel)?;
+        writer.write(&self.reference_point)?;
         writer.write(&self.lever_arm_offset)?;
         Ok(())
     }
@@ -7598,13 +7589,13 @@ impl Field for ReferencePointLeverArmResponse {
 ///
 /// Answers Speed measurement lever arm (0x0D,0x61).
 ///
-/// Command: [`MeasurementSpeedLeverArm`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`SpeedLeverArm`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct MeasurementSpeedLeverArmResponse {
+pub struct SpeedLeverArmResponse {
     /// Send 1.
     ///
     /// Send 1.
@@ -7615,13 +7606,13 @@ pub struct MeasurementSpeedLeverArmResponse {
     pub lever_arm_offset: types::Vector3f,
 }
 
-impl core::default::Default for MeasurementSpeedLeverArmResponse {
+impl core::default::Default for SpeedLeverArmResponse {
     fn default() -> Self {
         Self { source: 1, lever_arm_offset: core::default::Default::default() }
     }
 }
 
-impl Wire for MeasurementSpeedLeverArmResponse {
+impl Wire for SpeedLeverArmResponse {
     const SIZE: usize = 13;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -7637,10 +7628,10 @@ impl Wire for MeasurementSpeedLeverArmResponse {
     }
 }
 
-impl Field for MeasurementSpeedLeverArmResponse {
+impl Field for SpeedLeverArmResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0xE1;
-    const NAME: &'static str = "filter.measurement_speed_lever_arm_response";
+    const NAME: &'static str = "filter.speed_lever_arm_response";
 }
 
 /// Vertical gyro constraint response (0x0D,0xE2).
@@ -7721,14 +7712,14 @@ impl Field for WheeledVehicleConstraintControlResponse {
 ///
 /// Answers GNSS antenna offset calibration (0x0D,0x64).
 ///
-/// Command: [`GnssAntennaOffsetCalibrationControl`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`GnssAntennaCalibrationControl`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
 /// - Manual 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GnssAntennaOffsetCalibrationControlResponse {
+pub struct GnssAntennaCalibrationControlResponse {
     /// 0 disables, 1 enables.
     ///
     /// Range: 0 to 1.
@@ -7739,7 +7730,7 @@ pub struct GnssAntennaOffsetCalibrationControlResponse {
     pub max_offset: f32,
 }
 
-impl Wire for GnssAntennaOffsetCalibrationControlResponse {
+impl Wire for GnssAntennaCalibrationControlResponse {
     const SIZE: usize = 5;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -7755,8 +7746,8 @@ impl Wire for GnssAntennaOffsetCalibrationControlResponse {
     }
 }
 
-impl Field for GnssAntennaOffsetCalibrationControlResponse {
+impl Field for GnssAntennaCalibrationControlResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0xE4;
-    const NAME: &'static str = "filter.gnss_antenna_offset_calibration_control_response";
+    const NAME: &'static str = "filter.gnss_antenna_calibration_control_response";
 }

@@ -45,7 +45,7 @@ open_enum! {
         /// Initialization; initial conditions are missing or the filter waits for a command.
         INIT = 1, "init";
         /// Vertical gyro: pitch and roll, and heading relative to the initial one.
-        VERT_GYRO = 2, "vert_gyro";
+        VERTICAL_GYRO = 2, "vertical_gyro";
         /// Pitch, roll and absolute heading.
         AHRS = 3, "ahrs";
         /// Full navigation: position, velocity and attitude.
@@ -130,11 +130,11 @@ bitfield! {
             "run_mag_bias_est_high_warning", run_mag_bias_est_high_warning,
             set_run_mag_bias_est_high_warning, with_run_mag_bias_est_high_warning;
         /// The estimated correction of the antenna offset is high; on models with GNSS.
-        RUN_ANT_OFFSET_CORRECTION_EST_HIGH_WARNING: bool = 13,
-            "run_ant_offset_correction_est_high_warning",
-            run_ant_offset_correction_est_high_warning,
-            set_run_ant_offset_correction_est_high_warning,
-            with_run_ant_offset_correction_est_high_warning;
+        RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING: bool = 13,
+            "run_antenna_offset_correction_est_high_warning",
+            run_antenna_offset_correction_est_high_warning,
+            set_run_antenna_offset_correction_est_high_warning,
+            with_run_antenna_offset_correction_est_high_warning;
         /// The estimated hard-iron offset is high.
         RUN_MAG_HARD_IRON_EST_HIGH_WARNING: bool = 14,
             "run_mag_hard_iron_est_high_warning", run_mag_hard_iron_est_high_warning,
@@ -195,8 +195,9 @@ bitfield! {
         IMU_BIAS_WARNING: bool = 6,
             "imu_bias_warning", imu_bias_warning, set_imu_bias_warning, with_imu_bias_warning;
         /// The GNSS clock is doubtful; navigation goes on.
-        GNSS_CLK_WARNING: bool = 7,
-            "gnss_clk_warning", gnss_clk_warning, set_gnss_clk_warning, with_gnss_clk_warning;
+        GNSS_CLOCK_WARNING: bool = 7,
+            "gnss_clock_warning", gnss_clock_warning, set_gnss_clock_warning,
+            with_gnss_clock_warning;
         /// The antenna offsets are probably wrong.
         ANTENNA_LEVER_ARM_WARNING: bool = 8,
             "antenna_lever_arm_warning", antenna_lever_arm_warning, set_antenna_lever_arm_warning,
@@ -245,29 +246,29 @@ bitfield! {
         GPS_L5: bool = 5,
             "gps_l5", gps_l5, set_gps_l5, with_gps_l5;
         /// GLONASS L1 is used.
-        GLO_L1: bool = 6,
-            "glo_l1", glo_l1, set_glo_l1, with_glo_l1;
+        GLONASS_L1: bool = 6,
+            "glonass_l1", glonass_l1, set_glonass_l1, with_glonass_l1;
         /// GLONASS L2 is used.
-        GLO_L2: bool = 7,
-            "glo_l2", glo_l2, set_glo_l2, with_glo_l2;
+        GLONASS_L2: bool = 7,
+            "glonass_l2", glonass_l2, set_glonass_l2, with_glonass_l2;
         /// Galileo E1 is used.
-        GAL_E1: bool = 8,
-            "gal_e1", gal_e1, set_gal_e1, with_gal_e1;
+        GALILEO_E1: bool = 8,
+            "galileo_e1", galileo_e1, set_galileo_e1, with_galileo_e1;
         /// Galileo E5 is used.
-        GAL_E5: bool = 9,
-            "gal_e5", gal_e5, set_gal_e5, with_gal_e5;
+        GALILEO_E5: bool = 9,
+            "galileo_e5", galileo_e5, set_galileo_e5, with_galileo_e5;
         /// Galileo E6 is used.
-        GAL_E6: bool = 10,
-            "gal_e6", gal_e6, set_gal_e6, with_gal_e6;
+        GALILEO_E6: bool = 10,
+            "galileo_e6", galileo_e6, set_galileo_e6, with_galileo_e6;
         /// BeiDou B1 is used; not on every model.
-        BEI_B1: bool = 11,
-            "bei_b1", bei_b1, set_bei_b1, with_bei_b1;
+        BEIDOU_B1: bool = 11,
+            "beidou_b1", beidou_b1, set_beidou_b1, with_beidou_b1;
         /// BeiDou B2 is used; not on every model.
-        BEI_B2: bool = 12,
-            "bei_b2", bei_b2, set_bei_b2, with_bei_b2;
+        BEIDOU_B2: bool = 12,
+            "beidou_b2", beidou_b2, set_beidou_b2, with_beidou_b2;
         /// BeiDou B3 is used; not on every model.
-        BEI_B3: bool = 13,
-            "bei_b3", bei_b3, set_bei_b3, with_bei_b3;
+        BEIDOU_B3: bool = 13,
+            "beidou_b3", beidou_b3, set_beidou_b3, with_beidou_b3;
         /// The receiver has no position fix.
         NO_FIX: bool = 14,
             "no_fix", no_fix, set_no_fix, with_no_fix;
@@ -302,23 +303,23 @@ open_enum! {
         /// Pressure altitude.
         PRESSURE = 4, "pressure";
         /// Magnetometer.
-        MAGNETOMETER = 5, "magnetometer";
+        MAG = 5, "mag";
         /// Speed or odometer.
         SPEED = 6, "speed";
         /// ECEF position by command.
-        AIDING_POS_ECEF = 33, "aiding_pos_ecef";
+        AIDING_ECEF_POSITION = 33, "aiding_ecef_position";
         /// Latitude, longitude and height by command.
-        AIDING_POS_LLH = 34, "aiding_pos_llh";
+        AIDING_LLH_POSITION = 34, "aiding_llh_position";
         /// Height above the ellipsoid by command.
         AIDING_HEIGHT_ABOVE_ELLIPSOID = 35, "aiding_height_above_ellipsoid";
         /// ECEF velocity by command.
-        AIDING_VEL_ECEF = 40, "aiding_vel_ecef";
+        AIDING_ECEF_VELOCITY = 40, "aiding_ecef_velocity";
         /// NED velocity by command.
-        AIDING_VEL_NED = 41, "aiding_vel_ned";
+        AIDING_NED_VELOCITY = 41, "aiding_ned_velocity";
         /// Body frame velocity by command.
-        AIDING_VEL_BODY_FRAME = 42, "aiding_vel_body_frame";
+        AIDING_BODY_FRAME_VELOCITY = 42, "aiding_body_frame_velocity";
         /// True heading by command.
-        AIDING_HEADING_TRUE = 49, "aiding_heading_true";
+        AIDING_TRUE_HEADING = 49, "aiding_true_heading";
         /// Magnetic field by command.
         AIDING_MAGNETIC_FIELD = 50, "aiding_magnetic_field";
         /// Pressure by command.
@@ -344,13 +345,12 @@ bitfield! {
             "sample_time_warning", sample_time_warning, set_sample_time_warning,
             with_sample_time_warning;
         /// Its configuration is wrong.
-        CONFIGURATION_ERROR: bool = 4,
-            "configuration_error", configuration_error, set_configuration_error,
-            with_configuration_error;
+        CONFIG_ERROR: bool = 4,
+            "config_error", config_error, set_config_error, with_config_error;
         /// There are more measurements than the filter can take.
-        MAX_NUM_MEAS_EXCEEDED: bool = 5,
-            "max_num_meas_exceeded", max_num_meas_exceeded, set_max_num_meas_exceeded,
-            with_max_num_meas_exceeded;
+        MAX_MEASUREMENTS_EXCEEDED: bool = 5,
+            "max_measurements_exceeded", max_measurements_exceeded, set_max_measurements_exceeded,
+            with_max_measurements_exceeded;
     }
 }
 
@@ -370,11 +370,13 @@ bitfield! {
     /// What the heading solution of two antennas has to work with.
     DualAntennaStatusFlags: u16 {
         /// Data of receiver 1 are valid.
-        RCV_1_DATA_VALID: bool = 0,
-            "rcv_1_data_valid", rcv_1_data_valid, set_rcv_1_data_valid, with_rcv_1_data_valid;
+        RECEIVER_1_DATA_VALID: bool = 0,
+            "receiver_1_data_valid", receiver_1_data_valid, set_receiver_1_data_valid,
+            with_receiver_1_data_valid;
         /// Data of receiver 2 are valid.
-        RCV_2_DATA_VALID: bool = 1,
-            "rcv_2_data_valid", rcv_2_data_valid, set_rcv_2_data_valid, with_rcv_2_data_valid;
+        RECEIVER_2_DATA_VALID: bool = 1,
+            "receiver_2_data_valid", receiver_2_data_valid, set_receiver_2_data_valid,
+            with_receiver_2_data_valid;
         /// The antenna offsets are valid.
         ANTENNA_OFFSETS_VALID: bool = 2,
             "antenna_offsets_valid", antenna_offsets_valid, set_antenna_offsets_valid,
@@ -445,7 +447,7 @@ impl Field for LlhPosition {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct VelocityNed {
+pub struct NedVelocity {
     /// Velocity north.
     ///
     /// Unit: m/s; frame: ned; valid if `valid_flags.valid` is set.
@@ -462,7 +464,7 @@ pub struct VelocityNed {
     pub valid_flags: ValidFlags,
 }
 
-impl Wire for VelocityNed {
+impl Wire for NedVelocity {
     const SIZE: usize = 14;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -482,10 +484,10 @@ impl Wire for VelocityNed {
     }
 }
 
-impl Field for VelocityNed {
+impl Field for NedVelocity {
     const SET: u8 = 0x82;
     const DESCRIPTOR: u8 = 0x02;
-    const NAME: &'static str = "filter_data.velocity_ned";
+    const NAME: &'static str = "filter_data.ned_velocity";
 }
 
 /// Attitude quaternion (0x82,0x03).
@@ -893,7 +895,7 @@ pub struct GyroBiasUncertainty {
     /// Standard deviation per axis.
     ///
     /// Unit: rad/s; frame: sensor; valid if `valid_flags.valid` is set.
-    pub bias_uncert: types::Vector3f,
+    pub bias_uncertainty: types::Vector3f,
     /// Validity of the values.
     pub valid_flags: ValidFlags,
 }
@@ -902,13 +904,13 @@ impl Wire for GyroBiasUncertainty {
     const SIZE: usize = 14;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let bias_uncert = reader.read()?;
+        let bias_uncertainty = reader.read()?;
         let valid_flags = reader.read()?;
-        Ok(Self { bias_uncert, valid_flags })
+        Ok(Self { bias_uncertainty, valid_flags })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.bias_uncert)?;
+        writer.write(&self.bias_uncertainty)?;
         writer.write(&self.valid_flags)?;
         Ok(())
     }
@@ -934,7 +936,7 @@ pub struct AccelBiasUncertainty {
     /// Standard deviation per axis.
     ///
     /// Unit: m/s^2; frame: sensor; valid if `valid_flags.valid` is set.
-    pub bias_uncert: types::Vector3f,
+    pub bias_uncertainty: types::Vector3f,
     /// Validity of the values.
     pub valid_flags: ValidFlags,
 }
@@ -943,13 +945,13 @@ impl Wire for AccelBiasUncertainty {
     const SIZE: usize = 14;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let bias_uncert = reader.read()?;
+        let bias_uncertainty = reader.read()?;
         let valid_flags = reader.read()?;
-        Ok(Self { bias_uncert, valid_flags })
+        Ok(Self { bias_uncertainty, valid_flags })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.bias_uncert)?;
+        writer.write(&self.bias_uncertainty)?;
         writer.write(&self.valid_flags)?;
         Ok(())
     }
@@ -1057,7 +1059,7 @@ impl Field for CompAngularRate {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Wgs84LocalGravityMagnitude {
+pub struct Wgs84GravityMagnitude {
     /// Magnitude of gravity.
     ///
     /// Unit: m/s^2; valid if `valid_flags.valid` is set.
@@ -1066,7 +1068,7 @@ pub struct Wgs84LocalGravityMagnitude {
     pub valid_flags: ValidFlags,
 }
 
-impl Wire for Wgs84LocalGravityMagnitude {
+impl Wire for Wgs84GravityMagnitude {
     const SIZE: usize = 6;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -1082,10 +1084,10 @@ impl Wire for Wgs84LocalGravityMagnitude {
     }
 }
 
-impl Field for Wgs84LocalGravityMagnitude {
+impl Field for Wgs84GravityMagnitude {
     const SET: u8 = 0x82;
     const DESCRIPTOR: u8 = 0x0F;
-    const NAME: &'static str = "filter_data.wgs84_local_gravity_magnitude";
+    const NAME: &'static str = "filter_data.wgs84_gravity_magnitude";
 }
 
 /// Filter status (0x82,0x10).
@@ -1323,7 +1325,7 @@ impl Field for GravityVector {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct HeadingUpdateSourceState {
+pub struct HeadingUpdateState {
     /// Heading of the sensor frame relative to true north.
     ///
     /// Unit: rad; valid if `valid_flags.valid` is set.
@@ -1338,7 +1340,7 @@ pub struct HeadingUpdateSourceState {
     pub valid_flags: ValidFlags,
 }
 
-impl Wire for HeadingUpdateSourceState {
+impl Wire for HeadingUpdateState {
     const SIZE: usize = 12;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -1358,10 +1360,10 @@ impl Wire for HeadingUpdateSourceState {
     }
 }
 
-impl Field for HeadingUpdateSourceState {
+impl Field for HeadingUpdateState {
     const SET: u8 = 0x82;
     const DESCRIPTOR: u8 = 0x14;
-    const NAME: &'static str = "filter_data.heading_update_source_state";
+    const NAME: &'static str = "filter_data.heading_update_state";
 }
 
 /// Magnetic model (0x82,0x15).
@@ -1683,7 +1685,7 @@ impl Field for MagBiasUncertainty {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct CompensatedAcceleration {
+pub struct CompAccel {
     /// Acceleration.
     ///
     /// Unit: m/s^2; frame: vehicle; valid if `valid_flags.valid` is set.
@@ -1692,7 +1694,7 @@ pub struct CompensatedAcceleration {
     pub valid_flags: ValidFlags,
 }
 
-impl Wire for CompensatedAcceleration {
+impl Wire for CompAccel {
     const SIZE: usize = 14;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -1708,10 +1710,10 @@ impl Wire for CompensatedAcceleration {
     }
 }
 
-impl Field for CompensatedAcceleration {
+impl Field for CompAccel {
     const SET: u8 = 0x82;
     const DESCRIPTOR: u8 = 0x1C;
-    const NAME: &'static str = "filter_data.compensated_acceleration";
+    const NAME: &'static str = "filter_data.comp_accel";
 }
 
 /// Standard atmosphere (0x82,0x20).
@@ -2349,7 +2351,7 @@ pub struct MultiAntennaOffsetCorrectionUncertainty {
     /// Standard deviation per axis.
     ///
     /// Unit: m; frame: vehicle; valid if `valid_flags.valid` is set.
-    pub offset_uncert: types::Vector3f,
+    pub offset_uncertainty: types::Vector3f,
     /// Validity of the values.
     pub valid_flags: ValidFlags,
 }
@@ -2359,14 +2361,14 @@ impl Wire for MultiAntennaOffsetCorrectionUncertainty {
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let receiver_id = reader.read()?;
-        let offset_uncert = reader.read()?;
+        let offset_uncertainty = reader.read()?;
         let valid_flags = reader.read()?;
-        Ok(Self { receiver_id, offset_uncert, valid_flags })
+        Ok(Self { receiver_id, offset_uncertainty, valid_flags })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         writer.write(&self.receiver_id)?;
-        writer.write(&self.offset_uncert)?;
+        writer.write(&self.offset_uncertainty)?;
         writer.write(&self.valid_flags)?;
         Ok(())
     }
@@ -2392,7 +2394,7 @@ pub struct EcefPositionUncertainty {
     /// Standard deviation per axis.
     ///
     /// Unit: m; frame: ecef; valid if `valid_flags.valid` is set.
-    pub pos_uncertainty: types::Vector3f,
+    pub position_uncertainty: types::Vector3f,
     /// Validity of the values.
     pub valid_flags: ValidFlags,
 }
@@ -2401,13 +2403,13 @@ impl Wire for EcefPositionUncertainty {
     const SIZE: usize = 14;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let pos_uncertainty = reader.read()?;
+        let position_uncertainty = reader.read()?;
         let valid_flags = reader.read()?;
-        Ok(Self { pos_uncertainty, valid_flags })
+        Ok(Self { position_uncertainty, valid_flags })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.pos_uncertainty)?;
+        writer.write(&self.position_uncertainty)?;
         writer.write(&self.valid_flags)?;
         Ok(())
     }
@@ -2433,7 +2435,7 @@ pub struct EcefVelocityUncertainty {
     /// Standard deviation per axis.
     ///
     /// Unit: m/s; frame: ecef; valid if `valid_flags.valid` is set.
-    pub vel_uncertainty: types::Vector3f,
+    pub velocity_uncertainty: types::Vector3f,
     /// Validity of the values.
     pub valid_flags: ValidFlags,
 }
@@ -2442,13 +2444,13 @@ impl Wire for EcefVelocityUncertainty {
     const SIZE: usize = 14;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let vel_uncertainty = reader.read()?;
+        let velocity_uncertainty = reader.read()?;
         let valid_flags = reader.read()?;
-        Ok(Self { vel_uncertainty, valid_flags })
+        Ok(Self { velocity_uncertainty, valid_flags })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.vel_uncertainty)?;
+        writer.write(&self.velocity_uncertainty)?;
         writer.write(&self.valid_flags)?;
         Ok(())
     }
@@ -2474,7 +2476,7 @@ pub struct EcefPosition {
     /// Position.
     ///
     /// Unit: m; frame: ecef; valid if `valid_flags.valid` is set.
-    pub position_ecef: types::Vector3d,
+    pub position: types::Vector3d,
     /// Validity of the values.
     pub valid_flags: ValidFlags,
 }
@@ -2483,13 +2485,13 @@ impl Wire for EcefPosition {
     const SIZE: usize = 26;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let position_ecef = reader.read()?;
+        let position = reader.read()?;
         let valid_flags = reader.read()?;
-        Ok(Self { position_ecef, valid_flags })
+        Ok(Self { position, valid_flags })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.position_ecef)?;
+        writer.write(&self.position)?;
         writer.write(&self.valid_flags)?;
         Ok(())
     }
@@ -2515,7 +2517,7 @@ pub struct EcefVelocity {
     /// Velocity.
     ///
     /// Unit: m/s; frame: ecef; valid if `valid_flags.valid` is set.
-    pub velocity_ecef: types::Vector3f,
+    pub velocity: types::Vector3f,
     /// Validity of the values.
     pub valid_flags: ValidFlags,
 }
@@ -2524,13 +2526,13 @@ impl Wire for EcefVelocity {
     const SIZE: usize = 14;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let velocity_ecef = reader.read()?;
+        let velocity = reader.read()?;
         let valid_flags = reader.read()?;
-        Ok(Self { velocity_ecef, valid_flags })
+        Ok(Self { velocity, valid_flags })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.velocity_ecef)?;
+        writer.write(&self.velocity)?;
         writer.write(&self.valid_flags)?;
         Ok(())
     }
@@ -2544,7 +2546,7 @@ impl Field for EcefVelocity {
 
 /// NED relative position (0x82,0x42).
 ///
-/// Estimated position relative to the point that `filter.relative_position_configuration` sets.
+/// Estimated position relative to the point that `filter.relative_position_config` sets.
 ///
 /// Supported by 3DM-CV7-GNSS/INS.
 ///
@@ -2601,7 +2603,7 @@ pub struct GnssPositionAidingStatus {
     /// GPS time of week of the last measurement.
     ///
     /// Unit: s.
-    pub time_of_week: f32,
+    pub tow: f32,
     /// How the measurements are used.
     pub status: GnssAidingStatus,
     /// Reserved.
@@ -2615,15 +2617,15 @@ impl Wire for GnssPositionAidingStatus {
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let receiver_id = reader.read()?;
-        let time_of_week = reader.read()?;
+        let tow = reader.read()?;
         let status = reader.read()?;
         let reserved = reader.read()?;
-        Ok(Self { receiver_id, time_of_week, status, reserved })
+        Ok(Self { receiver_id, tow, status, reserved })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         writer.write(&self.receiver_id)?;
-        writer.write(&self.time_of_week)?;
+        writer.write(&self.tow)?;
         writer.write(&self.status)?;
         writer.write(&self.reserved)?;
         Ok(())
@@ -2744,7 +2746,7 @@ pub struct AidingMeasurementSummary {
     /// GPS time of week at the end of the interval.
     ///
     /// Unit: s.
-    pub time_of_week: f32,
+    pub tow: f32,
     /// Number of the source of the measurement.
     pub source: u8,
     /// Kind of measurement.
@@ -2757,15 +2759,15 @@ impl Wire for AidingMeasurementSummary {
     const SIZE: usize = 7;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let time_of_week = reader.read()?;
+        let tow = reader.read()?;
         let source = reader.read()?;
         let type_ = reader.read()?;
         let indicator = reader.read()?;
-        Ok(Self { time_of_week, source, type_, indicator })
+        Ok(Self { tow, source, type_, indicator })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.time_of_week)?;
+        writer.write(&self.tow)?;
         writer.write(&self.source)?;
         writer.write(&self.type_)?;
         writer.write(&self.indicator)?;
@@ -2879,7 +2881,7 @@ pub struct GnssDualAntennaStatus {
     /// GPS time of week of the last measurement.
     ///
     /// Unit: s; valid if `valid_flags.valid` is set.
-    pub time_of_week: f32,
+    pub tow: f32,
     /// Heading.
     ///
     /// Unit: rad; valid if `valid_flags.valid` is set.
@@ -2887,7 +2889,7 @@ pub struct GnssDualAntennaStatus {
     /// Uncertainty of the heading.
     ///
     /// Unit: rad; valid if `valid_flags.valid` is set.
-    pub heading_unc: f32,
+    pub heading_uncertainty: f32,
     /// Kind of solution.
     pub fix_type: DualAntennaFixType,
     /// What the solution has to work with.
@@ -2900,19 +2902,19 @@ impl Wire for GnssDualAntennaStatus {
     const SIZE: usize = 17;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let time_of_week = reader.read()?;
+        let tow = reader.read()?;
         let heading = reader.read()?;
-        let heading_unc = reader.read()?;
+        let heading_uncertainty = reader.read()?;
         let fix_type = reader.read()?;
         let status_flags = reader.read()?;
         let valid_flags = reader.read()?;
-        Ok(Self { time_of_week, heading, heading_unc, fix_type, status_flags, valid_flags })
+        Ok(Self { tow, heading, heading_uncertainty, fix_type, status_flags, valid_flags })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.time_of_week)?;
+        writer.write(&self.tow)?;
         writer.write(&self.heading)?;
-        writer.write(&self.heading_unc)?;
+        writer.write(&self.heading_uncertainty)?;
         writer.write(&self.fix_type)?;
         writer.write(&self.status_flags)?;
         writer.write(&self.valid_flags)?;
@@ -2928,7 +2930,7 @@ impl Field for GnssDualAntennaStatus {
 
 /// Aiding frame configuration error (0x82,0x50).
 ///
-/// Estimated error of a frame that `aiding.frame_configuration` defines; it is corrected for.
+/// Estimated error of a frame that `aiding.frame_config` defines; it is corrected for.
 ///
 /// Supported by 3DM-CV7-GNSS/INS.
 ///
@@ -2936,7 +2938,7 @@ impl Field for GnssDualAntennaStatus {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct AidingFrameConfigurationError {
+pub struct AidingFrameConfigError {
     /// Number of the frame.
     pub frame_id: u8,
     /// Error of the translation.
@@ -2949,7 +2951,7 @@ pub struct AidingFrameConfigurationError {
     pub attitude: types::Quatf,
 }
 
-impl Wire for AidingFrameConfigurationError {
+impl Wire for AidingFrameConfigError {
     const SIZE: usize = 29;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -2967,15 +2969,15 @@ impl Wire for AidingFrameConfigurationError {
     }
 }
 
-impl Field for AidingFrameConfigurationError {
+impl Field for AidingFrameConfigError {
     const SET: u8 = 0x82;
     const DESCRIPTOR: u8 = 0x50;
-    const NAME: &'static str = "filter_data.aiding_frame_configuration_error";
+    const NAME: &'static str = "filter_data.aiding_frame_config_error";
 }
 
 /// Aiding frame configuration error uncertainty (0x82,0x51).
 ///
-/// Uncertainty of the estimated error of a frame that `aiding.frame_configuration` defines.
+/// Uncertainty of the estimated error of a frame that `aiding.frame_config` defines.
 ///
 /// Supported by 3DM-CV7-GNSS/INS.
 ///
@@ -2983,39 +2985,39 @@ impl Field for AidingFrameConfigurationError {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct AidingFrameConfigurationErrorUncertainty {
+pub struct AidingFrameConfigErrorUncertainty {
     /// Number of the frame.
     pub frame_id: u8,
     /// Uncertainty of the translation.
     ///
     /// Unit: m.
-    pub translation_unc: types::Vector3f,
+    pub translation_uncertainty: types::Vector3f,
     /// Uncertainty of the rotation about each axis.
     ///
     /// Unit: rad.
-    pub attitude_unc: types::Vector3f,
+    pub attitude_uncertainty: types::Vector3f,
 }
 
-impl Wire for AidingFrameConfigurationErrorUncertainty {
+impl Wire for AidingFrameConfigErrorUncertainty {
     const SIZE: usize = 25;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let frame_id = reader.read()?;
-        let translation_unc = reader.read()?;
-        let attitude_unc = reader.read()?;
-        Ok(Self { frame_id, translation_unc, attitude_unc })
+        let translation_uncertainty = reader.read()?;
+        let attitude_uncertainty = reader.read()?;
+        Ok(Self { frame_id, translation_uncertainty, attitude_uncertainty })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         writer.write(&self.frame_id)?;
-        writer.write(&self.translation_unc)?;
-        writer.write(&self.attitude_unc)?;
+        writer.write(&self.translation_uncertainty)?;
+        writer.write(&self.attitude_uncertainty)?;
         Ok(())
     }
 }
 
-impl Field for AidingFrameConfigurationErrorUncertainty {
+impl Field for AidingFrameConfigErrorUncertainty {
     const SET: u8 = 0x82;
     const DESCRIPTOR: u8 = 0x51;
-    const NAME: &'static str = "filter_data.aiding_frame_configuration_error_uncertainty";
+    const NAME: &'static str = "filter_data.aiding_frame_config_error_uncertainty";
 }

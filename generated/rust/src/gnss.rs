@@ -180,15 +180,15 @@ impl ResponseOf<ReceiverInfo> for ReceiverInfoResponse {}
 ///   for GPS and BeiDou none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or
 ///   L1.
 ///
-/// Functions: write, read, save, load, default. Response: [`SignalConfigurationResponse`].
-/// Supported by 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`SignalConfigResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
 /// - Manual 3dm-cv7-gnss-ins: GNSS
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SignalConfiguration {
+pub struct SignalConfig {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// GPS signals.
@@ -205,7 +205,7 @@ pub struct SignalConfiguration {
     pub reserved: Option<[u8; 4]>,
 }
 
-impl SignalConfiguration {
+impl SignalConfig {
     /// Apply the new setting.
     #[must_use]
     pub fn write(
@@ -286,7 +286,7 @@ impl SignalConfiguration {
     }
 }
 
-impl Wire for SignalConfiguration {
+impl Wire for SignalConfig {
     const SIZE: usize = 9;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -312,33 +312,33 @@ impl Wire for SignalConfiguration {
     }
 }
 
-impl Field for SignalConfiguration {
+impl Field for SignalConfig {
     const SET: u8 = 0x0E;
     const DESCRIPTOR: u8 = 0x02;
-    const NAME: &'static str = "gnss.signal_configuration";
+    const NAME: &'static str = "gnss.signal_config";
 }
 
-impl Command for SignalConfiguration {
-    type Response = SignalConfigurationResponse;
+impl Command for SignalConfig {
+    type Response = SignalConfigResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<SignalConfiguration> for SignalConfigurationResponse {}
+impl ResponseOf<SignalConfig> for SignalConfigResponse {}
 
 /// RTK dongle configuration (0x0E,0x10).
 ///
 /// Whether the device talks to the RTK dongle that is connected to it.
 ///
-/// Functions: write, read, save, load, default. Response: [`RtkDongleConfigurationResponse`].
+/// Functions: write, read, save, load, default. Response: [`RtkDongleConfigResponse`].
 ///
 /// - Manual mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct RtkDongleConfiguration {
+pub struct RtkDongleConfig {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// 1 enables the dongle, 0 disables it.
@@ -351,7 +351,7 @@ pub struct RtkDongleConfiguration {
     pub reserved: Option<[u8; 3]>,
 }
 
-impl RtkDongleConfiguration {
+impl RtkDongleConfig {
     /// Apply the new setting.
     #[must_use]
     pub fn write(enable: u8) -> Self {
@@ -396,7 +396,7 @@ impl RtkDongleConfiguration {
     }
 }
 
-impl Wire for RtkDongleConfiguration {
+impl Wire for RtkDongleConfig {
     const SIZE: usize = 5;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -416,21 +416,21 @@ impl Wire for RtkDongleConfiguration {
     }
 }
 
-impl Field for RtkDongleConfiguration {
+impl Field for RtkDongleConfig {
     const SET: u8 = 0x0E;
     const DESCRIPTOR: u8 = 0x10;
-    const NAME: &'static str = "gnss.rtk_dongle_configuration";
+    const NAME: &'static str = "gnss.rtk_dongle_config";
 }
 
-impl Command for RtkDongleConfiguration {
-    type Response = RtkDongleConfigurationResponse;
+impl Command for RtkDongleConfig {
+    type Response = RtkDongleConfigResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<RtkDongleConfiguration> for RtkDongleConfigurationResponse {}
+impl ResponseOf<RtkDongleConfig> for RtkDongleConfigResponse {}
 
 /// SPARTN configuration (0x0E,0x20).
 ///
@@ -441,8 +441,8 @@ impl ResponseOf<RtkDongleConfiguration> for RtkDongleConfigurationResponse {}
 /// - While SPARTN corrections are enabled, RTCM corrections are blocked.
 /// - A key of 16 bytes, none of them 0, is sent as 32 ASCII digits 0-9 and A-F, two for each byte.
 ///
-/// Functions: write, read, save, load, default. Response: [`SpartnConfigurationResponse`].
-/// Supported by 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`SpartnConfigResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
 /// - Manual 3dm-cv7-gnss-ins: SPARTN Corrections
@@ -450,7 +450,7 @@ impl ResponseOf<RtkDongleConfiguration> for RtkDongleConfigurationResponse {}
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SpartnConfiguration {
+pub struct SpartnConfig {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// 1 enables SPARTN corrections, 0 disables them.
@@ -481,7 +481,7 @@ pub struct SpartnConfiguration {
     pub next_key: Option<[u8; 32]>,
 }
 
-impl SpartnConfiguration {
+impl SpartnConfig {
     /// Apply the new setting.
     #[must_use]
     #[allow(clippy::too_many_arguments)]
@@ -582,7 +582,7 @@ impl SpartnConfiguration {
     }
 }
 
-impl Wire for SpartnConfiguration {
+impl Wire for SpartnConfig {
     const SIZE: usize = 79;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -624,21 +624,21 @@ impl Wire for SpartnConfiguration {
     }
 }
 
-impl Field for SpartnConfiguration {
+impl Field for SpartnConfig {
     const SET: u8 = 0x0E;
     const DESCRIPTOR: u8 = 0x20;
-    const NAME: &'static str = "gnss.spartn_configuration";
+    const NAME: &'static str = "gnss.spartn_config";
 }
 
-impl Command for SpartnConfiguration {
-    type Response = SpartnConfigurationResponse;
+impl Command for SpartnConfig {
+    type Response = SpartnConfigResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<SpartnConfiguration> for SpartnConfigurationResponse {}
+impl ResponseOf<SpartnConfig> for SpartnConfigResponse {}
 
 /// Receiver info response (0x0E,0x81).
 ///
@@ -681,14 +681,14 @@ impl Field for ReceiverInfoResponse {
 ///
 /// Answers Signal configuration (0x0E,0x02).
 ///
-/// Command: [`SignalConfiguration`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`SignalConfig`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
 /// - Manual 3dm-cv7-gnss-ins: GNSS
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SignalConfigurationResponse {
+pub struct SignalConfigResponse {
     /// GPS signals.
     pub gps_enable: GpsSignals,
     /// GLONASS signals.
@@ -703,7 +703,7 @@ pub struct SignalConfigurationResponse {
     pub reserved: [u8; 4],
 }
 
-impl Wire for SignalConfigurationResponse {
+impl Wire for SignalConfigResponse {
     const SIZE: usize = 8;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -725,23 +725,23 @@ impl Wire for SignalConfigurationResponse {
     }
 }
 
-impl Field for SignalConfigurationResponse {
+impl Field for SignalConfigResponse {
     const SET: u8 = 0x0E;
     const DESCRIPTOR: u8 = 0x82;
-    const NAME: &'static str = "gnss.signal_configuration_response";
+    const NAME: &'static str = "gnss.signal_config_response";
 }
 
 /// RTK dongle configuration response (0x0E,0x90).
 ///
 /// Answers RTK dongle configuration (0x0E,0x10).
 ///
-/// Command: [`RtkDongleConfiguration`].
+/// Command: [`RtkDongleConfig`].
 ///
 /// - Manual mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct RtkDongleConfigurationResponse {
+pub struct RtkDongleConfigResponse {
     /// 1 enables the dongle, 0 disables it.
     ///
     /// Range: 0 to 1.
@@ -752,7 +752,7 @@ pub struct RtkDongleConfigurationResponse {
     pub reserved: [u8; 3],
 }
 
-impl Wire for RtkDongleConfigurationResponse {
+impl Wire for RtkDongleConfigResponse {
     const SIZE: usize = 4;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -768,17 +768,17 @@ impl Wire for RtkDongleConfigurationResponse {
     }
 }
 
-impl Field for RtkDongleConfigurationResponse {
+impl Field for RtkDongleConfigResponse {
     const SET: u8 = 0x0E;
     const DESCRIPTOR: u8 = 0x90;
-    const NAME: &'static str = "gnss.rtk_dongle_configuration_response";
+    const NAME: &'static str = "gnss.rtk_dongle_config_response";
 }
 
 /// SPARTN configuration response (0x0E,0xA0).
 ///
 /// Answers SPARTN configuration (0x0E,0x20).
 ///
-/// Command: [`SpartnConfiguration`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`SpartnConfig`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
 /// - Manual 3dm-cv7-gnss-ins: SPARTN Corrections
@@ -786,7 +786,7 @@ impl Field for RtkDongleConfigurationResponse {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SpartnConfigurationResponse {
+pub struct SpartnConfigResponse {
     /// 1 enables SPARTN corrections, 0 disables them.
     ///
     /// Range: 0 to 1.
@@ -815,7 +815,7 @@ pub struct SpartnConfigurationResponse {
     pub next_key: [u8; 32],
 }
 
-impl Wire for SpartnConfigurationResponse {
+impl Wire for SpartnConfigResponse {
     const SIZE: usize = 78;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -852,8 +852,8 @@ impl Wire for SpartnConfigurationResponse {
     }
 }
 
-impl Field for SpartnConfigurationResponse {
+impl Field for SpartnConfigResponse {
     const SET: u8 = 0x0E;
     const DESCRIPTOR: u8 = 0xA0;
-    const NAME: &'static str = "gnss.spartn_configuration_response";
+    const NAME: &'static str = "gnss.spartn_config_response";
 }

@@ -11,7 +11,7 @@ pub const SET: u8 = 0x91;
 
 bitfield! {
     /// Which parts of the position are valid.
-    GnssLlhPositionFlags: u16 {
+    LlhPositionFlags: u16 {
         /// Latitude and longitude.
         LAT_LON: bool = 0,
             "lat_lon", lat_lon, set_lat_lon, with_lat_lon;
@@ -36,7 +36,7 @@ bitfield! {
 
 bitfield! {
     /// Which parts of the position are valid.
-    GnssEcefPositionFlags: u16 {
+    EcefPositionFlags: u16 {
         /// Position.
         POSITION: bool = 0,
             "position", position, set_position, with_position;
@@ -78,7 +78,7 @@ bitfield! {
 
 bitfield! {
     /// Which parts of the velocity are valid.
-    GnssEcefVelocityFlags: u16 {
+    EcefVelocityFlags: u16 {
         /// Velocity.
         VELOCITY: bool = 0,
             "velocity", velocity, set_velocity, with_velocity;
@@ -283,7 +283,7 @@ open_enum! {
 
 bitfield! {
     /// Which parts of the hardware status are valid.
-    GnssHardwareStatusFlags: u16 {
+    HardwareStatusFlags: u16 {
         /// State of the receiver.
         SENSOR_STATE: bool = 0,
             "sensor_state", sensor_state, set_sensor_state, with_sensor_state;
@@ -638,8 +638,8 @@ bitfield! {
         BEIDOU: bool = 3,
             "beidou", beidou, set_beidou, with_beidou;
         /// Reference station indicator.
-        REF_STATION: bool = 4,
-            "ref_station", ref_station, set_ref_station, with_ref_station;
+        REFERENCE_STATION: bool = 4,
+            "reference_station", reference_station, set_reference_station, with_reference_station;
         /// Single receiver oscillator indicator.
         SINGLE_RECEIVER: bool = 5,
             "single_receiver", single_receiver, set_single_receiver, with_single_receiver;
@@ -872,7 +872,7 @@ bitfield! {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GnssLlhPosition {
+pub struct LlhPosition {
     /// Latitude.
     ///
     /// Unit: deg; frame: llh; valid if `valid_flags.lat_lon` is set.
@@ -898,10 +898,10 @@ pub struct GnssLlhPosition {
     /// Unit: m; valid if `valid_flags.vertical_accuracy` is set.
     pub vertical_accuracy: f32,
     /// Which values are valid.
-    pub valid_flags: GnssLlhPositionFlags,
+    pub valid_flags: LlhPositionFlags,
 }
 
-impl Wire for GnssLlhPosition {
+impl Wire for LlhPosition {
     const SIZE: usize = 42;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -935,10 +935,10 @@ impl Wire for GnssLlhPosition {
     }
 }
 
-impl Field for GnssLlhPosition {
+impl Field for LlhPosition {
     const SET: u8 = 0x91;
     const DESCRIPTOR: u8 = 0x03;
-    const NAME: &'static str = "gnss_1.gnss_llh_position";
+    const NAME: &'static str = "gnss_1.llh_position";
 
     fn in_set(set: u8) -> bool {
         matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
@@ -955,41 +955,41 @@ impl Field for GnssLlhPosition {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GnssEcefPosition {
+pub struct EcefPosition {
     /// Position.
     ///
     /// Unit: m; frame: ecef; valid if `valid_flags.position` is set.
-    pub x: types::Vector3d,
+    pub position: types::Vector3d,
     /// Accuracy of the position.
     ///
     /// Unit: m; valid if `valid_flags.position_accuracy` is set.
-    pub x_accuracy: f32,
+    pub position_accuracy: f32,
     /// Which values are valid.
-    pub valid_flags: GnssEcefPositionFlags,
+    pub valid_flags: EcefPositionFlags,
 }
 
-impl Wire for GnssEcefPosition {
+impl Wire for EcefPosition {
     const SIZE: usize = 30;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let x = reader.read()?;
-        let x_accuracy = reader.read()?;
+        let position = reader.read()?;
+        let position_accuracy = reader.read()?;
         let valid_flags = reader.read()?;
-        Ok(Self { x, x_accuracy, valid_flags })
+        Ok(Self { position, position_accuracy, valid_flags })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.x)?;
-        writer.write(&self.x_accuracy)?;
+        writer.write(&self.position)?;
+        writer.write(&self.position_accuracy)?;
         writer.write(&self.valid_flags)?;
         Ok(())
     }
 }
 
-impl Field for GnssEcefPosition {
+impl Field for EcefPosition {
     const SET: u8 = 0x91;
     const DESCRIPTOR: u8 = 0x04;
-    const NAME: &'static str = "gnss_1.gnss_ecef_position";
+    const NAME: &'static str = "gnss_1.ecef_position";
 
     fn in_set(set: u8) -> bool {
         matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
@@ -1010,7 +1010,7 @@ pub struct NedVelocity {
     /// Velocity.
     ///
     /// Unit: m/s; frame: ned; valid if `valid_flags.velocity` is set.
-    pub v: types::Vector3f,
+    pub velocity: types::Vector3f,
     /// Speed in space.
     ///
     /// Unit: m/s; valid if `valid_flags.speed_3d` is set.
@@ -1039,18 +1039,26 @@ impl Wire for NedVelocity {
     const SIZE: usize = 34;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let v = reader.read()?;
+        let velocity = reader.read()?;
         let speed = reader.read()?;
         let ground_speed = reader.read()?;
         let heading = reader.read()?;
         let speed_accuracy = reader.read()?;
         let heading_accuracy = reader.read()?;
         let valid_flags = reader.read()?;
-        Ok(Self { v, speed, ground_speed, heading, speed_accuracy, heading_accuracy, valid_flags })
+        Ok(Self {
+            velocity,
+            speed,
+            ground_speed,
+            heading,
+            speed_accuracy,
+            heading_accuracy,
+            valid_flags,
+        })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.v)?;
+        writer.write(&self.velocity)?;
         writer.write(&self.speed)?;
         writer.write(&self.ground_speed)?;
         writer.write(&self.heading)?;
@@ -1081,41 +1089,41 @@ impl Field for NedVelocity {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GnssEcefVelocity {
+pub struct EcefVelocity {
     /// Velocity.
     ///
     /// Unit: m/s; frame: ecef; valid if `valid_flags.velocity` is set.
-    pub v: types::Vector3f,
+    pub velocity: types::Vector3f,
     /// Accuracy of the velocity.
     ///
     /// Unit: m/s; valid if `valid_flags.velocity_accuracy` is set.
-    pub v_accuracy: f32,
+    pub velocity_accuracy: f32,
     /// Which values are valid.
-    pub valid_flags: GnssEcefVelocityFlags,
+    pub valid_flags: EcefVelocityFlags,
 }
 
-impl Wire for GnssEcefVelocity {
+impl Wire for EcefVelocity {
     const SIZE: usize = 18;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let v = reader.read()?;
-        let v_accuracy = reader.read()?;
+        let velocity = reader.read()?;
+        let velocity_accuracy = reader.read()?;
         let valid_flags = reader.read()?;
-        Ok(Self { v, v_accuracy, valid_flags })
+        Ok(Self { velocity, velocity_accuracy, valid_flags })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.v)?;
-        writer.write(&self.v_accuracy)?;
+        writer.write(&self.velocity)?;
+        writer.write(&self.velocity_accuracy)?;
         writer.write(&self.valid_flags)?;
         Ok(())
     }
 }
 
-impl Field for GnssEcefVelocity {
+impl Field for EcefVelocity {
     const SET: u8 = 0x91;
     const DESCRIPTOR: u8 = 0x06;
-    const NAME: &'static str = "gnss_1.gnss_ecef_velocity";
+    const NAME: &'static str = "gnss_1.ecef_velocity";
 
     fn in_set(set: u8) -> bool {
         matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
@@ -1540,7 +1548,7 @@ impl Field for SvInfo {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GnssHardwareStatus {
+pub struct HardwareStatus {
     /// State of the receiver.
     ///
     /// Valid if `valid_flags.sensor_state` is set.
@@ -1554,10 +1562,10 @@ pub struct GnssHardwareStatus {
     /// Valid if `valid_flags.antenna_power` is set.
     pub antenna_power: AntennaPower,
     /// Which values are valid.
-    pub valid_flags: GnssHardwareStatusFlags,
+    pub valid_flags: HardwareStatusFlags,
 }
 
-impl Wire for GnssHardwareStatus {
+impl Wire for HardwareStatus {
     const SIZE: usize = 5;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -1577,10 +1585,10 @@ impl Wire for GnssHardwareStatus {
     }
 }
 
-impl Field for GnssHardwareStatus {
+impl Field for HardwareStatus {
     const SET: u8 = 0x91;
     const DESCRIPTOR: u8 = 0x0D;
-    const NAME: &'static str = "gnss_1.gnss_hardware_status";
+    const NAME: &'static str = "gnss_1.hardware_status";
 
     fn in_set(set: u8) -> bool {
         matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
@@ -1836,7 +1844,7 @@ pub struct SbasInfo {
     /// GPS time of week.
     ///
     /// Unit: s; valid if `valid_flags.tow` is set.
-    pub time_of_week: f64,
+    pub tow: f64,
     /// GPS week number.
     ///
     /// Unit: week; valid if `valid_flags.week_number` is set.
@@ -1865,26 +1873,18 @@ impl Wire for SbasInfo {
     const SIZE: usize = 16;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let time_of_week = reader.read()?;
+        let tow = reader.read()?;
         let week_number = reader.read()?;
         let sbas_system = reader.read()?;
         let sbas_id = reader.read()?;
         let count = reader.read()?;
         let sbas_status = reader.read()?;
         let valid_flags = reader.read()?;
-        Ok(Self {
-            time_of_week,
-            week_number,
-            sbas_system,
-            sbas_id,
-            count,
-            sbas_status,
-            valid_flags,
-        })
+        Ok(Self { tow, week_number, sbas_system, sbas_id, count, sbas_status, valid_flags })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.time_of_week)?;
+        writer.write(&self.tow)?;
         writer.write(&self.week_number)?;
         writer.write(&self.sbas_system)?;
         writer.write(&self.sbas_id)?;
@@ -2084,7 +2084,7 @@ pub struct SatelliteStatus {
     /// GPS time of week.
     ///
     /// Unit: s; valid if `valid_flags.tow` is set.
-    pub time_of_week: f64,
+    pub tow: f64,
     /// GPS week number.
     ///
     /// Unit: week; valid if `valid_flags.week_number` is set.
@@ -2119,7 +2119,7 @@ impl Wire for SatelliteStatus {
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let index = reader.read()?;
         let count = reader.read()?;
-        let time_of_week = reader.read()?;
+        let tow = reader.read()?;
         let week_number = reader.read()?;
         let gnss_id = reader.read()?;
         let satellite_id = reader.read()?;
@@ -2130,7 +2130,7 @@ impl Wire for SatelliteStatus {
         Ok(Self {
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             gnss_id,
             satellite_id,
@@ -2144,7 +2144,7 @@ impl Wire for SatelliteStatus {
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         writer.write(&self.index)?;
         writer.write(&self.count)?;
-        writer.write(&self.time_of_week)?;
+        writer.write(&self.tow)?;
         writer.write(&self.week_number)?;
         writer.write(&self.gnss_id)?;
         writer.write(&self.satellite_id)?;
@@ -2187,7 +2187,7 @@ pub struct Raw {
     /// GPS time of week.
     ///
     /// Unit: s; valid if `valid_flags.tow` is set.
-    pub time_of_week: f64,
+    pub tow: f64,
     /// GPS week number.
     ///
     /// Unit: week; valid if `valid_flags.week_number` is set.
@@ -2235,15 +2235,15 @@ pub struct Raw {
     /// Uncertainty of the pseudorange.
     ///
     /// Unit: m; valid if `valid_flags.range_uncertainty` is set.
-    pub range_uncert: f32,
+    pub range_uncertainty: f32,
     /// Uncertainty of the carrier phase.
     ///
     /// Unit: cycle; valid if `valid_flags.carrier_phase_uncertainty` is set.
-    pub phase_uncert: f32,
+    pub phase_uncertainty: f32,
     /// Uncertainty of the Doppler shift.
     ///
     /// Unit: Hz; valid if `valid_flags.doppler_uncertainty` is set.
-    pub doppler_uncert: f32,
+    pub doppler_uncertainty: f32,
     /// Lower limit of the time that the carrier phase has been locked.
     ///
     /// Unit: s; valid if `valid_flags.lock_time` is set.
@@ -2258,7 +2258,7 @@ impl Wire for Raw {
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let index = reader.read()?;
         let count = reader.read()?;
-        let time_of_week = reader.read()?;
+        let tow = reader.read()?;
         let week_number = reader.read()?;
         let receiver_id = reader.read()?;
         let tracking_channel = reader.read()?;
@@ -2270,15 +2270,15 @@ impl Wire for Raw {
         let pseudorange = reader.read()?;
         let carrier_phase = reader.read()?;
         let doppler = reader.read()?;
-        let range_uncert = reader.read()?;
-        let phase_uncert = reader.read()?;
-        let doppler_uncert = reader.read()?;
+        let range_uncertainty = reader.read()?;
+        let phase_uncertainty = reader.read()?;
+        let doppler_uncertainty = reader.read()?;
         let lock_time = reader.read()?;
         let valid_flags = reader.read()?;
         Ok(Self {
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             receiver_id,
             tracking_channel,
@@ -2290,9 +2290,9 @@ impl Wire for Raw {
             pseudorange,
             carrier_phase,
             doppler,
-            range_uncert,
-            phase_uncert,
-            doppler_uncert,
+            range_uncertainty,
+            phase_uncertainty,
+            doppler_uncertainty,
             lock_time,
             valid_flags,
         })
@@ -2301,7 +2301,7 @@ impl Wire for Raw {
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         writer.write(&self.index)?;
         writer.write(&self.count)?;
-        writer.write(&self.time_of_week)?;
+        writer.write(&self.tow)?;
         writer.write(&self.week_number)?;
         writer.write(&self.receiver_id)?;
         writer.write(&self.tracking_channel)?;
@@ -2313,9 +2313,9 @@ impl Wire for Raw {
         writer.write(&self.pseudorange)?;
         writer.write(&self.carrier_phase)?;
         writer.write(&self.doppler)?;
-        writer.write(&self.range_uncert)?;
-        writer.write(&self.phase_uncert)?;
-        writer.write(&self.doppler_uncert)?;
+        writer.write(&self.range_uncertainty)?;
+        writer.write(&self.phase_uncertainty)?;
+        writer.write(&self.doppler_uncertainty)?;
         writer.write(&self.lock_time)?;
         writer.write(&self.valid_flags)?;
         Ok(())
@@ -2344,7 +2344,7 @@ pub struct BaseStationInfo {
     /// GPS time of week at which the message was received.
     ///
     /// Unit: s; valid if `valid_flags.tow` is set.
-    pub time_of_week: f64,
+    pub tow: f64,
     /// GPS week number.
     ///
     /// Unit: week; valid if `valid_flags.week_number` is set.
@@ -2352,7 +2352,7 @@ pub struct BaseStationInfo {
     /// Position of the station.
     ///
     /// Unit: m; frame: ecef; valid if `valid_flags.ecef_position` is set.
-    pub ecef_pos: types::Vector3d,
+    pub ecef_position: types::Vector3d,
     /// Height of the antenna above the marker that was surveyed.
     ///
     /// Unit: m; valid if `valid_flags.height` is set.
@@ -2373,28 +2373,20 @@ impl Wire for BaseStationInfo {
     const SIZE: usize = 44;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let time_of_week = reader.read()?;
+        let tow = reader.read()?;
         let week_number = reader.read()?;
-        let ecef_pos = reader.read()?;
+        let ecef_position = reader.read()?;
         let height = reader.read()?;
         let station_id = reader.read()?;
         let indicators = reader.read()?;
         let valid_flags = reader.read()?;
-        Ok(Self {
-            time_of_week,
-            week_number,
-            ecef_pos,
-            height,
-            station_id,
-            indicators,
-            valid_flags,
-        })
+        Ok(Self { tow, week_number, ecef_position, height, station_id, indicators, valid_flags })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.time_of_week)?;
+        writer.write(&self.tow)?;
         writer.write(&self.week_number)?;
-        writer.write(&self.ecef_pos)?;
+        writer.write(&self.ecef_position)?;
         writer.write(&self.height)?;
         writer.write(&self.station_id)?;
         writer.write(&self.indicators)?;
@@ -2425,7 +2417,7 @@ pub struct RtkCorrectionsStatus {
     /// GPS time of week.
     ///
     /// Unit: s; valid if `valid_flags.tow` is set.
-    pub time_of_week: f64,
+    pub tow: f64,
     /// GPS week number.
     ///
     /// Unit: week; valid if `valid_flags.week_number` is set.
@@ -2468,7 +2460,7 @@ impl Wire for RtkCorrectionsStatus {
     const SIZE: usize = 50;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let time_of_week = reader.read()?;
+        let tow = reader.read()?;
         let week_number = reader.read()?;
         let epoch_status = reader.read()?;
         let dongle_status = reader.read()?;
@@ -2479,7 +2471,7 @@ impl Wire for RtkCorrectionsStatus {
         let reserved = reader.read()?;
         let valid_flags = reader.read()?;
         Ok(Self {
-            time_of_week,
+            tow,
             week_number,
             epoch_status,
             dongle_status,
@@ -2493,7 +2485,7 @@ impl Wire for RtkCorrectionsStatus {
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.time_of_week)?;
+        writer.write(&self.tow)?;
         writer.write(&self.week_number)?;
         writer.write(&self.epoch_status)?;
         writer.write(&self.dongle_status)?;
@@ -2521,7 +2513,7 @@ impl Field for RtkCorrectionsStatus {
 ///
 /// Broadcast orbit and clock of one GPS satellite.
 ///
-/// - iodec changes with the clock data; the manual has it roll over at 4.
+/// - iodc changes with the clock data; the manual has it roll over at 4.
 ///
 /// Supported by 3DM-CV7-GNSS/INS.
 ///
@@ -2537,7 +2529,7 @@ pub struct GpsEphemeris {
     /// GPS time of week.
     ///
     /// Unit: s.
-    pub time_of_week: f64,
+    pub tow: f64,
     /// GPS week number.
     ///
     /// Unit: week.
@@ -2551,7 +2543,7 @@ pub struct GpsEphemeris {
     /// Issue of data, clock.
     ///
     /// Valid if `valid_flags.ephemeris` is set.
-    pub iodec: u8,
+    pub iodc: u8,
     /// Issue of data, ephemeris.
     ///
     /// Valid if `valid_flags.ephemeris` is set.
@@ -2666,11 +2658,11 @@ impl Wire for GpsEphemeris {
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let index = reader.read()?;
         let count = reader.read()?;
-        let time_of_week = reader.read()?;
+        let tow = reader.read()?;
         let week_number = reader.read()?;
         let satellite_id = reader.read()?;
         let health = reader.read()?;
-        let iodec = reader.read()?;
+        let iodc = reader.read()?;
         let iode = reader.read()?;
         let t_oc = reader.read()?;
         let af0 = reader.read()?;
@@ -2701,11 +2693,11 @@ impl Wire for GpsEphemeris {
         Ok(Self {
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
             health,
-            iodec,
+            iodc,
             iode,
             t_oc,
             af0,
@@ -2739,11 +2731,11 @@ impl Wire for GpsEphemeris {
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         writer.write(&self.index)?;
         writer.write(&self.count)?;
-        writer.write(&self.time_of_week)?;
+        writer.write(&self.tow)?;
         writer.write(&self.week_number)?;
         writer.write(&self.satellite_id)?;
         writer.write(&self.health)?;
-        writer.write(&self.iodec)?;
+        writer.write(&self.iodc)?;
         writer.write(&self.iode)?;
         writer.write(&self.t_oc)?;
         writer.write(&self.af0)?;
@@ -2806,7 +2798,7 @@ pub struct GlonassEphemeris {
     /// GPS time of week.
     ///
     /// Unit: s.
-    pub time_of_week: f64,
+    pub tow: f64,
     /// GPS week number.
     ///
     /// Unit: week.
@@ -2816,7 +2808,7 @@ pub struct GlonassEphemeris {
     /// GLONASS frequency number.
     ///
     /// Range: -7 to 24; valid if `valid_flags.ephemeris` is set.
-    pub freq_number: i8,
+    pub frequency_number: i8,
     /// Start of the frame within the day.
     ///
     /// Unit: s; valid if `valid_flags.ephemeris` is set.
@@ -2828,7 +2820,7 @@ pub struct GlonassEphemeris {
     /// Generation of the satellite (M).
     ///
     /// Valid if `valid_flags.ephemeris` is set.
-    pub sat_type: GlonassSatelliteType,
+    pub satellite_type: GlonassSatelliteType,
     /// Relative deviation of the carrier frequency from its nominal value.
     ///
     /// Unit: 1; valid if `valid_flags.ephemeris` is set.
@@ -2840,15 +2832,15 @@ pub struct GlonassEphemeris {
     /// Position of the satellite in PZ-90.
     ///
     /// Unit: m; valid if `valid_flags.ephemeris` is set.
-    pub x: types::Vector3d,
+    pub position: types::Vector3d,
     /// Velocity of the satellite in PZ-90.
     ///
     /// Unit: m/s; valid if `valid_flags.ephemeris` is set.
-    pub v: types::Vector3f,
+    pub velocity: types::Vector3f,
     /// Acceleration of the satellite by perturbations, in PZ-90.
     ///
     /// Unit: m/s^2; valid if `valid_flags.ephemeris` is set.
-    pub a: types::Vector3f,
+    pub accel: types::Vector3f,
     /// Health (Bn); not 0 if the satellite fails.
     ///
     /// Valid if `valid_flags.ephemeris` is set.
@@ -2899,18 +2891,18 @@ impl Wire for GlonassEphemeris {
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let index = reader.read()?;
         let count = reader.read()?;
-        let time_of_week = reader.read()?;
+        let tow = reader.read()?;
         let week_number = reader.read()?;
         let satellite_id = reader.read()?;
-        let freq_number = reader.read()?;
+        let frequency_number = reader.read()?;
         let tk = reader.read()?;
         let tb = reader.read()?;
-        let sat_type = reader.read()?;
+        let satellite_type = reader.read()?;
         let gamma = reader.read()?;
         let tau_n = reader.read()?;
-        let x = reader.read()?;
-        let v = reader.read()?;
-        let a = reader.read()?;
+        let position = reader.read()?;
+        let velocity = reader.read()?;
+        let accel = reader.read()?;
         let health = reader.read()?;
         let p = reader.read()?;
         let nt = reader.read()?;
@@ -2925,18 +2917,18 @@ impl Wire for GlonassEphemeris {
         Ok(Self {
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
-            freq_number,
+            frequency_number,
             tk,
             tb,
-            sat_type,
+            satellite_type,
             gamma,
             tau_n,
-            x,
-            v,
-            a,
+            position,
+            velocity,
+            accel,
             health,
             p,
             nt,
@@ -2954,18 +2946,18 @@ impl Wire for GlonassEphemeris {
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         writer.write(&self.index)?;
         writer.write(&self.count)?;
-        writer.write(&self.time_of_week)?;
+        writer.write(&self.tow)?;
         writer.write(&self.week_number)?;
         writer.write(&self.satellite_id)?;
-        writer.write(&self.freq_number)?;
+        writer.write(&self.frequency_number)?;
         writer.write(&self.tk)?;
         writer.write(&self.tb)?;
-        writer.write(&self.sat_type)?;
+        writer.write(&self.satellite_type)?;
         writer.write(&self.gamma)?;
         writer.write(&self.tau_n)?;
-        writer.write(&self.x)?;
-        writer.write(&self.v)?;
-        writer.write(&self.a)?;
+        writer.write(&self.position)?;
+        writer.write(&self.velocity)?;
+        writer.write(&self.accel)?;
         writer.write(&self.health)?;
         writer.write(&self.p)?;
         writer.write(&self.nt)?;
@@ -2997,7 +2989,7 @@ impl Field for GlonassEphemeris {
 ///
 /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
 ///   corrections hold here.
-/// - iodec changes with the clock data; the manual has it roll over at 4.
+/// - iodc changes with the clock data; the manual has it roll over at 4.
 ///
 /// Supported by 3DM-CV7-GNSS/INS.
 ///
@@ -3013,7 +3005,7 @@ pub struct GalileoEphemeris {
     /// GPS time of week.
     ///
     /// Unit: s.
-    pub time_of_week: f64,
+    pub tow: f64,
     /// GPS week number.
     ///
     /// Unit: week.
@@ -3027,7 +3019,7 @@ pub struct GalileoEphemeris {
     /// Issue of data, clock.
     ///
     /// Valid if `valid_flags.ephemeris` is set.
-    pub iodec: u8,
+    pub iodc: u8,
     /// Issue of data, ephemeris.
     ///
     /// Valid if `valid_flags.ephemeris` is set.
@@ -3142,11 +3134,11 @@ impl Wire for GalileoEphemeris {
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let index = reader.read()?;
         let count = reader.read()?;
-        let time_of_week = reader.read()?;
+        let tow = reader.read()?;
         let week_number = reader.read()?;
         let satellite_id = reader.read()?;
         let health = reader.read()?;
-        let iodec = reader.read()?;
+        let iodc = reader.read()?;
         let iode = reader.read()?;
         let t_oc = reader.read()?;
         let af0 = reader.read()?;
@@ -3177,11 +3169,11 @@ impl Wire for GalileoEphemeris {
         Ok(Self {
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
             health,
-            iodec,
+            iodc,
             iode,
             t_oc,
             af0,
@@ -3215,11 +3207,11 @@ impl Wire for GalileoEphemeris {
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         writer.write(&self.index)?;
         writer.write(&self.count)?;
-        writer.write(&self.time_of_week)?;
+        writer.write(&self.tow)?;
         writer.write(&self.week_number)?;
         writer.write(&self.satellite_id)?;
         writer.write(&self.health)?;
-        writer.write(&self.iodec)?;
+        writer.write(&self.iodc)?;
         writer.write(&self.iode)?;
         writer.write(&self.t_oc)?;
         writer.write(&self.af0)?;
@@ -3267,7 +3259,7 @@ impl Field for GalileoEphemeris {
 ///
 /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
 ///   corrections hold here.
-/// - iodec changes with the clock data; the manual has it roll over at 4.
+/// - iodc changes with the clock data; the manual has it roll over at 4.
 ///
 /// Supported by 3DM-CV7-GNSS/INS.
 ///
@@ -3283,7 +3275,7 @@ pub struct BeidouEphemeris {
     /// GPS time of week.
     ///
     /// Unit: s.
-    pub time_of_week: f64,
+    pub tow: f64,
     /// GPS week number.
     ///
     /// Unit: week.
@@ -3297,7 +3289,7 @@ pub struct BeidouEphemeris {
     /// Issue of data, clock.
     ///
     /// Valid if `valid_flags.ephemeris` is set.
-    pub iodec: u8,
+    pub iodc: u8,
     /// Issue of data, ephemeris.
     ///
     /// Valid if `valid_flags.ephemeris` is set.
@@ -3412,11 +3404,11 @@ impl Wire for BeidouEphemeris {
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let index = reader.read()?;
         let count = reader.read()?;
-        let time_of_week = reader.read()?;
+        let tow = reader.read()?;
         let week_number = reader.read()?;
         let satellite_id = reader.read()?;
         let health = reader.read()?;
-        let iodec = reader.read()?;
+        let iodc = reader.read()?;
         let iode = reader.read()?;
         let t_oc = reader.read()?;
         let af0 = reader.read()?;
@@ -3447,11 +3439,11 @@ impl Wire for BeidouEphemeris {
         Ok(Self {
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
             health,
-            iodec,
+            iodc,
             iode,
             t_oc,
             af0,
@@ -3485,11 +3477,11 @@ impl Wire for BeidouEphemeris {
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         writer.write(&self.index)?;
         writer.write(&self.count)?;
-        writer.write(&self.time_of_week)?;
+        writer.write(&self.tow)?;
         writer.write(&self.week_number)?;
         writer.write(&self.satellite_id)?;
         writer.write(&self.health)?;
-        writer.write(&self.iodec)?;
+        writer.write(&self.iodc)?;
         writer.write(&self.iode)?;
         writer.write(&self.t_oc)?;
         writer.write(&self.af0)?;

@@ -5,17 +5,16 @@
 /// The number of the descriptor set.
 pub const SET: u8 = 0x81;
 
-/// (0x81,0x03) GNSS LLH position: the same as
-/// [`gnss_1.gnss_llh_position`](crate::gnss_1::GnssLlhPosition).
+/// (0x81,0x03) GNSS LLH position: the same as [`gnss_1.llh_position`](crate::gnss_1::LlhPosition).
 ///
 /// - Manual mip-sdk-4: Gnss Data (0x81)
-pub type GnssLlhPosition = crate::gnss_1::GnssLlhPosition;
+pub type LlhPosition = crate::gnss_1::LlhPosition;
 
 /// (0x81,0x04) GNSS ECEF position: the same as
-/// [`gnss_1.gnss_ecef_position`](crate::gnss_1::GnssEcefPosition).
+/// [`gnss_1.ecef_position`](crate::gnss_1::EcefPosition).
 ///
 /// - Manual mip-sdk-4: Gnss Data (0x81)
-pub type GnssEcefPosition = crate::gnss_1::GnssEcefPosition;
+pub type EcefPosition = crate::gnss_1::EcefPosition;
 
 /// (0x81,0x05) NED velocity: the same as [`gnss_1.ned_velocity`](crate::gnss_1::NedVelocity).
 ///
@@ -23,10 +22,10 @@ pub type GnssEcefPosition = crate::gnss_1::GnssEcefPosition;
 pub type NedVelocity = crate::gnss_1::NedVelocity;
 
 /// (0x81,0x06) GNSS ECEF velocity: the same as
-/// [`gnss_1.gnss_ecef_velocity`](crate::gnss_1::GnssEcefVelocity).
+/// [`gnss_1.ecef_velocity`](crate::gnss_1::EcefVelocity).
 ///
 /// - Manual 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
-pub type GnssEcefVelocity = crate::gnss_1::GnssEcefVelocity;
+pub type EcefVelocity = crate::gnss_1::EcefVelocity;
 
 /// (0x81,0x07) DOP: the same as [`gnss_1.dop`](crate::gnss_1::Dop).
 ///
@@ -59,10 +58,10 @@ pub type FixInfo = crate::gnss_1::FixInfo;
 pub type SvInfo = crate::gnss_1::SvInfo;
 
 /// (0x81,0x0D) GNSS hardware status: the same as
-/// [`gnss_1.gnss_hardware_status`](crate::gnss_1::GnssHardwareStatus).
+/// [`gnss_1.hardware_status`](crate::gnss_1::HardwareStatus).
 ///
 /// - Manual mip-sdk-4: Gnss Data (0x81)
-pub type GnssHardwareStatus = crate::gnss_1::GnssHardwareStatus;
+pub type HardwareStatus = crate::gnss_1::HardwareStatus;
 
 /// (0x81,0x0E) DGPS info: the same as [`gnss_1.dgps_info`](crate::gnss_1::DgpsInfo).
 ///

@@ -224,7 +224,7 @@ open_enum! {
     /// Which part of the event system is asked about.
     ///
     /// - Manual 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
-    SupportedEventsQuery: u8 {
+    EventSupportQuery: u8 {
         /// Triggers.
         TRIGGER_TYPES = 1, "trigger_types";
         /// Actions.
@@ -238,7 +238,7 @@ open_enum! {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SupportedEventInfo {
+pub struct EventSupportInfo {
     /// A value of event_trigger_type if triggers were asked about, else of event_action_type.
     pub type_: u8,
     /// Instances of this type at most.
@@ -247,7 +247,7 @@ pub struct SupportedEventInfo {
     pub count: u8,
 }
 
-impl SupportedEventInfo {
+impl EventSupportInfo {
     /// Puts the values together.
     #[must_use]
     pub fn new(type_: u8, count: u8) -> Self {
@@ -255,7 +255,7 @@ impl SupportedEventInfo {
     }
 }
 
-impl Wire for SupportedEventInfo {
+impl Wire for EventSupportInfo {
     const SIZE: usize = 2;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -371,7 +371,7 @@ open_enum! {
         /// Magnetometer; gauss.
         MAG = 3, "mag";
         /// Pressure sensor; hectopascals, that is millibars.
-        PRESS = 4, "press";
+        PRESSURE = 4, "pressure";
     }
 }
 
@@ -561,14 +561,14 @@ impl Command for PollGnssData {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct PollEstimationFilterData {
+pub struct PollFilterData {
     /// Send no acknowledge.
     pub suppress_ack: crate::Bool,
     /// Fields to send.
     pub descriptors: crate::List<PollEntry, 83>,
 }
 
-impl PollEstimationFilterData {
+impl PollFilterData {
     /// The command with its parameters.
     #[must_use]
     pub fn new(suppress_ack: bool, descriptors: impl Into<crate::List<PollEntry, 83>>) -> Self {
@@ -576,7 +576,7 @@ impl PollEstimationFilterData {
     }
 }
 
-impl Wire for PollEstimationFilterData {
+impl Wire for PollFilterData {
     const SIZE: usize = 251;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -594,13 +594,13 @@ impl Wire for PollEstimationFilterData {
     }
 }
 
-impl Field for PollEstimationFilterData {
+impl Field for PollFilterData {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x03;
-    const NAME: &'static str = "3dm.poll_estimation_filter_data";
+    const NAME: &'static str = "3dm.poll_filter_data";
 }
 
-impl Command for PollEstimationFilterData {
+impl Command for PollFilterData {
     type Response = ();
 
     fn expects_reply(&self) -> bool {
@@ -677,15 +677,15 @@ impl Command for PollNmeaData {
 ///
 /// Asks for the rate that the decimations of the IMU message format divide.
 ///
-/// Response: [`GetImuDataBaseRateResponse`]. Supported by 3DM-GX5-15.
+/// Response: [`GetImuBaseRateResponse`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GetImuDataBaseRate;
+pub struct GetImuBaseRate;
 
-impl GetImuDataBaseRate {
+impl GetImuBaseRate {
     /// The command with its parameters.
     #[must_use]
     pub fn new() -> Self {
@@ -693,7 +693,7 @@ impl GetImuDataBaseRate {
     }
 }
 
-impl Wire for GetImuDataBaseRate {
+impl Wire for GetImuBaseRate {
     const SIZE: usize = 0;
 
     fn decode_from(_: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -705,35 +705,35 @@ impl Wire for GetImuDataBaseRate {
     }
 }
 
-impl Field for GetImuDataBaseRate {
+impl Field for GetImuBaseRate {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x06;
-    const NAME: &'static str = "3dm.get_imu_data_base_rate";
+    const NAME: &'static str = "3dm.get_imu_base_rate";
 }
 
-impl Command for GetImuDataBaseRate {
-    type Response = GetImuDataBaseRateResponse;
+impl Command for GetImuBaseRate {
+    type Response = GetImuBaseRateResponse;
 
     fn expects_response(&self) -> bool {
         true
     }
 }
 
-impl ResponseOf<GetImuDataBaseRate> for GetImuDataBaseRateResponse {}
+impl ResponseOf<GetImuBaseRate> for GetImuBaseRateResponse {}
 
 /// Get GNSS Data Base Rate (0x0C,0x07).
 ///
 /// Asks for the rate that the decimations of the GNSS message format divide.
 ///
-/// Response: [`GetGnssDataBaseRateResponse`].
+/// Response: [`GetGnssBaseRateResponse`].
 ///
 /// - Manual mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GetGnssDataBaseRate;
+pub struct GetGnssBaseRate;
 
-impl GetGnssDataBaseRate {
+impl GetGnssBaseRate {
     /// The command with its parameters.
     #[must_use]
     pub fn new() -> Self {
@@ -741,7 +741,7 @@ impl GetGnssDataBaseRate {
     }
 }
 
-impl Wire for GetGnssDataBaseRate {
+impl Wire for GetGnssBaseRate {
     const SIZE: usize = 0;
 
     fn decode_from(_: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -753,21 +753,21 @@ impl Wire for GetGnssDataBaseRate {
     }
 }
 
-impl Field for GetGnssDataBaseRate {
+impl Field for GetGnssBaseRate {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x07;
-    const NAME: &'static str = "3dm.get_gnss_data_base_rate";
+    const NAME: &'static str = "3dm.get_gnss_base_rate";
 }
 
-impl Command for GetGnssDataBaseRate {
-    type Response = GetGnssDataBaseRateResponse;
+impl Command for GetGnssBaseRate {
+    type Response = GetGnssBaseRateResponse;
 
     fn expects_response(&self) -> bool {
         true
     }
 }
 
-impl ResponseOf<GetGnssDataBaseRate> for GetGnssDataBaseRateResponse {}
+impl ResponseOf<GetGnssBaseRate> for GetGnssBaseRateResponse {}
 
 /// IMU Message Format (0x0C,0x08).
 ///
@@ -986,21 +986,21 @@ impl ResponseOf<GnssMessageFormat> for GnssMessageFormatResponse {}
 /// - The list replaces the one before. If any descriptor is unknown the device refuses and changes
 ///   nothing.
 ///
-/// Functions: write, read, save, load, default. Response:
-/// [`EstimationFilterMessageFormatResponse`]. Supported by 3DM-GX5-15.
+/// Functions: write, read, save, load, default. Response: [`FilterMessageFormatResponse`].
+/// Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct EstimationFilterMessageFormat {
+pub struct FilterMessageFormat {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Fields and decimations.
     pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
 }
 
-impl EstimationFilterMessageFormat {
+impl FilterMessageFormat {
     /// Apply the new setting.
     #[must_use]
     pub fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) -> Self {
@@ -1041,7 +1041,7 @@ impl EstimationFilterMessageFormat {
     }
 }
 
-impl Wire for EstimationFilterMessageFormat {
+impl Wire for FilterMessageFormat {
     const SIZE: usize = 251;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -1066,35 +1066,35 @@ impl Wire for EstimationFilterMessageFormat {
     }
 }
 
-impl Field for EstimationFilterMessageFormat {
+impl Field for FilterMessageFormat {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x0A;
-    const NAME: &'static str = "3dm.estimation_filter_message_format";
+    const NAME: &'static str = "3dm.filter_message_format";
 }
 
-impl Command for EstimationFilterMessageFormat {
-    type Response = EstimationFilterMessageFormatResponse;
+impl Command for FilterMessageFormat {
+    type Response = FilterMessageFormatResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<EstimationFilterMessageFormat> for EstimationFilterMessageFormatResponse {}
+impl ResponseOf<FilterMessageFormat> for FilterMessageFormatResponse {}
 
 /// Get Estimation Filter Data Base Rate (0x0C,0x0B).
 ///
 /// Asks for the rate that the decimations of the estimation filter message format divide.
 ///
-/// Response: [`GetEstimationFilterDataBaseRateResponse`]. Supported by 3DM-GX5-15.
+/// Response: [`GetFilterBaseRateResponse`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GetEstimationFilterDataBaseRate;
+pub struct GetFilterBaseRate;
 
-impl GetEstimationFilterDataBaseRate {
+impl GetFilterBaseRate {
     /// The command with its parameters.
     #[must_use]
     pub fn new() -> Self {
@@ -1102,7 +1102,7 @@ impl GetEstimationFilterDataBaseRate {
     }
 }
 
-impl Wire for GetEstimationFilterDataBaseRate {
+impl Wire for GetFilterBaseRate {
     const SIZE: usize = 0;
 
     fn decode_from(_: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -1114,21 +1114,21 @@ impl Wire for GetEstimationFilterDataBaseRate {
     }
 }
 
-impl Field for GetEstimationFilterDataBaseRate {
+impl Field for GetFilterBaseRate {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x0B;
-    const NAME: &'static str = "3dm.get_estimation_filter_data_base_rate";
+    const NAME: &'static str = "3dm.get_filter_base_rate";
 }
 
-impl Command for GetEstimationFilterDataBaseRate {
-    type Response = GetEstimationFilterDataBaseRateResponse;
+impl Command for GetFilterBaseRate {
+    type Response = GetFilterBaseRateResponse;
 
     fn expects_response(&self) -> bool {
         true
     }
 }
 
-impl ResponseOf<GetEstimationFilterDataBaseRate> for GetEstimationFilterDataBaseRateResponse {}
+impl ResponseOf<GetFilterBaseRate> for GetFilterBaseRateResponse {}
 
 /// NMEA Message Format (0x0C,0x0C).
 ///
@@ -1255,7 +1255,7 @@ pub struct PollData {
     /// Data descriptor set.
     ///
     /// Range: 128 to 254.
-    pub desc_set: u8,
+    pub descriptor_set: u8,
     /// Send no acknowledge.
     pub suppress_ack: crate::Bool,
     /// Field descriptors.
@@ -1266,11 +1266,11 @@ impl PollData {
     /// The command with its parameters.
     #[must_use]
     pub fn new(
-        desc_set: u8,
+        descriptor_set: u8,
         suppress_ack: bool,
         descriptors: impl Into<crate::List<u8, 250>>,
     ) -> Self {
-        Self { desc_set, suppress_ack: suppress_ack.into(), descriptors: descriptors.into() }
+        Self { descriptor_set, suppress_ack: suppress_ack.into(), descriptors: descriptors.into() }
     }
 }
 
@@ -1278,15 +1278,15 @@ impl Wire for PollData {
     const SIZE: usize = 253;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let desc_set = reader.read()?;
+        let descriptor_set = reader.read()?;
         let suppress_ack = reader.read()?;
         let num_descriptors = reader.read::<u8>()?;
         let descriptors = reader.list(num_descriptors)?;
-        Ok(Self { desc_set, suppress_ack, descriptors })
+        Ok(Self { descriptor_set, suppress_ack, descriptors })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.desc_set)?;
+        writer.write(&self.descriptor_set)?;
         writer.write(&self.suppress_ack)?;
         writer.count::<u8>(self.descriptors.len())?;
         self.descriptors.encode_items(writer)?;
@@ -1312,56 +1312,56 @@ impl Command for PollData {
 ///
 /// Asks for the rate that the decimations of a descriptor set divide.
 ///
-/// Response: [`GetDataBaseRateResponse`]. Supported by 3DM-CV7-GNSS/INS.
+/// Response: [`GetBaseRateResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GetDataBaseRate {
+pub struct GetBaseRate {
     /// Data descriptor set.
     ///
     /// Range: 128 to 254.
-    pub desc_set: u8,
+    pub descriptor_set: u8,
 }
 
-impl GetDataBaseRate {
+impl GetBaseRate {
     /// The command with its parameters.
     #[must_use]
-    pub fn new(desc_set: u8) -> Self {
-        Self { desc_set }
+    pub fn new(descriptor_set: u8) -> Self {
+        Self { descriptor_set }
     }
 }
 
-impl Wire for GetDataBaseRate {
+impl Wire for GetBaseRate {
     const SIZE: usize = 1;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let desc_set = reader.read()?;
-        Ok(Self { desc_set })
+        let descriptor_set = reader.read()?;
+        Ok(Self { descriptor_set })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.desc_set)?;
+        writer.write(&self.descriptor_set)?;
         Ok(())
     }
 }
 
-impl Field for GetDataBaseRate {
+impl Field for GetBaseRate {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x0E;
-    const NAME: &'static str = "3dm.get_data_base_rate";
+    const NAME: &'static str = "3dm.get_base_rate";
 }
 
-impl Command for GetDataBaseRate {
-    type Response = GetDataBaseRateResponse;
+impl Command for GetBaseRate {
+    type Response = GetBaseRateResponse;
 
     fn expects_response(&self) -> bool {
         true
     }
 }
 
-impl ResponseOf<GetDataBaseRate> for GetDataBaseRateResponse {}
+impl ResponseOf<GetBaseRate> for GetBaseRateResponse {}
 
 /// Message Format (0x0C,0x0F).
 ///
@@ -1383,7 +1383,7 @@ pub struct MessageFormat {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Data descriptor set; 0 means all of them (save, load, default).
-    pub desc_set: Option<u8>,
+    pub descriptor_set: Option<u8>,
     /// Fields and decimations.
     pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
 }
@@ -1392,52 +1392,52 @@ impl MessageFormat {
     /// Apply the new setting.
     #[must_use]
     pub fn write(
-        desc_set: u8,
+        descriptor_set: u8,
         descriptors: impl Into<crate::List<types::DescriptorRate, 83>>,
     ) -> Self {
         Self {
             function: types::FunctionSelector::WRITE,
-            desc_set: Some(desc_set),
+            descriptor_set: Some(descriptor_set),
             descriptors: Some(descriptors.into()),
         }
     }
 
     /// Send the current setting back in a response.
     #[must_use]
-    pub fn read(desc_set: u8) -> Self {
+    pub fn read(descriptor_set: u8) -> Self {
         Self {
             function: types::FunctionSelector::READ,
-            desc_set: Some(desc_set),
+            descriptor_set: Some(descriptor_set),
             descriptors: None,
         }
     }
 
     /// Save the current setting to non-volatile memory.
     #[must_use]
-    pub fn save(desc_set: u8) -> Self {
+    pub fn save(descriptor_set: u8) -> Self {
         Self {
             function: types::FunctionSelector::SAVE,
-            desc_set: Some(desc_set),
+            descriptor_set: Some(descriptor_set),
             descriptors: None,
         }
     }
 
     /// Load the saved setting.
     #[must_use]
-    pub fn load(desc_set: u8) -> Self {
+    pub fn load(descriptor_set: u8) -> Self {
         Self {
             function: types::FunctionSelector::LOAD,
-            desc_set: Some(desc_set),
+            descriptor_set: Some(descriptor_set),
             descriptors: None,
         }
     }
 
     /// Load the factory default setting.
     #[must_use]
-    pub fn load_default(desc_set: u8) -> Self {
+    pub fn load_default(descriptor_set: u8) -> Self {
         Self {
             function: types::FunctionSelector::DEFAULT,
-            desc_set: Some(desc_set),
+            descriptor_set: Some(descriptor_set),
             descriptors: None,
         }
     }
@@ -1459,19 +1459,19 @@ impl Wire for MessageFormat {
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let function = reader.read()?;
         let required = Self::required(function);
-        let desc_set = reader.group(required >= 1, Reader::read)?;
+        let descriptor_set = reader.group(required >= 1, Reader::read)?;
         let descriptors = reader.group(required >= 3, |reader| {
             let num_descriptors = reader.read::<u8>()?;
             let descriptors = reader.list(num_descriptors)?;
             Ok(descriptors)
         })?;
-        Ok(Self { function, desc_set, descriptors })
+        Ok(Self { function, descriptor_set, descriptors })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         let required = Self::required(self.function);
         writer.write(&self.function)?;
-        writer.some(required >= 1, &self.desc_set)?;
+        writer.some(required >= 1, &self.descriptor_set)?;
         if let Some(descriptors) = writer.optional(required >= 3, &self.descriptors)? {
             writer.count::<u8>(descriptors.len())?;
             descriptors.encode_items(writer)?;
@@ -1568,7 +1568,7 @@ pub struct DataStreamControl {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Data descriptor set; 0 means all streams (save, load, default).
-    pub desc_set: Option<u8>,
+    pub descriptor_set: Option<u8>,
     /// Whether the stream is sent.
     ///
     /// Default: true.
@@ -1578,42 +1578,58 @@ pub struct DataStreamControl {
 impl DataStreamControl {
     /// Apply the new setting.
     #[must_use]
-    pub fn write(desc_set: u8, enable: bool) -> Self {
+    pub fn write(descriptor_set: u8, enable: bool) -> Self {
         Self {
             function: types::FunctionSelector::WRITE,
-            desc_set: Some(desc_set),
+            descriptor_set: Some(descriptor_set),
             enable: Some(enable.into()),
         }
     }
 
     /// Send the current setting back in a response.
     #[must_use]
-    pub fn read(desc_set: u8) -> Self {
-        Self { function: types::FunctionSelector::READ, desc_set: Some(desc_set), enable: None }
+    pub fn read(descriptor_set: u8) -> Self {
+        Self {
+            function: types::FunctionSelector::READ,
+            descriptor_set: Some(descriptor_set),
+            enable: None,
+        }
     }
 
     /// Save the current setting to non-volatile memory.
     #[must_use]
-    pub fn save(desc_set: u8) -> Self {
-        Self { function: types::FunctionSelector::SAVE, desc_set: Some(desc_set), enable: None }
+    pub fn save(descriptor_set: u8) -> Self {
+        Self {
+            function: types::FunctionSelector::SAVE,
+            descriptor_set: Some(descriptor_set),
+            enable: None,
+        }
     }
 
     /// Load the saved setting.
     #[must_use]
-    pub fn load(desc_set: u8) -> Self {
-        Self { function: types::FunctionSelector::LOAD, desc_set: Some(desc_set), enable: None }
+    pub fn load(descriptor_set: u8) -> Self {
+        Self {
+            function: types::FunctionSelector::LOAD,
+            descriptor_set: Some(descriptor_set),
+            enable: None,
+        }
     }
 
     /// Load the factory default setting.
     #[must_use]
-    pub fn load_default(desc_set: u8) -> Self {
-        Self { function: types::FunctionSelector::DEFAULT, desc_set: Some(desc_set), enable: None }
+    pub fn load_default(descriptor_set: u8) -> Self {
+        Self {
+            function: types::FunctionSelector::DEFAULT,
+            descriptor_set: Some(descriptor_set),
+            enable: None,
+        }
     }
 
-    /// The meaning of `desc_set` on the 3DM-GX5-15.
+    /// The meaning of `descriptor_set` on the 3DM-GX5-15.
     #[must_use]
-    pub fn desc_set_as_legacy_data_stream(&self) -> Option<LegacyDataStream> {
-        self.desc_set.map(LegacyDataStream)
+    pub fn descriptor_set_as_legacy_data_stream(&self) -> Option<LegacyDataStream> {
+        self.descriptor_set.map(LegacyDataStream)
     }
 
     /// How many parameters a function needs.
@@ -1633,15 +1649,15 @@ impl Wire for DataStreamControl {
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let function = reader.read()?;
         let required = Self::required(function);
-        let desc_set = reader.group(required >= 1, Reader::read)?;
+        let descriptor_set = reader.group(required >= 1, Reader::read)?;
         let enable = reader.group(required >= 2, Reader::read)?;
-        Ok(Self { function, desc_set, enable })
+        Ok(Self { function, descriptor_set, enable })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         let required = Self::required(self.function);
         writer.write(&self.function)?;
-        writer.some(required >= 1, &self.desc_set)?;
+        writer.some(required >= 1, &self.descriptor_set)?;
         writer.some(required >= 2, &self.enable)?;
         Ok(())
     }
@@ -2233,26 +2249,26 @@ impl ResponseOf<PpsSourceControl> for PpsSourceControlResponse {}
 ///
 /// Asks which types of event triggers or actions there are and how many of each.
 ///
-/// Response: [`GetSupportedEventsResponse`]. Supported by 3DM-CV7-GNSS/INS.
+/// Response: [`GetEventSupportResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GetSupportedEvents {
+pub struct GetEventSupport {
     /// Triggers or actions.
-    pub query: SupportedEventsQuery,
+    pub query: EventSupportQuery,
 }
 
-impl GetSupportedEvents {
+impl GetEventSupport {
     /// The command with its parameters.
     #[must_use]
-    pub fn new(query: SupportedEventsQuery) -> Self {
+    pub fn new(query: EventSupportQuery) -> Self {
         Self { query }
     }
 }
 
-impl Wire for GetSupportedEvents {
+impl Wire for GetEventSupport {
     const SIZE: usize = 1;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -2266,21 +2282,21 @@ impl Wire for GetSupportedEvents {
     }
 }
 
-impl Field for GetSupportedEvents {
+impl Field for GetEventSupport {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x2A;
-    const NAME: &'static str = "3dm.get_supported_events";
+    const NAME: &'static str = "3dm.get_event_support";
 }
 
-impl Command for GetSupportedEvents {
-    type Response = GetSupportedEventsResponse;
+impl Command for GetEventSupport {
+    type Response = GetEventSupportResponse;
 
     fn expects_response(&self) -> bool {
         true
     }
 }
 
-impl ResponseOf<GetSupportedEvents> for GetSupportedEventsResponse {}
+impl ResponseOf<GetEventSupport> for GetEventSupportResponse {}
 
 /// Event Control (0x0C,0x2B).
 ///
@@ -2506,14 +2522,14 @@ impl ResponseOf<GetEventActionStatus> for GetEventActionStatusResponse {}
 /// - The trigger is disabled afterwards; the event control command enables it.
 /// - A GPIO trigger needs its pin configured by the GPIO configuration command.
 ///
-/// Functions: write, read, save, load, default. Response: [`EventTriggerConfigurationResponse`].
-/// Supported by 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`EventTriggerConfigResponse`]. Supported
+/// by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct EventTriggerConfiguration {
+pub struct EventTriggerConfig {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Trigger instance; 0 means all (save, load, default).
@@ -2525,13 +2541,13 @@ pub struct EventTriggerConfiguration {
     /// The condition.
     ///
     /// Selected by `type`.
-    pub parameters: Option<EventTriggerConfigurationParameters>,
+    pub parameters: Option<EventTriggerConfigParameters>,
 }
 
-impl EventTriggerConfiguration {
+impl EventTriggerConfig {
     /// Apply the new setting.
     #[must_use]
-    pub fn write(instance: u8, parameters: EventTriggerConfigurationParameters) -> Self {
+    pub fn write(instance: u8, parameters: EventTriggerConfigParameters) -> Self {
         Self {
             function: types::FunctionSelector::WRITE,
             instance: Some(instance),
@@ -2595,7 +2611,7 @@ impl EventTriggerConfiguration {
     }
 }
 
-impl Wire for EventTriggerConfiguration {
+impl Wire for EventTriggerConfig {
     const SIZE: usize = 23;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -2617,11 +2633,11 @@ impl Wire for EventTriggerConfiguration {
     }
 }
 
-/// The alternatives of `parameters` in [`EventTriggerConfiguration`].
+/// The alternatives of `parameters` in [`EventTriggerConfig`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum EventTriggerConfigurationParameters {
+pub enum EventTriggerConfigParameters {
     /// The slot is free. It is never active and cannot be enabled.
     #[default]
     None,
@@ -2635,7 +2651,7 @@ pub enum EventTriggerConfigurationParameters {
     Other(types::EventTriggerType),
 }
 
-impl EventTriggerConfigurationParameters {
+impl EventTriggerConfigParameters {
     /// The tag that goes with it.
     #[must_use]
     pub const fn tag(&self) -> types::EventTriggerType {
@@ -2649,7 +2665,7 @@ impl EventTriggerConfigurationParameters {
     }
 }
 
-impl Union for EventTriggerConfigurationParameters {
+impl Union for EventTriggerConfigParameters {
     type Tag = types::EventTriggerType;
 
     fn decode_as(tag: Self::Tag, reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -2677,21 +2693,21 @@ impl Union for EventTriggerConfigurationParameters {
     }
 }
 
-impl Field for EventTriggerConfiguration {
+impl Field for EventTriggerConfig {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x2E;
-    const NAME: &'static str = "3dm.event_trigger_configuration";
+    const NAME: &'static str = "3dm.event_trigger_config";
 }
 
-impl Command for EventTriggerConfiguration {
-    type Response = EventTriggerConfigurationResponse;
+impl Command for EventTriggerConfig {
+    type Response = EventTriggerConfigResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<EventTriggerConfiguration> for EventTriggerConfigurationResponse {}
+impl ResponseOf<EventTriggerConfig> for EventTriggerConfigResponse {}
 
 /// Event Action Configuration (0x0C,0x2F).
 ///
@@ -2700,14 +2716,14 @@ impl ResponseOf<EventTriggerConfiguration> for EventTriggerConfigurationResponse
 /// - A packet holds one descriptor set; for several sets use several actions with the same trigger.
 /// - A GPIO action needs its pin configured as an output with the gpio feature.
 ///
-/// Functions: write, read, save, load, default. Response: [`EventActionConfigurationResponse`].
-/// Supported by 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`EventActionConfigResponse`]. Supported
+/// by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct EventActionConfiguration {
+pub struct EventActionConfig {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Action instance; 0 means all (save, load, default).
@@ -2721,17 +2737,13 @@ pub struct EventActionConfiguration {
     /// The effect.
     ///
     /// Selected by `type`.
-    pub parameters: Option<EventActionConfigurationParameters>,
+    pub parameters: Option<EventActionConfigParameters>,
 }
 
-impl EventActionConfiguration {
+impl EventActionConfig {
     /// Apply the new setting.
     #[must_use]
-    pub fn write(
-        instance: u8,
-        trigger: u8,
-        parameters: EventActionConfigurationParameters,
-    ) -> Self {
+    pub fn write(instance: u8, trigger: u8, parameters: EventActionConfigParameters) -> Self {
         Self {
             function: types::FunctionSelector::WRITE,
             instance: Some(instance),
@@ -2800,7 +2812,7 @@ impl EventActionConfiguration {
     }
 }
 
-impl Wire for EventActionConfiguration {
+impl Wire for EventActionConfig {
     const SIZE: usize = 253;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -2824,11 +2836,11 @@ impl Wire for EventActionConfiguration {
     }
 }
 
-/// The alternatives of `parameters` in [`EventActionConfiguration`].
+/// The alternatives of `parameters` in [`EventActionConfig`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum EventActionConfigurationParameters {
+pub enum EventActionConfigParameters {
     /// The slot is free.
     #[default]
     None,
@@ -2840,7 +2852,7 @@ pub enum EventActionConfigurationParameters {
     Other(types::EventActionType),
 }
 
-impl EventActionConfigurationParameters {
+impl EventActionConfigParameters {
     /// The tag that goes with it.
     #[must_use]
     pub const fn tag(&self) -> types::EventActionType {
@@ -2853,7 +2865,7 @@ impl EventActionConfigurationParameters {
     }
 }
 
-impl Union for EventActionConfigurationParameters {
+impl Union for EventActionConfigParameters {
     type Tag = types::EventActionType;
 
     fn decode_as(tag: Self::Tag, reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -2879,21 +2891,21 @@ impl Union for EventActionConfigurationParameters {
     }
 }
 
-impl Field for EventActionConfiguration {
+impl Field for EventActionConfig {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x2F;
-    const NAME: &'static str = "3dm.event_action_configuration";
+    const NAME: &'static str = "3dm.event_action_config";
 }
 
-impl Command for EventActionConfiguration {
-    type Response = EventActionConfigurationResponse;
+impl Command for EventActionConfig {
+    type Response = EventActionConfigResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<EventActionConfiguration> for EventActionConfigurationResponse {}
+impl ResponseOf<EventActionConfig> for EventActionConfigResponse {}
 
 /// Device Start Up Settings (0x0C,0x30).
 ///
@@ -2909,12 +2921,12 @@ impl ResponseOf<EventActionConfiguration> for EventActionConfigurationResponse {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct DeviceStartUpSettings {
+pub struct DeviceSettings {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
 }
 
-impl DeviceStartUpSettings {
+impl DeviceSettings {
     /// Save the current setting to non-volatile memory.
     #[must_use]
     pub fn save() -> Self {
@@ -2934,7 +2946,7 @@ impl DeviceStartUpSettings {
     }
 }
 
-impl Wire for DeviceStartUpSettings {
+impl Wire for DeviceSettings {
     const SIZE: usize = 1;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -2948,13 +2960,13 @@ impl Wire for DeviceStartUpSettings {
     }
 }
 
-impl Field for DeviceStartUpSettings {
+impl Field for DeviceSettings {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x30;
-    const NAME: &'static str = "3dm.device_start_up_settings";
+    const NAME: &'static str = "3dm.device_settings";
 }
 
-impl Command for DeviceStartUpSettings {
+impl Command for DeviceSettings {
     type Response = ();
     const TIMEOUT_MS: Option<u32> = Some(1000);
 }
@@ -2975,13 +2987,13 @@ impl Command for DeviceStartUpSettings {
 /// - On some older products the setting means the inverse rotation.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`SensorToVehicleFrameTransformationEulerResponse`]. Supported by 3DM-CV7-GNSS/INS.
+/// [`SensorToVehicleTransformEulerResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SensorToVehicleFrameTransformationEuler {
+pub struct SensorToVehicleTransformEuler {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Rotation about the x axis.
@@ -2998,7 +3010,7 @@ pub struct SensorToVehicleFrameTransformationEuler {
     pub yaw: Option<f32>,
 }
 
-impl SensorToVehicleFrameTransformationEuler {
+impl SensorToVehicleTransformEuler {
     /// Apply the new setting.
     #[must_use]
     pub fn write(roll: f32, pitch: f32, yaw: f32) -> Self {
@@ -3044,7 +3056,7 @@ impl SensorToVehicleFrameTransformationEuler {
     }
 }
 
-impl Wire for SensorToVehicleFrameTransformationEuler {
+impl Wire for SensorToVehicleTransformEuler {
     const SIZE: usize = 13;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -3066,24 +3078,21 @@ impl Wire for SensorToVehicleFrameTransformationEuler {
     }
 }
 
-impl Field for SensorToVehicleFrameTransformationEuler {
+impl Field for SensorToVehicleTransformEuler {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x31;
-    const NAME: &'static str = "3dm.sensor_to_vehicle_frame_transformation_euler";
+    const NAME: &'static str = "3dm.sensor_to_vehicle_transform_euler";
 }
 
-impl Command for SensorToVehicleFrameTransformationEuler {
-    type Response = SensorToVehicleFrameTransformationEulerResponse;
+impl Command for SensorToVehicleTransformEuler {
+    type Response = SensorToVehicleTransformEulerResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<SensorToVehicleFrameTransformationEuler>
-    for SensorToVehicleFrameTransformationEulerResponse
-{
-}
+impl ResponseOf<SensorToVehicleTransformEuler> for SensorToVehicleTransformEulerResponse {}
 
 /// Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
 ///
@@ -3094,13 +3103,13 @@ impl ResponseOf<SensorToVehicleFrameTransformationEuler>
 /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
 ///
 /// Functions: write, read, save, load, default. Response:
-/// [`SensorToVehicleFrameTransformationQuaternionResponse`]. Supported by 3DM-CV7-GNSS/INS.
+/// [`SensorToVehicleTransformQuaternionResponse`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SensorToVehicleFrameTransformationQuaternion {
+pub struct SensorToVehicleTransformQuaternion {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
@@ -3109,7 +3118,7 @@ pub struct SensorToVehicleFrameTransformationQuaternion {
     pub q: Option<types::Quatf>,
 }
 
-impl SensorToVehicleFrameTransformationQuaternion {
+impl SensorToVehicleTransformQuaternion {
     /// Apply the new setting.
     #[must_use]
     pub fn write(q: impl Into<types::Quatf>) -> Self {
@@ -3150,7 +3159,7 @@ impl SensorToVehicleFrameTransformationQuaternion {
     }
 }
 
-impl Wire for SensorToVehicleFrameTransformationQuaternion {
+impl Wire for SensorToVehicleTransformQuaternion {
     const SIZE: usize = 17;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -3168,24 +3177,21 @@ impl Wire for SensorToVehicleFrameTransformationQuaternion {
     }
 }
 
-impl Field for SensorToVehicleFrameTransformationQuaternion {
+impl Field for SensorToVehicleTransformQuaternion {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x32;
-    const NAME: &'static str = "3dm.sensor_to_vehicle_frame_transformation_quaternion";
+    const NAME: &'static str = "3dm.sensor_to_vehicle_transform_quaternion";
 }
 
-impl Command for SensorToVehicleFrameTransformationQuaternion {
-    type Response = SensorToVehicleFrameTransformationQuaternionResponse;
+impl Command for SensorToVehicleTransformQuaternion {
+    type Response = SensorToVehicleTransformQuaternionResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<SensorToVehicleFrameTransformationQuaternion>
-    for SensorToVehicleFrameTransformationQuaternionResponse
-{
-}
+impl ResponseOf<SensorToVehicleTransformQuaternion> for SensorToVehicleTransformQuaternionResponse {}
 
 /// Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
 ///
@@ -3196,16 +3202,15 @@ impl ResponseOf<SensorToVehicleFrameTransformationQuaternion>
 /// - A vector in the vehicle frame is this matrix times the vector in the sensor frame.
 /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
 ///
-/// Functions: write, read, save, load, default. Response:
-/// [`SensorToVehicleFrameTransformationDirectionCosineMatrixResponse`]. Supported by
-/// 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`SensorToVehicleTransformDcmResponse`].
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
 ///   (0x0C,0x33)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SensorToVehicleFrameTransformationDirectionCosineMatrix {
+pub struct SensorToVehicleTransformDcm {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// The matrix in row-major order.
@@ -3214,7 +3219,7 @@ pub struct SensorToVehicleFrameTransformationDirectionCosineMatrix {
     pub dcm: Option<types::Matrix3f>,
 }
 
-impl SensorToVehicleFrameTransformationDirectionCosineMatrix {
+impl SensorToVehicleTransformDcm {
     /// Apply the new setting.
     #[must_use]
     pub fn write(dcm: impl Into<types::Matrix3f>) -> Self {
@@ -3255,7 +3260,7 @@ impl SensorToVehicleFrameTransformationDirectionCosineMatrix {
     }
 }
 
-impl Wire for SensorToVehicleFrameTransformationDirectionCosineMatrix {
+impl Wire for SensorToVehicleTransformDcm {
     const SIZE: usize = 37;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -3273,39 +3278,35 @@ impl Wire for SensorToVehicleFrameTransformationDirectionCosineMatrix {
     }
 }
 
-impl Field for SensorToVehicleFrameTransformationDirectionCosineMatrix {
+impl Field for SensorToVehicleTransformDcm {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x33;
-    const NAME: &'static str = "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix";
+    const NAME: &'static str = "3dm.sensor_to_vehicle_transform_dcm";
 }
 
-impl Command for SensorToVehicleFrameTransformationDirectionCosineMatrix {
-    type Response = SensorToVehicleFrameTransformationDirectionCosineMatrixResponse;
+impl Command for SensorToVehicleTransformDcm {
+    type Response = SensorToVehicleTransformDcmResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<SensorToVehicleFrameTransformationDirectionCosineMatrix>
-    for SensorToVehicleFrameTransformationDirectionCosineMatrixResponse
-{
-}
+impl ResponseOf<SensorToVehicleTransformDcm> for SensorToVehicleTransformDcmResponse {}
 
 /// Accelerometer Bias Configuration (0x0C,0x37).
 ///
 /// Bias that is subtracted from the scaled acceleration.
 ///
-/// Functions: write, read, save, load, default, apply. Response:
-/// [`AccelerometerBiasConfigurationResponse`]. For advanced use. Supported by 3DM-CV7-GNSS/INS and
-/// 3DM-GX5-15.
+/// Functions: write, read, save, load, default, apply. Response: [`AccelBiasResponse`]. For
+/// advanced use. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
 /// - Manual 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct AccelerometerBiasConfiguration {
+pub struct AccelBias {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Accelerometer bias.
@@ -3314,7 +3315,7 @@ pub struct AccelerometerBiasConfiguration {
     pub bias: Option<types::Vector3f>,
 }
 
-impl AccelerometerBiasConfiguration {
+impl AccelBias {
     /// Apply the new setting.
     #[must_use]
     pub fn write(bias: impl Into<types::Vector3f>) -> Self {
@@ -3361,7 +3362,7 @@ impl AccelerometerBiasConfiguration {
     }
 }
 
-impl Wire for AccelerometerBiasConfiguration {
+impl Wire for AccelBias {
     const SIZE: usize = 13;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -3379,14 +3380,14 @@ impl Wire for AccelerometerBiasConfiguration {
     }
 }
 
-impl Field for AccelerometerBiasConfiguration {
+impl Field for AccelBias {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x37;
-    const NAME: &'static str = "3dm.accelerometer_bias_configuration";
+    const NAME: &'static str = "3dm.accel_bias";
 }
 
-impl Command for AccelerometerBiasConfiguration {
-    type Response = AccelerometerBiasConfigurationResponse;
+impl Command for AccelBias {
+    type Response = AccelBiasResponse;
 
     fn expects_reply(&self) -> bool {
         !matches!(self.function, types::FunctionSelector::APPLY)
@@ -3397,22 +3398,21 @@ impl Command for AccelerometerBiasConfiguration {
     }
 }
 
-impl ResponseOf<AccelerometerBiasConfiguration> for AccelerometerBiasConfigurationResponse {}
+impl ResponseOf<AccelBias> for AccelBiasResponse {}
 
 /// Gyroscope Bias Configuration (0x0C,0x38).
 ///
 /// Bias that is subtracted from the scaled angular rate.
 ///
-/// Functions: write, read, save, load, default, apply. Response:
-/// [`GyroscopeBiasConfigurationResponse`]. For advanced use. Supported by 3DM-CV7-GNSS/INS and
-/// 3DM-GX5-15.
+/// Functions: write, read, save, load, default, apply. Response: [`GyroBiasResponse`]. For advanced
+/// use. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
 /// - Manual 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GyroscopeBiasConfiguration {
+pub struct GyroBias {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Gyroscope bias.
@@ -3421,7 +3421,7 @@ pub struct GyroscopeBiasConfiguration {
     pub bias: Option<types::Vector3f>,
 }
 
-impl GyroscopeBiasConfiguration {
+impl GyroBias {
     /// Apply the new setting.
     #[must_use]
     pub fn write(bias: impl Into<types::Vector3f>) -> Self {
@@ -3468,7 +3468,7 @@ impl GyroscopeBiasConfiguration {
     }
 }
 
-impl Wire for GyroscopeBiasConfiguration {
+impl Wire for GyroBias {
     const SIZE: usize = 13;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -3486,14 +3486,14 @@ impl Wire for GyroscopeBiasConfiguration {
     }
 }
 
-impl Field for GyroscopeBiasConfiguration {
+impl Field for GyroBias {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x38;
-    const NAME: &'static str = "3dm.gyroscope_bias_configuration";
+    const NAME: &'static str = "3dm.gyro_bias";
 }
 
-impl Command for GyroscopeBiasConfiguration {
-    type Response = GyroscopeBiasConfigurationResponse;
+impl Command for GyroBias {
+    type Response = GyroBiasResponse;
 
     fn expects_reply(&self) -> bool {
         !matches!(self.function, types::FunctionSelector::APPLY)
@@ -3504,7 +3504,7 @@ impl Command for GyroscopeBiasConfiguration {
     }
 }
 
-impl ResponseOf<GyroscopeBiasConfiguration> for GyroscopeBiasConfigurationResponse {}
+impl ResponseOf<GyroBias> for GyroBiasResponse {}
 
 /// Capture Gyroscope Bias (0x0C,0x39).
 ///
@@ -3515,22 +3515,22 @@ impl ResponseOf<GyroscopeBiasConfiguration> for GyroscopeBiasConfigurationRespon
 /// - The bias is not saved; the gyroscope bias configuration command with save does it.
 /// - The 3DM-GX5-15 also initializes its orientation from the samples.
 ///
-/// Response: [`GyroscopeBiasConfigurationResponse`]. The device may take 31.0 s. Supported by
-/// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Response: [`GyroBiasResponse`]. The device may take 31.0 s. Supported by 3DM-CV7-GNSS/INS and
+/// 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39)
 /// - Manual 3dm-cv7-gnss-ins: Capture Gyroscope Bias (0x0C,0x39)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct CaptureGyroscopeBias {
+pub struct CaptureGyroBias {
     /// Time to average over.
     ///
     /// Unit: ms; range: 1000 to 30000.
     pub averaging_time_ms: u16,
 }
 
-impl CaptureGyroscopeBias {
+impl CaptureGyroBias {
     /// The command with its parameters.
     #[must_use]
     pub fn new(averaging_time_ms: u16) -> Self {
@@ -3538,7 +3538,7 @@ impl CaptureGyroscopeBias {
     }
 }
 
-impl Wire for CaptureGyroscopeBias {
+impl Wire for CaptureGyroBias {
     const SIZE: usize = 2;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -3552,14 +3552,14 @@ impl Wire for CaptureGyroscopeBias {
     }
 }
 
-impl Field for CaptureGyroscopeBias {
+impl Field for CaptureGyroBias {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x39;
-    const NAME: &'static str = "3dm.capture_gyroscope_bias";
+    const NAME: &'static str = "3dm.capture_gyro_bias";
 }
 
-impl Command for CaptureGyroscopeBias {
-    type Response = GyroscopeBiasConfigurationResponse;
+impl Command for CaptureGyroBias {
+    type Response = GyroBiasResponse;
     const TIMEOUT_MS: Option<u32> = Some(31000);
 
     fn expects_response(&self) -> bool {
@@ -3567,7 +3567,7 @@ impl Command for CaptureGyroscopeBias {
     }
 }
 
-impl ResponseOf<CaptureGyroscopeBias> for GyroscopeBiasConfigurationResponse {}
+impl ResponseOf<CaptureGyroBias> for GyroBiasResponse {}
 
 /// Magnetometer Hard Iron Offset (0x0C,0x3A).
 ///
@@ -3575,14 +3575,14 @@ impl ResponseOf<CaptureGyroscopeBias> for GyroscopeBiasConfigurationResponse {}
 ///
 /// - The values come from a calibration of the device as it is installed.
 ///
-/// Functions: write, read, save, load, default. Response: [`MagnetometerHardIronOffsetResponse`].
-/// Supported by 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`MagHardIronOffsetResponse`]. Supported
+/// by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct MagnetometerHardIronOffset {
+pub struct MagHardIronOffset {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Hard iron offset.
@@ -3591,7 +3591,7 @@ pub struct MagnetometerHardIronOffset {
     pub offset: Option<types::Vector3f>,
 }
 
-impl MagnetometerHardIronOffset {
+impl MagHardIronOffset {
     /// Apply the new setting.
     #[must_use]
     pub fn write(offset: impl Into<types::Vector3f>) -> Self {
@@ -3632,7 +3632,7 @@ impl MagnetometerHardIronOffset {
     }
 }
 
-impl Wire for MagnetometerHardIronOffset {
+impl Wire for MagHardIronOffset {
     const SIZE: usize = 13;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -3650,21 +3650,21 @@ impl Wire for MagnetometerHardIronOffset {
     }
 }
 
-impl Field for MagnetometerHardIronOffset {
+impl Field for MagHardIronOffset {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x3A;
-    const NAME: &'static str = "3dm.magnetometer_hard_iron_offset";
+    const NAME: &'static str = "3dm.mag_hard_iron_offset";
 }
 
-impl Command for MagnetometerHardIronOffset {
-    type Response = MagnetometerHardIronOffsetResponse;
+impl Command for MagHardIronOffset {
+    type Response = MagHardIronOffsetResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<MagnetometerHardIronOffset> for MagnetometerHardIronOffsetResponse {}
+impl ResponseOf<MagHardIronOffset> for MagHardIronOffsetResponse {}
 
 /// Magnetometer Soft Iron Matrix (0x0C,0x3B).
 ///
@@ -3672,51 +3672,51 @@ impl ResponseOf<MagnetometerHardIronOffset> for MagnetometerHardIronOffsetRespon
 ///
 /// - The values come from a calibration of the device as it is installed.
 ///
-/// Functions: write, read, save, load, default. Response: [`MagnetometerSoftIronMatrixResponse`].
-/// Supported by 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`MagSoftIronMatrixResponse`]. Supported
+/// by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct MagnetometerSoftIronMatrix {
+pub struct MagSoftIronMatrix {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Soft iron matrix in row-major order.
     ///
     /// Unit: 1; frame: sensor.
-    pub offset: Option<types::Matrix3f>,
+    pub matrix: Option<types::Matrix3f>,
 }
 
-impl MagnetometerSoftIronMatrix {
+impl MagSoftIronMatrix {
     /// Apply the new setting.
     #[must_use]
-    pub fn write(offset: impl Into<types::Matrix3f>) -> Self {
-        Self { function: types::FunctionSelector::WRITE, offset: Some(offset.into()) }
+    pub fn write(matrix: impl Into<types::Matrix3f>) -> Self {
+        Self { function: types::FunctionSelector::WRITE, matrix: Some(matrix.into()) }
     }
 
     /// Send the current setting back in a response.
     #[must_use]
     pub fn read() -> Self {
-        Self { function: types::FunctionSelector::READ, offset: None }
+        Self { function: types::FunctionSelector::READ, matrix: None }
     }
 
     /// Save the current setting to non-volatile memory.
     #[must_use]
     pub fn save() -> Self {
-        Self { function: types::FunctionSelector::SAVE, offset: None }
+        Self { function: types::FunctionSelector::SAVE, matrix: None }
     }
 
     /// Load the saved setting.
     #[must_use]
     pub fn load() -> Self {
-        Self { function: types::FunctionSelector::LOAD, offset: None }
+        Self { function: types::FunctionSelector::LOAD, matrix: None }
     }
 
     /// Load the factory default setting.
     #[must_use]
     pub fn load_default() -> Self {
-        Self { function: types::FunctionSelector::DEFAULT, offset: None }
+        Self { function: types::FunctionSelector::DEFAULT, matrix: None }
     }
 
     /// How many parameters a function needs.
@@ -3729,52 +3729,52 @@ impl MagnetometerSoftIronMatrix {
     }
 }
 
-impl Wire for MagnetometerSoftIronMatrix {
+impl Wire for MagSoftIronMatrix {
     const SIZE: usize = 37;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let function = reader.read()?;
         let required = Self::required(function);
-        let offset = reader.group(required >= 1, Reader::read)?;
-        Ok(Self { function, offset })
+        let matrix = reader.group(required >= 1, Reader::read)?;
+        Ok(Self { function, matrix })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         let required = Self::required(self.function);
         writer.write(&self.function)?;
-        writer.some(required >= 1, &self.offset)?;
+        writer.some(required >= 1, &self.matrix)?;
         Ok(())
     }
 }
 
-impl Field for MagnetometerSoftIronMatrix {
+impl Field for MagSoftIronMatrix {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x3B;
-    const NAME: &'static str = "3dm.magnetometer_soft_iron_matrix";
+    const NAME: &'static str = "3dm.mag_soft_iron_matrix";
 }
 
-impl Command for MagnetometerSoftIronMatrix {
-    type Response = MagnetometerSoftIronMatrixResponse;
+impl Command for MagSoftIronMatrix {
+    type Response = MagSoftIronMatrixResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<MagnetometerSoftIronMatrix> for MagnetometerSoftIronMatrixResponse {}
+impl ResponseOf<MagSoftIronMatrix> for MagSoftIronMatrixResponse {}
 
 /// Coning and Sculling Enable (0x0C,0x3E).
 ///
 /// Switches the compensation of coning and sculling on or off.
 ///
-/// Functions: write, read, save, load, default. Response: [`ConingAndScullingEnableResponse`].
+/// Functions: write, read, save, load, default. Response: [`ConingScullingEnableResponse`].
 /// Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ConingAndScullingEnable {
+pub struct ConingScullingEnable {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Whether the compensation is on.
@@ -3783,7 +3783,7 @@ pub struct ConingAndScullingEnable {
     pub enable: Option<crate::Bool>,
 }
 
-impl ConingAndScullingEnable {
+impl ConingScullingEnable {
     /// Apply the new setting.
     #[must_use]
     pub fn write(enable: bool) -> Self {
@@ -3824,7 +3824,7 @@ impl ConingAndScullingEnable {
     }
 }
 
-impl Wire for ConingAndScullingEnable {
+impl Wire for ConingScullingEnable {
     const SIZE: usize = 2;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -3842,21 +3842,21 @@ impl Wire for ConingAndScullingEnable {
     }
 }
 
-impl Field for ConingAndScullingEnable {
+impl Field for ConingScullingEnable {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x3E;
-    const NAME: &'static str = "3dm.coning_and_sculling_enable";
+    const NAME: &'static str = "3dm.coning_sculling_enable";
 }
 
-impl Command for ConingAndScullingEnable {
-    type Response = ConingAndScullingEnableResponse;
+impl Command for ConingScullingEnable {
+    type Response = ConingScullingEnableResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<ConingAndScullingEnable> for ConingAndScullingEnableResponse {}
+impl ResponseOf<ConingScullingEnable> for ConingScullingEnableResponse {}
 
 /// UART Baud Rate (0x0C,0x40).
 ///
@@ -3973,14 +3973,14 @@ impl ResponseOf<UartBaudRate> for UartBaudRateResponse {}
 /// - With NMEA input at most one pin may be a UART input; set it to unused before another one takes
 ///   over.
 ///
-/// Functions: write, read, save, load, default. Response: [`GpioConfigurationResponse`]. Supported
-/// by 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`GpioConfigResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GpioConfiguration {
+pub struct GpioConfig {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// GPIO pin, counted from 1; 0 means all pins (save, load, default).
@@ -3995,7 +3995,7 @@ pub struct GpioConfiguration {
     pub pin_mode: Option<types::GpioPinMode>,
 }
 
-impl GpioConfiguration {
+impl GpioConfig {
     /// Apply the new setting.
     #[must_use]
     pub fn write(
@@ -4114,7 +4114,7 @@ impl GpioConfiguration {
     }
 }
 
-impl Wire for GpioConfiguration {
+impl Wire for GpioConfig {
     const SIZE: usize = 5;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -4138,21 +4138,21 @@ impl Wire for GpioConfiguration {
     }
 }
 
-impl Field for GpioConfiguration {
+impl Field for GpioConfig {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x41;
-    const NAME: &'static str = "3dm.gpio_configuration";
+    const NAME: &'static str = "3dm.gpio_config";
 }
 
-impl Command for GpioConfiguration {
-    type Response = GpioConfigurationResponse;
+impl Command for GpioConfig {
+    type Response = GpioConfigResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<GpioConfiguration> for GpioConfigurationResponse {}
+impl ResponseOf<GpioConfig> for GpioConfigResponse {}
 
 /// GPIO State (0x0C,0x42).
 ///
@@ -4245,14 +4245,14 @@ impl ResponseOf<GpioState> for GpioStateResponse {}
 ///
 /// Input from a wheel encoder.
 ///
-/// Functions: write, read, save, load, default. Response: [`OdometerConfigurationResponse`].
-/// Supported by 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`OdometerConfigResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct OdometerConfiguration {
+pub struct OdometerConfig {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// How the input works.
@@ -4269,7 +4269,7 @@ pub struct OdometerConfiguration {
     pub uncertainty: Option<f32>,
 }
 
-impl OdometerConfiguration {
+impl OdometerConfig {
     /// Apply the new setting.
     #[must_use]
     pub fn write(mode: OdometerMode, scaling: f32, uncertainty: f32) -> Self {
@@ -4335,7 +4335,7 @@ impl OdometerConfiguration {
     }
 }
 
-impl Wire for OdometerConfiguration {
+impl Wire for OdometerConfig {
     const SIZE: usize = 10;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -4357,21 +4357,21 @@ impl Wire for OdometerConfiguration {
     }
 }
 
-impl Field for OdometerConfiguration {
+impl Field for OdometerConfig {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x43;
-    const NAME: &'static str = "3dm.odometer_configuration";
+    const NAME: &'static str = "3dm.odometer_config";
 }
 
-impl Command for OdometerConfiguration {
-    type Response = OdometerConfigurationResponse;
+impl Command for OdometerConfig {
+    type Response = OdometerConfigResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<OdometerConfiguration> for OdometerConfigurationResponse {}
+impl ResponseOf<OdometerConfig> for OdometerConfigResponse {}
 
 /// Advanced Low-Pass Filter Settings (0x0C,0x50).
 ///
@@ -4380,17 +4380,16 @@ impl ResponseOf<OdometerConfiguration> for OdometerConfigurationResponse {}
 /// - The filter has one pole. By default it is on and its cutoff is half the rate of the message
 ///   format.
 ///
-/// Functions: write, read, save, load, default. Response:
-/// [`AdvancedLowPassFilterSettingsResponse`]. For advanced use. Supported by 3DM-CV7-GNSS/INS and
-/// 3DM-GX5-15.
+/// Functions: write, read, save, load, default. Response: [`ImuLowPassFilterResponse`]. For
+/// advanced use. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
 /// - Manual 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[deprecated(note = "use 3dm.low_pass_anti_aliasing_filter where the device has it")]
-pub struct AdvancedLowPassFilterSettings {
+#[deprecated(note = "use 3dm.low_pass_filter where the device has it")]
+pub struct ImuLowPassFilter {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
@@ -4420,7 +4419,7 @@ pub struct AdvancedLowPassFilterSettings {
     pub reserved: Option<u8>,
 }
 
-impl AdvancedLowPassFilterSettings {
+impl ImuLowPassFilter {
     /// Apply the new setting.
     #[must_use]
     pub fn write(target_descriptor: u8, enable: bool, manual: bool, frequency: u16) -> Self {
@@ -4497,7 +4496,7 @@ impl AdvancedLowPassFilterSettings {
     }
 }
 
-impl Wire for AdvancedLowPassFilterSettings {
+impl Wire for ImuLowPassFilter {
     const SIZE: usize = 7;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -4523,21 +4522,21 @@ impl Wire for AdvancedLowPassFilterSettings {
     }
 }
 
-impl Field for AdvancedLowPassFilterSettings {
+impl Field for ImuLowPassFilter {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x50;
-    const NAME: &'static str = "3dm.advanced_low_pass_filter_settings";
+    const NAME: &'static str = "3dm.imu_low_pass_filter";
 }
 
-impl Command for AdvancedLowPassFilterSettings {
-    type Response = AdvancedLowPassFilterSettingsResponse;
+impl Command for ImuLowPassFilter {
+    type Response = ImuLowPassFilterResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<AdvancedLowPassFilterSettings> for AdvancedLowPassFilterSettingsResponse {}
+impl ResponseOf<ImuLowPassFilter> for ImuLowPassFilterResponse {}
 
 /// Complementary Filter Configuration (0x0C,0x51).
 ///
@@ -4549,15 +4548,15 @@ impl ResponseOf<AdvancedLowPassFilterSettings> for AdvancedLowPassFilterSettings
 /// - The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for
 ///   compatibility.
 ///
-/// Functions: write, read, save, load, default. Response:
-/// [`ComplementaryFilterConfigurationResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Functions: write, read, save, load, default. Response: [`ComplementaryFilterResponse`].
+/// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
 /// - Manual 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ComplementaryFilterConfiguration {
+pub struct ComplementaryFilter {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Corrects pitch and roll (up, in terms of the 5-series).
@@ -4578,7 +4577,7 @@ pub struct ComplementaryFilterConfiguration {
     pub heading_time_constant: Option<f32>,
 }
 
-impl ComplementaryFilterConfiguration {
+impl ComplementaryFilter {
     /// Apply the new setting.
     #[must_use]
     pub fn write(
@@ -4654,7 +4653,7 @@ impl ComplementaryFilterConfiguration {
     }
 }
 
-impl Wire for ComplementaryFilterConfiguration {
+impl Wire for ComplementaryFilter {
     const SIZE: usize = 11;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -4684,21 +4683,21 @@ impl Wire for ComplementaryFilterConfiguration {
     }
 }
 
-impl Field for ComplementaryFilterConfiguration {
+impl Field for ComplementaryFilter {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x51;
-    const NAME: &'static str = "3dm.complementary_filter_configuration";
+    const NAME: &'static str = "3dm.complementary_filter";
 }
 
-impl Command for ComplementaryFilterConfiguration {
-    type Response = ComplementaryFilterConfigurationResponse;
+impl Command for ComplementaryFilter {
+    type Response = ComplementaryFilterResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<ComplementaryFilterConfiguration> for ComplementaryFilterConfigurationResponse {}
+impl ResponseOf<ComplementaryFilter> for ComplementaryFilterResponse {}
 
 /// Sensor Range (0x0C,0x52).
 ///
@@ -4865,20 +4864,20 @@ impl ResponseOf<GetCalibratedSensorRanges> for GetCalibratedSensorRangesResponse
 /// - Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all
 ///   sets.
 ///
-/// Functions: write, read, save, load, default. Response: [`LowPassAntiAliasingFilterResponse`].
-/// Supported by 3DM-CV7-GNSS/INS.
+/// Functions: write, read, save, load, default. Response: [`LowPassFilterResponse`]. Supported by
+/// 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct LowPassAntiAliasingFilter {
+pub struct LowPassFilter {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Descriptor set of the field.
-    pub desc_set: Option<u8>,
+    pub descriptor_set: Option<u8>,
     /// Field descriptor; 0 if the set is 0.
-    pub field_desc: Option<u8>,
+    pub field_descriptor: Option<u8>,
     /// Whether the field is filtered.
     pub enable: Option<crate::Bool>,
     /// True uses the frequency; false follows half the rate of the field in the message format.
@@ -4889,14 +4888,20 @@ pub struct LowPassAntiAliasingFilter {
     pub frequency: Option<f32>,
 }
 
-impl LowPassAntiAliasingFilter {
+impl LowPassFilter {
     /// Apply the new setting.
     #[must_use]
-    pub fn write(desc_set: u8, field_desc: u8, enable: bool, manual: bool, frequency: f32) -> Self {
+    pub fn write(
+        descriptor_set: u8,
+        field_descriptor: u8,
+        enable: bool,
+        manual: bool,
+        frequency: f32,
+    ) -> Self {
         Self {
             function: types::FunctionSelector::WRITE,
-            desc_set: Some(desc_set),
-            field_desc: Some(field_desc),
+            descriptor_set: Some(descriptor_set),
+            field_descriptor: Some(field_descriptor),
             enable: Some(enable.into()),
             manual: Some(manual.into()),
             frequency: Some(frequency),
@@ -4905,11 +4910,11 @@ impl LowPassAntiAliasingFilter {
 
     /// Send the current setting back in a response.
     #[must_use]
-    pub fn read(desc_set: u8, field_desc: u8) -> Self {
+    pub fn read(descriptor_set: u8, field_descriptor: u8) -> Self {
         Self {
             function: types::FunctionSelector::READ,
-            desc_set: Some(desc_set),
-            field_desc: Some(field_desc),
+            descriptor_set: Some(descriptor_set),
+            field_descriptor: Some(field_descriptor),
             enable: None,
             manual: None,
             frequency: None,
@@ -4918,11 +4923,11 @@ impl LowPassAntiAliasingFilter {
 
     /// Save the current setting to non-volatile memory.
     #[must_use]
-    pub fn save(desc_set: u8, field_desc: u8) -> Self {
+    pub fn save(descriptor_set: u8, field_descriptor: u8) -> Self {
         Self {
             function: types::FunctionSelector::SAVE,
-            desc_set: Some(desc_set),
-            field_desc: Some(field_desc),
+            descriptor_set: Some(descriptor_set),
+            field_descriptor: Some(field_descriptor),
             enable: None,
             manual: None,
             frequency: None,
@@ -4931,11 +4936,11 @@ impl LowPassAntiAliasingFilter {
 
     /// Load the saved setting.
     #[must_use]
-    pub fn load(desc_set: u8, field_desc: u8) -> Self {
+    pub fn load(descriptor_set: u8, field_descriptor: u8) -> Self {
         Self {
             function: types::FunctionSelector::LOAD,
-            desc_set: Some(desc_set),
-            field_desc: Some(field_desc),
+            descriptor_set: Some(descriptor_set),
+            field_descriptor: Some(field_descriptor),
             enable: None,
             manual: None,
             frequency: None,
@@ -4944,11 +4949,11 @@ impl LowPassAntiAliasingFilter {
 
     /// Load the factory default setting.
     #[must_use]
-    pub fn load_default(desc_set: u8, field_desc: u8) -> Self {
+    pub fn load_default(descriptor_set: u8, field_descriptor: u8) -> Self {
         Self {
             function: types::FunctionSelector::DEFAULT,
-            desc_set: Some(desc_set),
-            field_desc: Some(field_desc),
+            descriptor_set: Some(descriptor_set),
+            field_descriptor: Some(field_descriptor),
             enable: None,
             manual: None,
             frequency: None,
@@ -4966,25 +4971,25 @@ impl LowPassAntiAliasingFilter {
     }
 }
 
-impl Wire for LowPassAntiAliasingFilter {
+impl Wire for LowPassFilter {
     const SIZE: usize = 9;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let function = reader.read()?;
         let required = Self::required(function);
-        let desc_set = reader.group(required >= 1, Reader::read)?;
-        let field_desc = reader.group(required >= 2, Reader::read)?;
+        let descriptor_set = reader.group(required >= 1, Reader::read)?;
+        let field_descriptor = reader.group(required >= 2, Reader::read)?;
         let enable = reader.group(required >= 3, Reader::read)?;
         let manual = reader.group(required >= 4, Reader::read)?;
         let frequency = reader.group(required >= 5, Reader::read)?;
-        Ok(Self { function, desc_set, field_desc, enable, manual, frequency })
+        Ok(Self { function, descriptor_set, field_descriptor, enable, manual, frequency })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         let required = Self::required(self.function);
         writer.write(&self.function)?;
-        writer.some(required >= 1, &self.desc_set)?;
-        writer.some(required >= 2, &self.field_desc)?;
+        writer.some(required >= 1, &self.descriptor_set)?;
+        writer.some(required >= 2, &self.field_descriptor)?;
         writer.some(required >= 3, &self.enable)?;
         writer.some(required >= 4, &self.manual)?;
         writer.some(required >= 5, &self.frequency)?;
@@ -4992,21 +4997,21 @@ impl Wire for LowPassAntiAliasingFilter {
     }
 }
 
-impl Field for LowPassAntiAliasingFilter {
+impl Field for LowPassFilter {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x54;
-    const NAME: &'static str = "3dm.low_pass_anti_aliasing_filter";
+    const NAME: &'static str = "3dm.low_pass_filter";
 }
 
-impl Command for LowPassAntiAliasingFilter {
-    type Response = LowPassAntiAliasingFilterResponse;
+impl Command for LowPassFilter {
+    type Response = LowPassFilterResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<LowPassAntiAliasingFilter> for LowPassAntiAliasingFilterResponse {}
+impl ResponseOf<LowPassFilter> for LowPassFilterResponse {}
 
 /// Device Status (0x0C,0x64).
 ///
@@ -5157,18 +5162,18 @@ impl Field for GnssMessageFormatResponse {
 ///
 /// Answers Estimation Filter Message Format (0x0C,0x0A).
 ///
-/// Command: [`EstimationFilterMessageFormat`]. Supported by 3DM-GX5-15.
+/// Command: [`FilterMessageFormat`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct EstimationFilterMessageFormatResponse {
+pub struct FilterMessageFormatResponse {
     /// Fields and decimations.
     pub descriptors: crate::List<types::DescriptorRate, 84>,
 }
 
-impl Wire for EstimationFilterMessageFormatResponse {
+impl Wire for FilterMessageFormatResponse {
     const SIZE: usize = 253;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -5184,30 +5189,30 @@ impl Wire for EstimationFilterMessageFormatResponse {
     }
 }
 
-impl Field for EstimationFilterMessageFormatResponse {
+impl Field for FilterMessageFormatResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x82;
-    const NAME: &'static str = "3dm.estimation_filter_message_format_response";
+    const NAME: &'static str = "3dm.filter_message_format_response";
 }
 
 /// Get IMU Data Base Rate response (0x0C,0x83).
 ///
 /// Answers Get IMU Data Base Rate (0x0C,0x06).
 ///
-/// Command: [`GetImuDataBaseRate`]. Supported by 3DM-GX5-15.
+/// Command: [`GetImuBaseRate`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GetImuDataBaseRateResponse {
+pub struct GetImuBaseRateResponse {
     /// Base rate of the sensor data.
     ///
     /// Unit: Hz.
     pub rate: u16,
 }
 
-impl Wire for GetImuDataBaseRateResponse {
+impl Wire for GetImuBaseRateResponse {
     const SIZE: usize = 2;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -5221,30 +5226,30 @@ impl Wire for GetImuDataBaseRateResponse {
     }
 }
 
-impl Field for GetImuDataBaseRateResponse {
+impl Field for GetImuBaseRateResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x83;
-    const NAME: &'static str = "3dm.get_imu_data_base_rate_response";
+    const NAME: &'static str = "3dm.get_imu_base_rate_response";
 }
 
 /// Get GNSS Data Base Rate response (0x0C,0x84).
 ///
 /// Answers Get GNSS Data Base Rate (0x0C,0x07).
 ///
-/// Command: [`GetGnssDataBaseRate`].
+/// Command: [`GetGnssBaseRate`].
 ///
 /// - Manual mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GetGnssDataBaseRateResponse {
+pub struct GetGnssBaseRateResponse {
     /// Base rate of the GNSS data.
     ///
     /// Unit: Hz.
     pub rate: u16,
 }
 
-impl Wire for GetGnssDataBaseRateResponse {
+impl Wire for GetGnssBaseRateResponse {
     const SIZE: usize = 2;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -5258,10 +5263,10 @@ impl Wire for GetGnssDataBaseRateResponse {
     }
 }
 
-impl Field for GetGnssDataBaseRateResponse {
+impl Field for GetGnssBaseRateResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x84;
-    const NAME: &'static str = "3dm.get_gnss_data_base_rate_response";
+    const NAME: &'static str = "3dm.get_gnss_base_rate_response";
 }
 
 /// Data Stream Control response (0x0C,0x85).
@@ -5277,16 +5282,16 @@ impl Field for GetGnssDataBaseRateResponse {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct DataStreamControlResponse {
     /// Stream of the command.
-    pub desc_set: u8,
+    pub descriptor_set: u8,
     /// Whether the stream is sent.
     pub enabled: crate::Bool,
 }
 
 impl DataStreamControlResponse {
-    /// The meaning of `desc_set` on the 3DM-GX5-15.
+    /// The meaning of `descriptor_set` on the 3DM-GX5-15.
     #[must_use]
-    pub fn desc_set_as_legacy_data_stream(&self) -> LegacyDataStream {
-        LegacyDataStream(self.desc_set)
+    pub fn descriptor_set_as_legacy_data_stream(&self) -> LegacyDataStream {
+        LegacyDataStream(self.descriptor_set)
     }
 }
 
@@ -5294,13 +5299,13 @@ impl Wire for DataStreamControlResponse {
     const SIZE: usize = 2;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let desc_set = reader.read()?;
+        let descriptor_set = reader.read()?;
         let enabled = reader.read()?;
-        Ok(Self { desc_set, enabled })
+        Ok(Self { descriptor_set, enabled })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.desc_set)?;
+        writer.write(&self.descriptor_set)?;
         writer.write(&self.enabled)?;
         Ok(())
     }
@@ -5356,20 +5361,20 @@ impl Field for UartBaudRateResponse {
 ///
 /// Answers Get Estimation Filter Data Base Rate (0x0C,0x0B).
 ///
-/// Command: [`GetEstimationFilterDataBaseRate`]. Supported by 3DM-GX5-15.
+/// Command: [`GetFilterBaseRate`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GetEstimationFilterDataBaseRateResponse {
+pub struct GetFilterBaseRateResponse {
     /// Base rate of the filter data.
     ///
     /// Unit: Hz.
     pub rate: u16,
 }
 
-impl Wire for GetEstimationFilterDataBaseRateResponse {
+impl Wire for GetFilterBaseRateResponse {
     const SIZE: usize = 2;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -5383,24 +5388,24 @@ impl Wire for GetEstimationFilterDataBaseRateResponse {
     }
 }
 
-impl Field for GetEstimationFilterDataBaseRateResponse {
+impl Field for GetFilterBaseRateResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x8A;
-    const NAME: &'static str = "3dm.get_estimation_filter_data_base_rate_response";
+    const NAME: &'static str = "3dm.get_filter_base_rate_response";
 }
 
 /// Advanced Low-Pass Filter Settings response (0x0C,0x8B).
 ///
 /// Answers Advanced Low-Pass Filter Settings (0x0C,0x50).
 ///
-/// Command: [`AdvancedLowPassFilterSettings`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Command: [`ImuLowPassFilter`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
 /// - Manual 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct AdvancedLowPassFilterSettingsResponse {
+pub struct ImuLowPassFilterResponse {
     /// Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
     /// magnetic field 0x06 or pressure 0x17.
     ///
@@ -5428,7 +5433,7 @@ pub struct AdvancedLowPassFilterSettingsResponse {
     pub reserved: u8,
 }
 
-impl Wire for AdvancedLowPassFilterSettingsResponse {
+impl Wire for ImuLowPassFilterResponse {
     const SIZE: usize = 6;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -5450,10 +5455,10 @@ impl Wire for AdvancedLowPassFilterSettingsResponse {
     }
 }
 
-impl Field for AdvancedLowPassFilterSettingsResponse {
+impl Field for ImuLowPassFilterResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x8B;
-    const NAME: &'static str = "3dm.advanced_low_pass_filter_settings_response";
+    const NAME: &'static str = "3dm.imu_low_pass_filter_response";
 }
 
 /// NMEA Message Format response (0x0C,0x8C).
@@ -5497,41 +5502,41 @@ impl Field for NmeaMessageFormatResponse {
 ///
 /// Answers Get Data Base Rate (0x0C,0x0E).
 ///
-/// Command: [`GetDataBaseRate`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`GetBaseRate`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GetDataBaseRateResponse {
+pub struct GetBaseRateResponse {
     /// Data descriptor set of the command.
-    pub desc_set: u8,
+    pub descriptor_set: u8,
     /// Base rate; 0 if the rate is variable or unknown and data is sent as it comes.
     ///
     /// Unit: Hz.
     pub rate: u16,
 }
 
-impl Wire for GetDataBaseRateResponse {
+impl Wire for GetBaseRateResponse {
     const SIZE: usize = 3;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let desc_set = reader.read()?;
+        let descriptor_set = reader.read()?;
         let rate = reader.read()?;
-        Ok(Self { desc_set, rate })
+        Ok(Self { descriptor_set, rate })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.desc_set)?;
+        writer.write(&self.descriptor_set)?;
         writer.write(&self.rate)?;
         Ok(())
     }
 }
 
-impl Field for GetDataBaseRateResponse {
+impl Field for GetBaseRateResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x8E;
-    const NAME: &'static str = "3dm.get_data_base_rate_response";
+    const NAME: &'static str = "3dm.get_base_rate_response";
 }
 
 /// Message Format response (0x0C,0x8F).
@@ -5546,7 +5551,7 @@ impl Field for GetDataBaseRateResponse {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct MessageFormatResponse {
     /// Data descriptor set; 0 means all of them (save, load, default).
-    pub desc_set: u8,
+    pub descriptor_set: u8,
     /// Fields and decimations.
     pub descriptors: crate::List<types::DescriptorRate, 83>,
 }
@@ -5555,14 +5560,14 @@ impl Wire for MessageFormatResponse {
     const SIZE: usize = 251;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let desc_set = reader.read()?;
+        let descriptor_set = reader.read()?;
         let num_descriptors = reader.read::<u8>()?;
         let descriptors = reader.list(num_descriptors)?;
-        Ok(Self { desc_set, descriptors })
+        Ok(Self { descriptor_set, descriptors })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.desc_set)?;
+        writer.write(&self.descriptor_set)?;
         writer.count::<u8>(self.descriptors.len())?;
         self.descriptors.encode_items(writer)?;
         Ok(())
@@ -5659,19 +5664,19 @@ pub struct DeviceStatusDiagnosticResponse {
     /// Bytes written to the port.
     ///
     /// Unit: byte.
-    pub com_port_bytes_written: u32,
+    pub comm_port_bytes_written: u32,
     /// Bytes read from the port.
     ///
     /// Unit: byte.
-    pub com_port_bytes_read: u32,
+    pub comm_port_bytes_read: u32,
     /// Overruns while writing to the port.
     ///
     /// Unit: 1.
-    pub com_port_write_overruns: u32,
+    pub comm_port_write_overruns: u32,
     /// Overruns while reading from the port.
     ///
     /// Unit: 1.
-    pub com_port_read_overruns: u32,
+    pub comm_port_read_overruns: u32,
     /// Messages of the IMU that could not be parsed.
     ///
     /// Unit: 1.
@@ -5699,10 +5704,10 @@ impl Wire for DeviceStatusDiagnosticResponse {
         let filter_stream_enabled = reader.read()?;
         let imu_dropped_packets = reader.read()?;
         let filter_dropped_packets = reader.read()?;
-        let com_port_bytes_written = reader.read()?;
-        let com_port_bytes_read = reader.read()?;
-        let com_port_write_overruns = reader.read()?;
-        let com_port_read_overruns = reader.read()?;
+        let comm_port_bytes_written = reader.read()?;
+        let comm_port_bytes_read = reader.read()?;
+        let comm_port_write_overruns = reader.read()?;
+        let comm_port_read_overruns = reader.read()?;
         let imu_parser_errors = reader.read()?;
         let imu_message_count = reader.read()?;
         let imu_last_message_time = reader.read()?;
@@ -5714,10 +5719,10 @@ impl Wire for DeviceStatusDiagnosticResponse {
             filter_stream_enabled,
             imu_dropped_packets,
             filter_dropped_packets,
-            com_port_bytes_written,
-            com_port_bytes_read,
-            com_port_write_overruns,
-            com_port_read_overruns,
+            comm_port_bytes_written,
+            comm_port_bytes_read,
+            comm_port_write_overruns,
+            comm_port_read_overruns,
             imu_parser_errors,
             imu_message_count,
             imu_last_message_time,
@@ -5734,10 +5739,10 @@ impl Wire for DeviceStatusDiagnosticResponse {
         writer.write(&self.filter_stream_enabled)?;
         writer.write(&self.imu_dropped_packets)?;
         writer.write(&self.filter_dropped_packets)?;
-        writer.write(&self.com_port_bytes_written)?;
-        writer.write(&self.com_port_bytes_read)?;
-        writer.write(&self.com_port_write_overruns)?;
-        writer.write(&self.com_port_read_overruns)?;
+        writer.write(&self.comm_port_bytes_written)?;
+        writer.write(&self.comm_port_bytes_read)?;
+        writer.write(&self.comm_port_write_overruns)?;
+        writer.write(&self.comm_port_read_overruns)?;
         writer.write(&self.imu_parser_errors)?;
         writer.write(&self.imu_message_count)?;
         writer.write(&self.imu_last_message_time)?;
@@ -5756,14 +5761,14 @@ impl Field for DeviceStatusDiagnosticResponse {
 ///
 /// Answers Complementary Filter Configuration (0x0C,0x51).
 ///
-/// Command: [`ComplementaryFilterConfiguration`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Command: [`ComplementaryFilter`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
 /// - Manual 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ComplementaryFilterConfigurationResponse {
+pub struct ComplementaryFilterResponse {
     /// Corrects pitch and roll (up, in terms of the 5-series).
     ///
     /// - On 3dm-gx5-15: factory default true.
@@ -5782,7 +5787,7 @@ pub struct ComplementaryFilterConfigurationResponse {
     pub heading_time_constant: f32,
 }
 
-impl Wire for ComplementaryFilterConfigurationResponse {
+impl Wire for ComplementaryFilterResponse {
     const SIZE: usize = 10;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -5807,31 +5812,31 @@ impl Wire for ComplementaryFilterConfigurationResponse {
     }
 }
 
-impl Field for ComplementaryFilterConfigurationResponse {
+impl Field for ComplementaryFilterResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x97;
-    const NAME: &'static str = "3dm.complementary_filter_configuration_response";
+    const NAME: &'static str = "3dm.complementary_filter_response";
 }
 
 /// Accelerometer Bias Configuration response (0x0C,0x9A).
 ///
 /// Answers Accelerometer Bias Configuration (0x0C,0x37).
 ///
-/// Command: [`AccelerometerBiasConfiguration`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Command: [`AccelBias`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
 /// - Manual 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct AccelerometerBiasConfigurationResponse {
+pub struct AccelBiasResponse {
     /// Accelerometer bias.
     ///
     /// Unit: g; frame: sensor.
     pub bias: types::Vector3f,
 }
 
-impl Wire for AccelerometerBiasConfigurationResponse {
+impl Wire for AccelBiasResponse {
     const SIZE: usize = 12;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -5845,32 +5850,32 @@ impl Wire for AccelerometerBiasConfigurationResponse {
     }
 }
 
-impl Field for AccelerometerBiasConfigurationResponse {
+impl Field for AccelBiasResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x9A;
-    const NAME: &'static str = "3dm.accelerometer_bias_configuration_response";
+    const NAME: &'static str = "3dm.accel_bias_response";
 }
 
 /// Gyroscope Bias Configuration response (0x0C,0x9B).
 ///
 /// The bias in use. The capture gyroscope bias command answers with it too.
 ///
-/// Command: [`GyroscopeBiasConfiguration`]. Command: [`CaptureGyroscopeBias`]. Supported by
-/// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+/// Command: [`GyroBias`]. Command: [`CaptureGyroBias`]. Supported by 3DM-CV7-GNSS/INS and
+/// 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
 /// - Manual 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GyroscopeBiasConfigurationResponse {
+pub struct GyroBiasResponse {
     /// Gyroscope bias.
     ///
     /// Unit: rad/s; frame: sensor.
     pub bias: types::Vector3f,
 }
 
-impl Wire for GyroscopeBiasConfigurationResponse {
+impl Wire for GyroBiasResponse {
     const SIZE: usize = 12;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -5884,30 +5889,30 @@ impl Wire for GyroscopeBiasConfigurationResponse {
     }
 }
 
-impl Field for GyroscopeBiasConfigurationResponse {
+impl Field for GyroBiasResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x9B;
-    const NAME: &'static str = "3dm.gyroscope_bias_configuration_response";
+    const NAME: &'static str = "3dm.gyro_bias_response";
 }
 
 /// Magnetometer Hard Iron Offset response (0x0C,0x9C).
 ///
 /// Answers Magnetometer Hard Iron Offset (0x0C,0x3A).
 ///
-/// Command: [`MagnetometerHardIronOffset`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`MagHardIronOffset`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct MagnetometerHardIronOffsetResponse {
+pub struct MagHardIronOffsetResponse {
     /// Hard iron offset.
     ///
     /// Unit: gauss; frame: sensor.
     pub offset: types::Vector3f,
 }
 
-impl Wire for MagnetometerHardIronOffsetResponse {
+impl Wire for MagHardIronOffsetResponse {
     const SIZE: usize = 12;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -5921,67 +5926,67 @@ impl Wire for MagnetometerHardIronOffsetResponse {
     }
 }
 
-impl Field for MagnetometerHardIronOffsetResponse {
+impl Field for MagHardIronOffsetResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x9C;
-    const NAME: &'static str = "3dm.magnetometer_hard_iron_offset_response";
+    const NAME: &'static str = "3dm.mag_hard_iron_offset_response";
 }
 
 /// Magnetometer Soft Iron Matrix response (0x0C,0x9D).
 ///
 /// Answers Magnetometer Soft Iron Matrix (0x0C,0x3B).
 ///
-/// Command: [`MagnetometerSoftIronMatrix`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`MagSoftIronMatrix`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct MagnetometerSoftIronMatrixResponse {
+pub struct MagSoftIronMatrixResponse {
     /// Soft iron matrix in row-major order.
     ///
     /// Unit: 1; frame: sensor.
-    pub offset: types::Matrix3f,
+    pub matrix: types::Matrix3f,
 }
 
-impl Wire for MagnetometerSoftIronMatrixResponse {
+impl Wire for MagSoftIronMatrixResponse {
     const SIZE: usize = 36;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let offset = reader.read()?;
-        Ok(Self { offset })
+        let matrix = reader.read()?;
+        Ok(Self { matrix })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.offset)?;
+        writer.write(&self.matrix)?;
         Ok(())
     }
 }
 
-impl Field for MagnetometerSoftIronMatrixResponse {
+impl Field for MagSoftIronMatrixResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x9D;
-    const NAME: &'static str = "3dm.magnetometer_soft_iron_matrix_response";
+    const NAME: &'static str = "3dm.mag_soft_iron_matrix_response";
 }
 
 /// Coning and Sculling Enable response (0x0C,0x9E).
 ///
 /// Answers Coning and Sculling Enable (0x0C,0x3E).
 ///
-/// Command: [`ConingAndScullingEnable`]. Supported by 3DM-GX5-15.
+/// Command: [`ConingScullingEnable`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ConingAndScullingEnableResponse {
+pub struct ConingScullingEnableResponse {
     /// Whether the compensation is on.
     ///
     /// Default: true.
     pub enable: crate::Bool,
 }
 
-impl Wire for ConingAndScullingEnableResponse {
+impl Wire for ConingScullingEnableResponse {
     const SIZE: usize = 1;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -5995,10 +6000,10 @@ impl Wire for ConingAndScullingEnableResponse {
     }
 }
 
-impl Field for ConingAndScullingEnableResponse {
+impl Field for ConingScullingEnableResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x9E;
-    const NAME: &'static str = "3dm.coning_and_sculling_enable_response";
+    const NAME: &'static str = "3dm.coning_sculling_enable_response";
 }
 
 /// Constellation Settings response (0x0C,0xA0).
@@ -6237,13 +6242,13 @@ impl Field for PpsSourceControlResponse {
 ///
 /// Answers Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
 ///
-/// Command: [`SensorToVehicleFrameTransformationEuler`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`SensorToVehicleTransformEuler`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SensorToVehicleFrameTransformationEulerResponse {
+pub struct SensorToVehicleTransformEulerResponse {
     /// Rotation about the x axis.
     ///
     /// Unit: rad.
@@ -6258,7 +6263,7 @@ pub struct SensorToVehicleFrameTransformationEulerResponse {
     pub yaw: f32,
 }
 
-impl Wire for SensorToVehicleFrameTransformationEulerResponse {
+impl Wire for SensorToVehicleTransformEulerResponse {
     const SIZE: usize = 12;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6276,30 +6281,30 @@ impl Wire for SensorToVehicleFrameTransformationEulerResponse {
     }
 }
 
-impl Field for SensorToVehicleFrameTransformationEulerResponse {
+impl Field for SensorToVehicleTransformEulerResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0xB1;
-    const NAME: &'static str = "3dm.sensor_to_vehicle_frame_transformation_euler_response";
+    const NAME: &'static str = "3dm.sensor_to_vehicle_transform_euler_response";
 }
 
 /// Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
 ///
 /// Answers Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
 ///
-/// Command: [`SensorToVehicleFrameTransformationQuaternion`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`SensorToVehicleTransformQuaternion`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SensorToVehicleFrameTransformationQuaternionResponse {
+pub struct SensorToVehicleTransformQuaternionResponse {
     /// Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
     ///
     /// Unit: 1.
     pub q: types::Quatf,
 }
 
-impl Wire for SensorToVehicleFrameTransformationQuaternionResponse {
+impl Wire for SensorToVehicleTransformQuaternionResponse {
     const SIZE: usize = 16;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6313,32 +6318,31 @@ impl Wire for SensorToVehicleFrameTransformationQuaternionResponse {
     }
 }
 
-impl Field for SensorToVehicleFrameTransformationQuaternionResponse {
+impl Field for SensorToVehicleTransformQuaternionResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0xB2;
-    const NAME: &'static str = "3dm.sensor_to_vehicle_frame_transformation_quaternion_response";
+    const NAME: &'static str = "3dm.sensor_to_vehicle_transform_quaternion_response";
 }
 
 /// Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
 ///
 /// Answers Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
 ///
-/// Command: [`SensorToVehicleFrameTransformationDirectionCosineMatrix`]. Supported by
-/// 3DM-CV7-GNSS/INS.
+/// Command: [`SensorToVehicleTransformDcm`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
 ///   (0x0C,0x33)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SensorToVehicleFrameTransformationDirectionCosineMatrixResponse {
+pub struct SensorToVehicleTransformDcmResponse {
     /// The matrix in row-major order.
     ///
     /// Unit: 1.
     pub dcm: types::Matrix3f,
 }
 
-impl Wire for SensorToVehicleFrameTransformationDirectionCosineMatrixResponse {
+impl Wire for SensorToVehicleTransformDcmResponse {
     const SIZE: usize = 36;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6352,35 +6356,34 @@ impl Wire for SensorToVehicleFrameTransformationDirectionCosineMatrixResponse {
     }
 }
 
-impl Field for SensorToVehicleFrameTransformationDirectionCosineMatrixResponse {
+impl Field for SensorToVehicleTransformDcmResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0xB3;
-    const NAME: &'static str =
-        "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response";
+    const NAME: &'static str = "3dm.sensor_to_vehicle_transform_dcm_response";
 }
 
 /// Get Supported Events response (0x0C,0xB4).
 ///
 /// Answers Get Supported Events (0x0C,0x2A).
 ///
-/// Command: [`GetSupportedEvents`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`GetEventSupport`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GetSupportedEventsResponse {
+pub struct GetEventSupportResponse {
     /// Query of the command.
-    pub query: SupportedEventsQuery,
+    pub query: EventSupportQuery,
     /// Number of slots; instances go from 1 to this.
     ///
     /// Unit: 1.
     pub max_instances: u8,
     /// The types.
-    pub entries: crate::List<SupportedEventInfo, 125>,
+    pub entries: crate::List<EventSupportInfo, 125>,
 }
 
-impl Wire for GetSupportedEventsResponse {
+impl Wire for GetEventSupportResponse {
     const SIZE: usize = 253;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6400,10 +6403,10 @@ impl Wire for GetSupportedEventsResponse {
     }
 }
 
-impl Field for GetSupportedEventsResponse {
+impl Field for GetEventSupportResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0xB4;
-    const NAME: &'static str = "3dm.get_supported_events_response";
+    const NAME: &'static str = "3dm.get_event_support_response";
 }
 
 /// Event Control response (0x0C,0xB5).
@@ -6525,13 +6528,13 @@ impl Field for GetEventActionStatusResponse {
 ///
 /// Answers Event Trigger Configuration (0x0C,0x2E).
 ///
-/// Command: [`EventTriggerConfiguration`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`EventTriggerConfig`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct EventTriggerConfigurationResponse {
+pub struct EventTriggerConfigResponse {
     /// Trigger instance; 0 means all (save, load, default).
     pub instance: u8,
     /// Kind of trigger.
@@ -6541,10 +6544,10 @@ pub struct EventTriggerConfigurationResponse {
     /// The condition.
     ///
     /// Selected by `type`.
-    pub parameters: EventTriggerConfigurationParameters,
+    pub parameters: EventTriggerConfigParameters,
 }
 
-impl Wire for EventTriggerConfigurationResponse {
+impl Wire for EventTriggerConfigResponse {
     const SIZE: usize = 22;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6562,23 +6565,23 @@ impl Wire for EventTriggerConfigurationResponse {
     }
 }
 
-impl Field for EventTriggerConfigurationResponse {
+impl Field for EventTriggerConfigResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0xB8;
-    const NAME: &'static str = "3dm.event_trigger_configuration_response";
+    const NAME: &'static str = "3dm.event_trigger_config_response";
 }
 
 /// Event Action Configuration response (0x0C,0xB9).
 ///
 /// Answers Event Action Configuration (0x0C,0x2F).
 ///
-/// Command: [`EventActionConfiguration`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`EventActionConfig`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct EventActionConfigurationResponse {
+pub struct EventActionConfigResponse {
     /// Action instance; 0 means all (save, load, default).
     pub instance: u8,
     /// Trigger instance that the action follows.
@@ -6590,10 +6593,10 @@ pub struct EventActionConfigurationResponse {
     /// The effect.
     ///
     /// Selected by `type`.
-    pub parameters: EventActionConfigurationParameters,
+    pub parameters: EventActionConfigParameters,
 }
 
-impl Wire for EventActionConfigurationResponse {
+impl Wire for EventActionConfigResponse {
     const SIZE: usize = 253;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6613,23 +6616,23 @@ impl Wire for EventActionConfigurationResponse {
     }
 }
 
-impl Field for EventActionConfigurationResponse {
+impl Field for EventActionConfigResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0xB9;
-    const NAME: &'static str = "3dm.event_action_configuration_response";
+    const NAME: &'static str = "3dm.event_action_config_response";
 }
 
 /// GPIO Configuration response (0x0C,0xC1).
 ///
 /// Answers GPIO Configuration (0x0C,0x41).
 ///
-/// Command: [`GpioConfiguration`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`GpioConfig`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GpioConfigurationResponse {
+pub struct GpioConfigResponse {
     /// GPIO pin, counted from 1; 0 means all pins (save, load, default).
     pub pin: u8,
     /// Use of the pin.
@@ -6642,7 +6645,7 @@ pub struct GpioConfigurationResponse {
     pub pin_mode: types::GpioPinMode,
 }
 
-impl GpioConfigurationResponse {
+impl GpioConfigResponse {
     /// The meaning of `behavior` when `feature` is unused.
     #[must_use]
     pub fn behavior_as_gpio_unused_behavior(&self) -> Option<types::GpioUnusedBehavior> {
@@ -6686,7 +6689,7 @@ impl GpioConfigurationResponse {
     }
 }
 
-impl Wire for GpioConfigurationResponse {
+impl Wire for GpioConfigResponse {
     const SIZE: usize = 4;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6706,10 +6709,10 @@ impl Wire for GpioConfigurationResponse {
     }
 }
 
-impl Field for GpioConfigurationResponse {
+impl Field for GpioConfigResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0xC1;
-    const NAME: &'static str = "3dm.gpio_configuration_response";
+    const NAME: &'static str = "3dm.gpio_config_response";
 }
 
 /// GPIO State response (0x0C,0xC2).
@@ -6757,13 +6760,13 @@ impl Field for GpioStateResponse {
 ///
 /// Answers Odometer Configuration (0x0C,0x43).
 ///
-/// Command: [`OdometerConfiguration`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`OdometerConfig`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct OdometerConfigurationResponse {
+pub struct OdometerConfigResponse {
     /// How the input works.
     pub mode: OdometerMode,
     /// Pulses over the distance travelled; negative if the encoder turns backwards.
@@ -6778,7 +6781,7 @@ pub struct OdometerConfigurationResponse {
     pub uncertainty: f32,
 }
 
-impl Wire for OdometerConfigurationResponse {
+impl Wire for OdometerConfigResponse {
     const SIZE: usize = 9;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -6796,10 +6799,10 @@ impl Wire for OdometerConfigurationResponse {
     }
 }
 
-impl Field for OdometerConfigurationResponse {
+impl Field for OdometerConfigResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0xC3;
-    const NAME: &'static str = "3dm.odometer_configuration_response";
+    const NAME: &'static str = "3dm.odometer_config_response";
 }
 
 /// Sensor Range response (0x0C,0xD2).
@@ -6886,17 +6889,17 @@ impl Field for GetCalibratedSensorRangesResponse {
 ///
 /// Answers Low-Pass Anti-Aliasing Filter (0x0C,0x54).
 ///
-/// Command: [`LowPassAntiAliasingFilter`]. Supported by 3DM-CV7-GNSS/INS.
+/// Command: [`LowPassFilter`]. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// - Manual 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct LowPassAntiAliasingFilterResponse {
+pub struct LowPassFilterResponse {
     /// Descriptor set of the field.
-    pub desc_set: u8,
+    pub descriptor_set: u8,
     /// Field descriptor; 0 if the set is 0.
-    pub field_desc: u8,
+    pub field_descriptor: u8,
     /// Whether the field is filtered.
     pub enable: crate::Bool,
     /// True uses the frequency; false follows half the rate of the field in the message format.
@@ -6907,21 +6910,21 @@ pub struct LowPassAntiAliasingFilterResponse {
     pub frequency: f32,
 }
 
-impl Wire for LowPassAntiAliasingFilterResponse {
+impl Wire for LowPassFilterResponse {
     const SIZE: usize = 8;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let desc_set = reader.read()?;
-        let field_desc = reader.read()?;
+        let descriptor_set = reader.read()?;
+        let field_descriptor = reader.read()?;
         let enable = reader.read()?;
         let manual = reader.read()?;
         let frequency = reader.read()?;
-        Ok(Self { desc_set, field_desc, enable, manual, frequency })
+        Ok(Self { descriptor_set, field_descriptor, enable, manual, frequency })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.desc_set)?;
-        writer.write(&self.field_desc)?;
+        writer.write(&self.descriptor_set)?;
+        writer.write(&self.field_descriptor)?;
         writer.write(&self.enable)?;
         writer.write(&self.manual)?;
         writer.write(&self.frequency)?;
@@ -6929,8 +6932,8 @@ impl Wire for LowPassAntiAliasingFilterResponse {
     }
 }
 
-impl Field for LowPassAntiAliasingFilterResponse {
+impl Field for LowPassFilterResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0xD4;
-    const NAME: &'static str = "3dm.low_pass_anti_aliasing_filter_response";
+    const NAME: &'static str = "3dm.low_pass_filter_response";
 }

@@ -42,8 +42,8 @@ bitfield! {
         MAG_Z: bool = 10,
             "mag_z", mag_z, set_mag_z, with_mag_z;
         /// Pressure sensor.
-        PRESS: bool = 12,
-            "press", press, set_press, with_press;
+        PRESSURE: bool = 12,
+            "pressure", pressure, set_pressure, with_pressure;
     }
 }
 
@@ -365,7 +365,7 @@ impl Field for DeltaVelocity {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ComplementaryFilterOrientationMatrix {
+pub struct CompOrientationMatrix {
     /// Rotation from the NED frame to the vehicle frame.
     ///
     /// Unit: 1.
@@ -374,7 +374,7 @@ pub struct ComplementaryFilterOrientationMatrix {
     pub m: types::Matrix3f,
 }
 
-impl Wire for ComplementaryFilterOrientationMatrix {
+impl Wire for CompOrientationMatrix {
     const SIZE: usize = 36;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -388,10 +388,10 @@ impl Wire for ComplementaryFilterOrientationMatrix {
     }
 }
 
-impl Field for ComplementaryFilterOrientationMatrix {
+impl Field for CompOrientationMatrix {
     const SET: u8 = 0x80;
     const DESCRIPTOR: u8 = 0x09;
-    const NAME: &'static str = "sensor.complementary_filter_orientation_matrix";
+    const NAME: &'static str = "sensor.comp_orientation_matrix";
 }
 
 /// Complementary filter quaternion (0x80,0x0A).
@@ -407,7 +407,7 @@ impl Field for ComplementaryFilterOrientationMatrix {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ComplementaryFilterQuaternion {
+pub struct CompQuaternion {
     /// Rotation between the NED frame and the vehicle frame.
     ///
     /// Unit: 1.
@@ -416,7 +416,7 @@ pub struct ComplementaryFilterQuaternion {
     pub q: types::Quatf,
 }
 
-impl Wire for ComplementaryFilterQuaternion {
+impl Wire for CompQuaternion {
     const SIZE: usize = 16;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -430,10 +430,10 @@ impl Wire for ComplementaryFilterQuaternion {
     }
 }
 
-impl Field for ComplementaryFilterQuaternion {
+impl Field for CompQuaternion {
     const SET: u8 = 0x80;
     const DESCRIPTOR: u8 = 0x0A;
-    const NAME: &'static str = "sensor.complementary_filter_quaternion";
+    const NAME: &'static str = "sensor.comp_quaternion";
 }
 
 /// Complementary filter orientation update matrix (0x80,0x0B).
@@ -485,7 +485,7 @@ impl Field for CompOrientationUpdateMatrix {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ComplementaryFilterEulerAngles {
+pub struct CompEulerAngles {
     /// Roll angle.
     ///
     /// Unit: rad.
@@ -500,7 +500,7 @@ pub struct ComplementaryFilterEulerAngles {
     pub yaw: f32,
 }
 
-impl Wire for ComplementaryFilterEulerAngles {
+impl Wire for CompEulerAngles {
     const SIZE: usize = 12;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -518,10 +518,10 @@ impl Wire for ComplementaryFilterEulerAngles {
     }
 }
 
-impl Field for ComplementaryFilterEulerAngles {
+impl Field for CompEulerAngles {
     const SET: u8 = 0x80;
     const DESCRIPTOR: u8 = 0x0C;
-    const NAME: &'static str = "sensor.complementary_filter_euler_angles";
+    const NAME: &'static str = "sensor.comp_euler_angles";
 }
 
 /// Orientation raw temperatures (0x80,0x0D).
@@ -533,31 +533,31 @@ impl Field for ComplementaryFilterEulerAngles {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[deprecated(note = "the SDK marks it so and names no replacement")]
-pub struct OrientationRawTemp {
+pub struct OrientationRawTemperature {
     /// Temperatures in counts.
     ///
     /// Unit: 1.
-    pub raw_temp: [u16; 4],
+    pub raw_temperature: [u16; 4],
 }
 
-impl Wire for OrientationRawTemp {
+impl Wire for OrientationRawTemperature {
     const SIZE: usize = 8;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let raw_temp = reader.read()?;
-        Ok(Self { raw_temp })
+        let raw_temperature = reader.read()?;
+        Ok(Self { raw_temperature })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.raw_temp)?;
+        writer.write(&self.raw_temperature)?;
         Ok(())
     }
 }
 
-impl Field for OrientationRawTemp {
+impl Field for OrientationRawTemperature {
     const SET: u8 = 0x80;
     const DESCRIPTOR: u8 = 0x0D;
-    const NAME: &'static str = "sensor.orientation_raw_temp";
+    const NAME: &'static str = "sensor.orientation_raw_temperature";
 }
 
 /// Internal timestamp (0x80,0x0E).
@@ -651,14 +651,14 @@ impl Field for PpsTimestamp {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ComplementaryFilterStabilizedNorthVector {
+pub struct NorthVector {
     /// Geomagnetic field.
     ///
     /// Unit: gauss; frame: sensor.
     pub stabilized_mag: types::Vector3f,
 }
 
-impl Wire for ComplementaryFilterStabilizedNorthVector {
+impl Wire for NorthVector {
     const SIZE: usize = 12;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -672,10 +672,10 @@ impl Wire for ComplementaryFilterStabilizedNorthVector {
     }
 }
 
-impl Field for ComplementaryFilterStabilizedNorthVector {
+impl Field for NorthVector {
     const SET: u8 = 0x80;
     const DESCRIPTOR: u8 = 0x10;
-    const NAME: &'static str = "sensor.complementary_filter_stabilized_north_vector";
+    const NAME: &'static str = "sensor.north_vector";
 }
 
 /// Complementary filter stabilized up vector (0x80,0x11).
@@ -690,14 +690,14 @@ impl Field for ComplementaryFilterStabilizedNorthVector {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ComplementaryFilterStabilizedUpVector {
+pub struct UpVector {
     /// The part of the measured acceleration that gravity causes.
     ///
     /// Unit: g; frame: sensor.
     pub stabilized_accel: types::Vector3f,
 }
 
-impl Wire for ComplementaryFilterStabilizedUpVector {
+impl Wire for UpVector {
     const SIZE: usize = 12;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -711,10 +711,10 @@ impl Wire for ComplementaryFilterStabilizedUpVector {
     }
 }
 
-impl Field for ComplementaryFilterStabilizedUpVector {
+impl Field for UpVector {
     const SET: u8 = 0x80;
     const DESCRIPTOR: u8 = 0x11;
-    const NAME: &'static str = "sensor.complementary_filter_stabilized_up_vector";
+    const NAME: &'static str = "sensor.up_vector";
 }
 
 /// GPS timestamp (0x80,0x12).
@@ -787,31 +787,31 @@ pub struct TemperatureStatistics {
     /// Lowest temperature.
     ///
     /// Unit: degC.
-    pub min_temp: f32,
+    pub min_temperature: f32,
     /// Highest temperature.
     ///
     /// Unit: degC.
-    pub max_temp: f32,
+    pub max_temperature: f32,
     /// Mean temperature.
     ///
     /// Unit: degC.
-    pub mean_temp: f32,
+    pub mean_temperature: f32,
 }
 
 impl Wire for TemperatureStatistics {
     const SIZE: usize = 12;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let min_temp = reader.read()?;
-        let max_temp = reader.read()?;
-        let mean_temp = reader.read()?;
-        Ok(Self { min_temp, max_temp, mean_temp })
+        let min_temperature = reader.read()?;
+        let max_temperature = reader.read()?;
+        let mean_temperature = reader.read()?;
+        Ok(Self { min_temperature, max_temperature, mean_temperature })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.min_temp)?;
-        writer.write(&self.max_temp)?;
-        writer.write(&self.mean_temp)?;
+        writer.write(&self.min_temperature)?;
+        writer.write(&self.max_temperature)?;
+        writer.write(&self.mean_temperature)?;
         Ok(())
     }
 }

@@ -13,7 +13,7 @@ open_enum! {
     /// A port of a device.
     ///
     /// - Manual mip-sdk-4: Interface Control (0x7F,0x02)
-    CommsInterface: u8 {
+    CommInterface: u8 {
         /// All ports.
         ALL = 0, "all";
         /// The main port: USB while it is connected, else the main UART.
@@ -35,7 +35,7 @@ bitfield! {
     /// Protocols of a port.
     ///
     /// - Manual mip-sdk-4: Interface Control (0x7F,0x02)
-    CommsProtocols: u32 {
+    CommProtocols: u32 {
         /// MIP.
         MIP: bool = 0,
             "mip", mip, set_mip, with_mip;
@@ -86,20 +86,20 @@ pub struct InterfaceControl {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// The port.
-    pub port: Option<CommsInterface>,
+    pub port: Option<CommInterface>,
     /// Protocols that it takes in.
-    pub protocols_incoming: Option<CommsProtocols>,
+    pub protocols_incoming: Option<CommProtocols>,
     /// Protocols that it gives out.
-    pub protocols_outgoing: Option<CommsProtocols>,
+    pub protocols_outgoing: Option<CommProtocols>,
 }
 
 impl InterfaceControl {
     /// Apply the new setting.
     #[must_use]
     pub fn write(
-        port: CommsInterface,
-        protocols_incoming: CommsProtocols,
-        protocols_outgoing: CommsProtocols,
+        port: CommInterface,
+        protocols_incoming: CommProtocols,
+        protocols_outgoing: CommProtocols,
     ) -> Self {
         Self {
             function: types::FunctionSelector::WRITE,
@@ -111,7 +111,7 @@ impl InterfaceControl {
 
     /// Send the current setting back in a response.
     #[must_use]
-    pub fn read(port: CommsInterface) -> Self {
+    pub fn read(port: CommInterface) -> Self {
         Self {
             function: types::FunctionSelector::READ,
             port: Some(port),
@@ -122,7 +122,7 @@ impl InterfaceControl {
 
     /// Save the current setting to non-volatile memory.
     #[must_use]
-    pub fn save(port: CommsInterface) -> Self {
+    pub fn save(port: CommInterface) -> Self {
         Self {
             function: types::FunctionSelector::SAVE,
             port: Some(port),
@@ -133,7 +133,7 @@ impl InterfaceControl {
 
     /// Load the saved setting.
     #[must_use]
-    pub fn load(port: CommsInterface) -> Self {
+    pub fn load(port: CommInterface) -> Self {
         Self {
             function: types::FunctionSelector::LOAD,
             port: Some(port),
@@ -144,7 +144,7 @@ impl InterfaceControl {
 
     /// Load the factory default setting.
     #[must_use]
-    pub fn load_default(port: CommsInterface) -> Self {
+    pub fn load_default(port: CommInterface) -> Self {
         Self {
             function: types::FunctionSelector::DEFAULT,
             port: Some(port),
@@ -210,14 +210,14 @@ impl ResponseOf<InterfaceControl> for InterfaceControlResponse {}
 /// - In a direct mode only this command and device status (0x0C,0x64) of the device itself are
 ///   answered.
 ///
-/// Functions: write, read, save, load, default. Response: [`CommunicationModeResponse`]. For
-/// advanced use. Supported by 3DM-GX5-15.
+/// Functions: write, read, save, load, default. Response: [`CommModeResponse`]. For advanced use.
+/// Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct CommunicationMode {
+pub struct CommMode {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Communication mode.
@@ -226,7 +226,7 @@ pub struct CommunicationMode {
     pub mode: Option<ProtocolMode>,
 }
 
-impl CommunicationMode {
+impl CommMode {
     /// Apply the new setting.
     #[must_use]
     pub fn write(mode: ProtocolMode) -> Self {
@@ -267,7 +267,7 @@ impl CommunicationMode {
     }
 }
 
-impl Wire for CommunicationMode {
+impl Wire for CommMode {
     const SIZE: usize = 2;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -285,21 +285,21 @@ impl Wire for CommunicationMode {
     }
 }
 
-impl Field for CommunicationMode {
+impl Field for CommMode {
     const SET: u8 = 0x7F;
     const DESCRIPTOR: u8 = 0x10;
-    const NAME: &'static str = "system.communication_mode";
+    const NAME: &'static str = "system.comm_mode";
 }
 
-impl Command for CommunicationMode {
-    type Response = CommunicationModeResponse;
+impl Command for CommMode {
+    type Response = CommModeResponse;
 
     fn expects_response(&self) -> bool {
         matches!(self.function, types::FunctionSelector::READ)
     }
 }
 
-impl ResponseOf<CommunicationMode> for CommunicationModeResponse {}
+impl ResponseOf<CommMode> for CommModeResponse {}
 
 /// Interface control response (0x7F,0x82).
 ///
@@ -314,11 +314,11 @@ impl ResponseOf<CommunicationMode> for CommunicationModeResponse {}
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct InterfaceControlResponse {
     /// The port.
-    pub port: CommsInterface,
+    pub port: CommInterface,
     /// Protocols that it takes in.
-    pub protocols_incoming: CommsProtocols,
+    pub protocols_incoming: CommProtocols,
     /// Protocols that it gives out.
-    pub protocols_outgoing: CommsProtocols,
+    pub protocols_outgoing: CommProtocols,
 }
 
 impl Wire for InterfaceControlResponse {
@@ -349,20 +349,20 @@ impl Field for InterfaceControlResponse {
 ///
 /// Answers Communication mode (0x7F,0x10).
 ///
-/// Command: [`CommunicationMode`]. Supported by 3DM-GX5-15.
+/// Command: [`CommMode`]. Supported by 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct CommunicationModeResponse {
+pub struct CommModeResponse {
     /// Communication mode.
     ///
     /// Default: standard.
     pub mode: ProtocolMode,
 }
 
-impl Wire for CommunicationModeResponse {
+impl Wire for CommModeResponse {
     const SIZE: usize = 1;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
@@ -376,8 +376,8 @@ impl Wire for CommunicationModeResponse {
     }
 }
 
-impl Field for CommunicationModeResponse {
+impl Field for CommModeResponse {
     const SET: u8 = 0x7F;
     const DESCRIPTOR: u8 = 0x90;
-    const NAME: &'static str = "system.communication_mode_response";
+    const NAME: &'static str = "system.comm_mode_response";
 }

@@ -94,7 +94,7 @@ pub struct TimeSyncStatus {
     /// Time since the last pulse, at most 255.
     ///
     /// Unit: s.
-    pub last_pps_rcvd: u8,
+    pub last_pps_received: u8,
 }
 
 impl Wire for TimeSyncStatus {
@@ -102,13 +102,13 @@ impl Wire for TimeSyncStatus {
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let time_sync = reader.read()?;
-        let last_pps_rcvd = reader.read()?;
-        Ok(Self { time_sync, last_pps_rcvd })
+        let last_pps_received = reader.read()?;
+        Ok(Self { time_sync, last_pps_received })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         writer.write(&self.time_sync)?;
-        writer.write(&self.last_pps_rcvd)?;
+        writer.write(&self.last_pps_received)?;
         Ok(())
     }
 }

@@ -30,13 +30,11 @@ bitfield! {
         WATCHDOG_RESET: bool = 0,
             "watchdog_reset", watchdog_reset, set_watchdog_reset, with_watchdog_reset;
         /// No communication with the inertial sensor.
-        IMU_COMMUNICATION_FAULT: bool = 8,
-            "imu_communication_fault", imu_communication_fault, set_imu_communication_fault,
-            with_imu_communication_fault;
+        IMU_COMM_FAULT: bool = 8,
+            "imu_comm_fault", imu_comm_fault, set_imu_comm_fault, with_imu_comm_fault;
         /// Magnetometer fault, on devices that have one.
-        MAGNETOMETER_FAULT: bool = 9,
-            "magnetometer_fault", magnetometer_fault, set_magnetometer_fault,
-            with_magnetometer_fault;
+        MAG_FAULT: bool = 9,
+            "mag_fault", mag_fault, set_mag_fault, with_mag_fault;
         /// Pressure sensor fault, on devices that have one.
         PRESSURE_SENSOR_FAULT: bool = 10,
             "pressure_sensor_fault", pressure_sensor_fault, set_pressure_sensor_fault,
@@ -67,16 +65,14 @@ bitfield! {
         BUFFER_OVERRUN: bool = 3,
             "buffer_overrun", buffer_overrun, set_buffer_overrun, with_buffer_overrun;
         /// The accelerometer is damaged or does not work.
-        ACCELEROMETER_FAULT: bool = 12,
-            "accelerometer_fault", accelerometer_fault, set_accelerometer_fault,
-            with_accelerometer_fault;
+        ACCEL_FAULT: bool = 12,
+            "accel_fault", accel_fault, set_accel_fault, with_accel_fault;
         /// The gyroscope is damaged or does not work.
-        GYROSCOPE_FAULT: bool = 13,
-            "gyroscope_fault", gyroscope_fault, set_gyroscope_fault, with_gyroscope_fault;
+        GYRO_FAULT: bool = 13,
+            "gyro_fault", gyro_fault, set_gyro_fault, with_gyro_fault;
         /// The magnetometer is damaged or does not work.
-        MAGNETOMETER_FAULT: bool = 14,
-            "magnetometer_fault", magnetometer_fault, set_magnetometer_fault,
-            with_magnetometer_fault;
+        MAG_FAULT: bool = 14,
+            "mag_fault", mag_fault, set_mag_fault, with_mag_fault;
         /// The pressure sensor is damaged or does not work.
         PRESSURE_SENSOR_FAULT: bool = 15,
             "pressure_sensor_fault", pressure_sensor_fault, set_pressure_sensor_fault,
@@ -171,61 +167,56 @@ bitfield! {
             "gnss_receiver_2_stall", gnss_receiver_2_stall, set_gnss_receiver_2_stall,
             with_gnss_receiver_2_stall;
         /// No communication with the inertial sensors.
-        IMU_COMMUNICATION_FAULT: bool = 33,
-            "imu_communication_fault", imu_communication_fault, set_imu_communication_fault,
-            with_imu_communication_fault;
+        IMU_COMM_FAULT: bool = 33,
+            "imu_comm_fault", imu_comm_fault, set_imu_comm_fault, with_imu_comm_fault;
         /// Inertial sensor processes take longer than their time.
         IMU_TIMING_OVERRUN: bool = 34,
             "imu_timing_overrun", imu_timing_overrun, set_imu_timing_overrun,
             with_imu_timing_overrun;
         /// Fault of the accelerometer calibration.
-        IMU_CALIBRATION_ERROR_ACCELEROMETER: bool = 36,
-            "imu_calibration_error_accelerometer", imu_calibration_error_accelerometer,
-            set_imu_calibration_error_accelerometer, with_imu_calibration_error_accelerometer;
+        IMU_CALIBRATION_ERROR_ACCEL: bool = 36,
+            "imu_calibration_error_accel", imu_calibration_error_accel,
+            set_imu_calibration_error_accel, with_imu_calibration_error_accel;
         /// Fault of the gyroscope calibration.
-        IMU_CALIBRATION_ERROR_GYROSCOPE: bool = 37,
-            "imu_calibration_error_gyroscope", imu_calibration_error_gyroscope,
-            set_imu_calibration_error_gyroscope, with_imu_calibration_error_gyroscope;
+        IMU_CALIBRATION_ERROR_GYRO: bool = 37,
+            "imu_calibration_error_gyro", imu_calibration_error_gyro,
+            set_imu_calibration_error_gyro, with_imu_calibration_error_gyro;
         /// Fault of the magnetometer calibration.
-        IMU_CALIBRATION_ERROR_MAGNETOMETER: bool = 38,
-            "imu_calibration_error_magnetometer", imu_calibration_error_magnetometer,
-            set_imu_calibration_error_magnetometer, with_imu_calibration_error_magnetometer;
+        IMU_CALIBRATION_ERROR_MAG: bool = 38,
+            "imu_calibration_error_mag", imu_calibration_error_mag, set_imu_calibration_error_mag,
+            with_imu_calibration_error_mag;
         /// The accelerometer does not initialize.
-        ACCELEROMETER_GENERAL_FAULT: bool = 40,
-            "accelerometer_general_fault", accelerometer_general_fault,
-            set_accelerometer_general_fault, with_accelerometer_general_fault;
+        ACCEL_GENERAL_FAULT: bool = 40,
+            "accel_general_fault", accel_general_fault, set_accel_general_fault,
+            with_accel_general_fault;
         /// An axis is near or outside the selected range.
-        ACCELEROMETER_OVER_RANGE: bool = 41,
-            "accelerometer_over_range", accelerometer_over_range, set_accelerometer_over_range,
-            with_accelerometer_over_range;
+        ACCEL_OVER_RANGE: bool = 41,
+            "accel_over_range", accel_over_range, set_accel_over_range, with_accel_over_range;
         /// The self test failed; updated by the commanded test.
-        ACCELEROMETER_SELF_TEST_FAIL: bool = 42,
-            "accelerometer_self_test_fail", accelerometer_self_test_fail,
-            set_accelerometer_self_test_fail, with_accelerometer_self_test_fail;
+        ACCEL_SELF_TEST_FAIL: bool = 42,
+            "accel_self_test_fail", accel_self_test_fail, set_accel_self_test_fail,
+            with_accel_self_test_fail;
         /// The gyroscope does not initialize.
-        GYROSCOPE_GENERAL_FAULT: bool = 44,
-            "gyroscope_general_fault", gyroscope_general_fault, set_gyroscope_general_fault,
-            with_gyroscope_general_fault;
+        GYRO_GENERAL_FAULT: bool = 44,
+            "gyro_general_fault", gyro_general_fault, set_gyro_general_fault,
+            with_gyro_general_fault;
         /// An axis is near or outside the selected range.
-        GYROSCOPE_OVER_RANGE: bool = 45,
-            "gyroscope_over_range", gyroscope_over_range, set_gyroscope_over_range,
-            with_gyroscope_over_range;
+        GYRO_OVER_RANGE: bool = 45,
+            "gyro_over_range", gyro_over_range, set_gyro_over_range, with_gyro_over_range;
         /// The self test failed; updated by the commanded test.
-        GYROSCOPE_SELF_TEST_FAIL: bool = 46,
-            "gyroscope_self_test_fail", gyroscope_self_test_fail, set_gyroscope_self_test_fail,
-            with_gyroscope_self_test_fail;
+        GYRO_SELF_TEST_FAIL: bool = 46,
+            "gyro_self_test_fail", gyro_self_test_fail, set_gyro_self_test_fail,
+            with_gyro_self_test_fail;
         /// The magnetometer does not initialize.
-        MAGNETOMETER_GENERAL_FAULT: bool = 48,
-            "magnetometer_general_fault", magnetometer_general_fault,
-            set_magnetometer_general_fault, with_magnetometer_general_fault;
+        MAG_GENERAL_FAULT: bool = 48,
+            "mag_general_fault", mag_general_fault, set_mag_general_fault, with_mag_general_fault;
         /// An axis is near or outside the supported range.
-        MAGNETOMETER_OVER_RANGE: bool = 49,
-            "magnetometer_over_range", magnetometer_over_range, set_magnetometer_over_range,
-            with_magnetometer_over_range;
+        MAG_OVER_RANGE: bool = 49,
+            "mag_over_range", mag_over_range, set_mag_over_range, with_mag_over_range;
         /// The self test failed; updated by the commanded test.
-        MAGNETOMETER_SELF_TEST_FAIL: bool = 50,
-            "magnetometer_self_test_fail", magnetometer_self_test_fail,
-            set_magnetometer_self_test_fail, with_magnetometer_self_test_fail;
+        MAG_SELF_TEST_FAIL: bool = 50,
+            "mag_self_test_fail", mag_self_test_fail, set_mag_self_test_fail,
+            with_mag_self_test_fail;
         /// The pressure sensor does not initialize.
         PRESSURE_SENSOR_GENERAL_FAULT: bool = 52,
             "pressure_sensor_general_fault", pressure_sensor_general_fault,
@@ -429,17 +420,17 @@ impl Wire for EventTriggerGpio {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct EventThresholdWindow {
     /// Lower threshold, in the unit of the watched value.
-    pub low_thres: f64,
+    pub low_threshold: f64,
     /// Upper threshold, in the unit of the watched value. If it is below the lower one, the trigger
     /// is active outside of the window.
-    pub high_thres: f64,
+    pub high_threshold: f64,
 }
 
 impl EventThresholdWindow {
     /// Puts the values together.
     #[must_use]
-    pub fn new(low_thres: f64, high_thres: f64) -> Self {
-        Self { low_thres, high_thres }
+    pub fn new(low_threshold: f64, high_threshold: f64) -> Self {
+        Self { low_threshold, high_threshold }
     }
 }
 
@@ -447,14 +438,14 @@ impl Wire for EventThresholdWindow {
     const SIZE: usize = 16;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let low_thres = reader.read()?;
-        let high_thres = reader.read()?;
-        Ok(Self { low_thres, high_thres })
+        let low_threshold = reader.read()?;
+        let high_threshold = reader.read()?;
+        Ok(Self { low_threshold, high_threshold })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.low_thres)?;
-        writer.write(&self.high_thres)?;
+        writer.write(&self.low_threshold)?;
+        writer.write(&self.high_threshold)?;
         Ok(())
     }
 }
@@ -465,17 +456,18 @@ impl Wire for EventThresholdWindow {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct EventThresholdInterval {
     /// The trigger is active while the remainder is at most this, in the unit of the watched value.
-    pub int_thres: f64,
+    pub interval_threshold: f64,
     /// Divisor of the remainder, in the unit of the watched value. If it is below the threshold,
-    /// the two swap roles: the trigger is active while the value modulo int_thres is above this.
+    /// the two swap roles: the trigger is active while the value modulo interval_threshold is above
+    /// this.
     pub interval: f64,
 }
 
 impl EventThresholdInterval {
     /// Puts the values together.
     #[must_use]
-    pub fn new(int_thres: f64, interval: f64) -> Self {
-        Self { int_thres, interval }
+    pub fn new(interval_threshold: f64, interval: f64) -> Self {
+        Self { interval_threshold, interval }
     }
 }
 
@@ -483,13 +475,13 @@ impl Wire for EventThresholdInterval {
     const SIZE: usize = 16;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let int_thres = reader.read()?;
+        let interval_threshold = reader.read()?;
         let interval = reader.read()?;
-        Ok(Self { int_thres, interval })
+        Ok(Self { interval_threshold, interval })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.int_thres)?;
+        writer.write(&self.interval_threshold)?;
         writer.write(&self.interval)?;
         Ok(())
     }
@@ -503,13 +495,13 @@ impl Wire for EventThresholdInterval {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct EventTriggerThreshold {
     /// Data descriptor set of the watched value.
-    pub desc_set: u8,
+    pub descriptor_set: u8,
     /// Field descriptor of the watched value.
-    pub field_desc: u8,
+    pub field_descriptor: u8,
     /// Number of the value in its field, counted from 1; each element of a vector counts.
     ///
     /// Range: at least 1.
-    pub param_id: u8,
+    pub parameter_id: u8,
     /// Kind of comparison.
     pub type_: EventThresholdType,
     /// What the value is compared with.
@@ -522,12 +514,12 @@ impl EventTriggerThreshold {
     /// Puts the values together.
     #[must_use]
     pub fn new(
-        desc_set: u8,
-        field_desc: u8,
-        param_id: u8,
+        descriptor_set: u8,
+        field_descriptor: u8,
+        parameter_id: u8,
         thresholds: EventTriggerThresholdThresholds,
     ) -> Self {
-        Self { desc_set, field_desc, param_id, type_: thresholds.tag(), thresholds }
+        Self { descriptor_set, field_descriptor, parameter_id, type_: thresholds.tag(), thresholds }
     }
 }
 
@@ -535,18 +527,18 @@ impl Wire for EventTriggerThreshold {
     const SIZE: usize = 20;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let desc_set = reader.read()?;
-        let field_desc = reader.read()?;
-        let param_id = reader.read()?;
+        let descriptor_set = reader.read()?;
+        let field_descriptor = reader.read()?;
+        let parameter_id = reader.read()?;
         let type_ = reader.read()?;
         let thresholds = reader.union(type_)?;
-        Ok(Self { desc_set, field_desc, param_id, type_, thresholds })
+        Ok(Self { descriptor_set, field_descriptor, parameter_id, type_, thresholds })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.desc_set)?;
-        writer.write(&self.field_desc)?;
-        writer.write(&self.param_id)?;
+        writer.write(&self.descriptor_set)?;
+        writer.write(&self.field_descriptor)?;
+        writer.write(&self.parameter_id)?;
         writer.write(&self.type_)?;
         writer.union(self.type_, &self.thresholds)?;
         Ok(())
@@ -696,7 +688,7 @@ impl Wire for EventActionGpio {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct EventActionMessage {
     /// Data descriptor set of the packet.
-    pub desc_set: u8,
+    pub descriptor_set: u8,
     /// 0 sends one packet per activation. Any other value streams while the trigger is active, at
     /// the base rate of the descriptor set divided by it.
     pub decimation: u16,
@@ -708,11 +700,11 @@ impl EventActionMessage {
     /// Puts the values together.
     #[must_use]
     pub fn new(
-        desc_set: u8,
+        descriptor_set: u8,
         decimation: u16,
         descriptors: impl Into<crate::List<u8, 249>>,
     ) -> Self {
-        Self { desc_set, decimation, descriptors: descriptors.into() }
+        Self { descriptor_set, decimation, descriptors: descriptors.into() }
     }
 }
 
@@ -720,15 +712,15 @@ impl Wire for EventActionMessage {
     const SIZE: usize = 253;
 
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let desc_set = reader.read()?;
+        let descriptor_set = reader.read()?;
         let decimation = reader.read()?;
         let num_fields = reader.read::<u8>()?;
         let descriptors = reader.list(num_fields)?;
-        Ok(Self { desc_set, decimation, descriptors })
+        Ok(Self { descriptor_set, decimation, descriptors })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.desc_set)?;
+        writer.write(&self.descriptor_set)?;
         writer.write(&self.decimation)?;
         writer.count::<u8>(self.descriptors.len())?;
         self.descriptors.encode_items(writer)?;
@@ -1086,7 +1078,7 @@ pub struct NmeaMessage {
     /// The talker that the sentence names.
     pub talker_id: NmeaTalkerId,
     /// Data descriptor set that the contents are taken from.
-    pub source_desc_set: u8,
+    pub source_descriptor_set: u8,
     /// Base rate of the source descriptor set divided by the wanted rate; a poll ignores it.
     pub decimation: u16,
 }
@@ -1097,10 +1089,10 @@ impl NmeaMessage {
     pub fn new(
         message_id: NmeaMessageId,
         talker_id: NmeaTalkerId,
-        source_desc_set: u8,
+        source_descriptor_set: u8,
         decimation: u16,
     ) -> Self {
-        Self { message_id, talker_id, source_desc_set, decimation }
+        Self { message_id, talker_id, source_descriptor_set, decimation }
     }
 }
 
@@ -1110,15 +1102,15 @@ impl Wire for NmeaMessage {
     fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
         let message_id = reader.read()?;
         let talker_id = reader.read()?;
-        let source_desc_set = reader.read()?;
+        let source_descriptor_set = reader.read()?;
         let decimation = reader.read()?;
-        Ok(Self { message_id, talker_id, source_desc_set, decimation })
+        Ok(Self { message_id, talker_id, source_descriptor_set, decimation })
     }
 
     fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
         writer.write(&self.message_id)?;
         writer.write(&self.talker_id)?;
-        writer.write(&self.source_desc_set)?;
+        writer.write(&self.source_descriptor_set)?;
         writer.write(&self.decimation)?;
         Ok(())
     }

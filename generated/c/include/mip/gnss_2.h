@@ -22,30 +22,30 @@ extern "C" {
 /**
  * GNSS LLH position: data (0x92,0x03).
  *
- * The same field as mip_gnss_1_gnss_llh_position.
+ * The same field as mip_gnss_1_llh_position.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
  */
-#define mip_gnss_2_gnss_llh_position mip_gnss_1_gnss_llh_position
-#define mip_gnss_2_gnss_llh_position_codec mip_gnss_1_gnss_llh_position_codec
-#define mip_gnss_2_gnss_llh_position_decode mip_gnss_1_gnss_llh_position_decode
-#define mip_gnss_2_gnss_llh_position_encode mip_gnss_1_gnss_llh_position_encode
-#define MIP_GNSS_2_GNSS_LLH_POSITION_DESCRIPTOR 0x03
-#define MIP_GNSS_2_GNSS_LLH_POSITION_NAME "gnss_2.gnss_llh_position"
+#define mip_gnss_2_llh_position mip_gnss_1_llh_position
+#define mip_gnss_2_llh_position_codec mip_gnss_1_llh_position_codec
+#define mip_gnss_2_llh_position_decode mip_gnss_1_llh_position_decode
+#define mip_gnss_2_llh_position_encode mip_gnss_1_llh_position_encode
+#define MIP_GNSS_2_LLH_POSITION_DESCRIPTOR 0x03
+#define MIP_GNSS_2_LLH_POSITION_NAME "gnss_2.llh_position"
 
 /**
  * GNSS ECEF position: data (0x92,0x04).
  *
- * The same field as mip_gnss_1_gnss_ecef_position.
+ * The same field as mip_gnss_1_ecef_position.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
  */
-#define mip_gnss_2_gnss_ecef_position mip_gnss_1_gnss_ecef_position
-#define mip_gnss_2_gnss_ecef_position_codec mip_gnss_1_gnss_ecef_position_codec
-#define mip_gnss_2_gnss_ecef_position_decode mip_gnss_1_gnss_ecef_position_decode
-#define mip_gnss_2_gnss_ecef_position_encode mip_gnss_1_gnss_ecef_position_encode
-#define MIP_GNSS_2_GNSS_ECEF_POSITION_DESCRIPTOR 0x04
-#define MIP_GNSS_2_GNSS_ECEF_POSITION_NAME "gnss_2.gnss_ecef_position"
+#define mip_gnss_2_ecef_position mip_gnss_1_ecef_position
+#define mip_gnss_2_ecef_position_codec mip_gnss_1_ecef_position_codec
+#define mip_gnss_2_ecef_position_decode mip_gnss_1_ecef_position_decode
+#define mip_gnss_2_ecef_position_encode mip_gnss_1_ecef_position_encode
+#define MIP_GNSS_2_ECEF_POSITION_DESCRIPTOR 0x04
+#define MIP_GNSS_2_ECEF_POSITION_NAME "gnss_2.ecef_position"
 
 /**
  * NED velocity: data (0x92,0x05).
@@ -64,16 +64,16 @@ extern "C" {
 /**
  * GNSS ECEF velocity: data (0x92,0x06).
  *
- * The same field as mip_gnss_1_gnss_ecef_velocity.
+ * The same field as mip_gnss_1_ecef_velocity.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06)
  */
-#define mip_gnss_2_gnss_ecef_velocity mip_gnss_1_gnss_ecef_velocity
-#define mip_gnss_2_gnss_ecef_velocity_codec mip_gnss_1_gnss_ecef_velocity_codec
-#define mip_gnss_2_gnss_ecef_velocity_decode mip_gnss_1_gnss_ecef_velocity_decode
-#define mip_gnss_2_gnss_ecef_velocity_encode mip_gnss_1_gnss_ecef_velocity_encode
-#define MIP_GNSS_2_GNSS_ECEF_VELOCITY_DESCRIPTOR 0x06
-#define MIP_GNSS_2_GNSS_ECEF_VELOCITY_NAME "gnss_2.gnss_ecef_velocity"
+#define mip_gnss_2_ecef_velocity mip_gnss_1_ecef_velocity
+#define mip_gnss_2_ecef_velocity_codec mip_gnss_1_ecef_velocity_codec
+#define mip_gnss_2_ecef_velocity_decode mip_gnss_1_ecef_velocity_decode
+#define mip_gnss_2_ecef_velocity_encode mip_gnss_1_ecef_velocity_encode
+#define MIP_GNSS_2_ECEF_VELOCITY_DESCRIPTOR 0x06
+#define MIP_GNSS_2_ECEF_VELOCITY_NAME "gnss_2.ecef_velocity"
 
 /**
  * DOP: data (0x92,0x07).
@@ -162,16 +162,16 @@ extern "C" {
 /**
  * GNSS hardware status: data (0x92,0x0D).
  *
- * The same field as mip_gnss_1_gnss_hardware_status.
+ * The same field as mip_gnss_1_hardware_status.
  *
  * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
  */
-#define mip_gnss_2_gnss_hardware_status mip_gnss_1_gnss_hardware_status
-#define mip_gnss_2_gnss_hardware_status_codec mip_gnss_1_gnss_hardware_status_codec
-#define mip_gnss_2_gnss_hardware_status_decode mip_gnss_1_gnss_hardware_status_decode
-#define mip_gnss_2_gnss_hardware_status_encode mip_gnss_1_gnss_hardware_status_encode
-#define MIP_GNSS_2_GNSS_HARDWARE_STATUS_DESCRIPTOR 0x0D
-#define MIP_GNSS_2_GNSS_HARDWARE_STATUS_NAME "gnss_2.gnss_hardware_status"
+#define mip_gnss_2_hardware_status mip_gnss_1_hardware_status
+#define mip_gnss_2_hardware_status_codec mip_gnss_1_hardware_status_codec
+#define mip_gnss_2_hardware_status_decode mip_gnss_1_hardware_status_decode
+#define mip_gnss_2_hardware_status_encode mip_gnss_1_hardware_status_encode
+#define MIP_GNSS_2_HARDWARE_STATUS_DESCRIPTOR 0x0D
+#define MIP_GNSS_2_HARDWARE_STATUS_NAME "gnss_2.hardware_status"
 
 /**
  * DGPS info: data (0x92,0x0E).

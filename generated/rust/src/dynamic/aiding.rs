@@ -8,7 +8,7 @@ record! {
 }
 
 record! {
-    crate::aiding::FrameConfiguration {
+    crate::aiding::FrameConfig {
         function,
         frame_id,
         format,
@@ -21,11 +21,11 @@ record! {
     "format" => some_value(format);
     "tracking_enabled" => some_value(tracking_enabled);
     "translation" => some_value(translation);
-    "rotation" => some_union(rotation, format, crate::aiding::FrameConfigurationRotation);
+    "rotation" => some_union(rotation, format, crate::aiding::FrameConfigRotation);
 }
 
 union! {
-    crate::aiding::FrameConfigurationRotation, crate::aiding::AidingFrameFormat;
+    crate::aiding::FrameConfigRotation, crate::aiding::AidingFrameFormat;
     EULER => Euler("euler");
     QUATERNION => Quaternion("quaternion");
 }
@@ -128,18 +128,12 @@ record! {
 }
 
 record! {
-    crate::aiding::FrameConfigurationResponse {
-        frame_id,
-        format,
-        tracking_enabled,
-        translation,
-        rotation,
-    }
+    crate::aiding::FrameConfigResponse { frame_id, format, tracking_enabled, translation, rotation }
     "frame_id" => value(frame_id);
     "format" => value(format);
     "tracking_enabled" => value(tracking_enabled);
     "translation" => value(translation);
-    "rotation" => union(rotation, format, crate::aiding::FrameConfigurationRotation);
+    "rotation" => union(rotation, format, crate::aiding::FrameConfigRotation);
 }
 
 record! {

@@ -22,11 +22,11 @@ record! {
 }
 
 record! {
-    crate::base::SetToIdle {}
+    crate::base::SetIdle {}
 }
 
 record! {
-    crate::base::GetDeviceInformation {}
+    crate::base::GetDeviceInfo {}
 }
 
 record! {
@@ -42,7 +42,7 @@ record! {
 }
 
 record! {
-    crate::base::GetDeviceDescriptorsExtended {}
+    crate::base::GetExtendedDescriptors {}
 }
 
 record! {
@@ -50,7 +50,7 @@ record! {
 }
 
 record! {
-    crate::base::CommPortSpeed { function, port, baud }
+    crate::base::CommSpeed { function, port, baud }
     "function" => value(function);
     "port" => some_value(port);
     "baud" => some_value(baud);
@@ -64,11 +64,11 @@ record! {
 }
 
 record! {
-    crate::base::ResetDevice {}
+    crate::base::SoftReset {}
 }
 
 record! {
-    crate::base::GetDeviceInformationResponse { device_info }
+    crate::base::GetDeviceInfoResponse { device_info }
     "device_info" => value(device_info);
 }
 
@@ -88,12 +88,12 @@ record! {
 }
 
 record! {
-    crate::base::GpsTimeUpdateTimeOfWeekResponse { time_of_week }
-    "time_of_week" => value(time_of_week);
+    crate::base::GpsTimeUpdateTowResponse { tow }
+    "tow" => value(tow);
 }
 
 record! {
-    crate::base::GetDeviceDescriptorsExtendedResponse { descriptors }
+    crate::base::GetExtendedDescriptorsResponse { descriptors }
     "descriptors" => value(descriptors);
 }
 
@@ -103,7 +103,7 @@ record! {
 }
 
 record! {
-    crate::base::CommPortSpeedResponse { port, baud }
+    crate::base::CommSpeedResponse { port, baud }
     "port" => value(port);
     "baud" => value(baud);
 }

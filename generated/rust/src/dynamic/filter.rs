@@ -1,7 +1,7 @@
 use crate::dynamic::macros::record;
 
 record! {
-    crate::filter::ResetNavigationFilter {}
+    crate::filter::Reset {}
 }
 
 record! {
@@ -12,12 +12,12 @@ record! {
 }
 
 record! {
-    crate::filter::SetInitialHeadingControl { heading }
+    crate::filter::SetInitialHeading { heading }
     "heading" => value(heading);
 }
 
 record! {
-    crate::filter::RunNavigationFilter {}
+    crate::filter::Run {}
 }
 
 record! {
@@ -27,7 +27,7 @@ record! {
 }
 
 record! {
-    crate::filter::SensorToVehicleFrameTransformation { function, roll, pitch, yaw }
+    crate::filter::SensorToVehicleRotationEuler { function, roll, pitch, yaw }
     "function" => value(function);
     "roll" => some_value(roll);
     "pitch" => some_value(pitch);
@@ -41,19 +41,19 @@ record! {
 }
 
 record! {
-    crate::filter::GnssAntennaOffsetControl { function, offset }
+    crate::filter::AntennaOffset { function, offset }
     "function" => value(function);
     "offset" => some_value(offset);
 }
 
 record! {
-    crate::filter::EstimationControlFlags { function, flags }
+    crate::filter::EstimationControl { function, flags }
     "function" => value(function);
     "flags" => some_value(flags);
 }
 
 record! {
-    crate::filter::GnssAidingSourceControl { function, source }
+    crate::filter::GnssSource { function, source }
     "function" => value(function);
     "source" => some_value(source);
 }
@@ -87,9 +87,9 @@ record! {
 }
 
 record! {
-    crate::filter::HeadingUpdateControl { function, enable }
+    crate::filter::HeadingSource { function, source }
     "function" => value(function);
-    "enable" => some_value(enable);
+    "source" => some_value(source);
 }
 
 record! {
@@ -99,26 +99,26 @@ record! {
 }
 
 record! {
-    crate::filter::AccelerometerNoiseStandardDeviation { function, noise }
+    crate::filter::AccelNoise { function, noise }
     "function" => value(function);
     "noise" => some_value(noise);
 }
 
 record! {
-    crate::filter::GyroscopeNoiseStandardDeviation { function, noise }
+    crate::filter::GyroNoise { function, noise }
     "function" => value(function);
     "noise" => some_value(noise);
 }
 
 record! {
-    crate::filter::AccelerometerBiasModelParameters { function, beta, noise }
+    crate::filter::AccelBiasModel { function, beta, noise }
     "function" => value(function);
     "beta" => some_value(beta);
     "noise" => some_value(noise);
 }
 
 record! {
-    crate::filter::GyroscopeBiasModelParameters { function, beta, noise }
+    crate::filter::GyroBiasModel { function, beta, noise }
     "function" => value(function);
     "beta" => some_value(beta);
     "noise" => some_value(noise);
@@ -133,21 +133,21 @@ record! {
 
 record! {
     crate::filter::ExternalHeadingUpdateWithTime {
-        gps_time,
-        gps_week,
+        tow,
+        week_number,
         heading,
         heading_uncertainty,
         type_,
     }
-    "gps_time" => value(gps_time);
-    "gps_week" => value(gps_week);
+    "tow" => value(tow);
+    "week_number" => value(week_number);
     "heading" => value(heading);
     "heading_uncertainty" => value(heading_uncertainty);
     "type" => value(type_);
 }
 
 record! {
-    crate::filter::ZeroAngularRateUpdateControl { function, enable, threshold }
+    crate::filter::AutoAngularZupt { function, enable, threshold }
     "function" => value(function);
     "enable" => some_value(enable);
     "threshold" => some_value(threshold);
@@ -164,11 +164,11 @@ record! {
 }
 
 record! {
-    crate::filter::CommandedZeroAngularRateUpdate {}
+    crate::filter::CommandedAngularZupt {}
 }
 
 record! {
-    crate::filter::SetReferencePosition { function, enable, latitude, longitude, altitude }
+    crate::filter::ReferencePosition { function, enable, latitude, longitude, altitude }
     "function" => value(function);
     "enable" => some_value(enable);
     "latitude" => some_value(latitude);
@@ -177,12 +177,12 @@ record! {
 }
 
 record! {
-    crate::filter::MagCaptureAutoCal { function }
+    crate::filter::MagCaptureAutoCalibration { function }
     "function" => value(function);
 }
 
 record! {
-    crate::filter::GravityNoiseStandardDeviation { function, noise }
+    crate::filter::GravityNoise { function, noise }
     "function" => value(function);
     "noise" => some_value(noise);
 }
@@ -206,7 +206,7 @@ record! {
 }
 
 record! {
-    crate::filter::EnableDisableMeasurements { function, control }
+    crate::filter::EnableMeasurements { function, control }
     "function" => value(function);
     "control" => some_value(control);
 }
@@ -218,14 +218,14 @@ record! {
 }
 
 record! {
-    crate::filter::MagneticFieldDeclinationSourceControl { function, source, declination }
+    crate::filter::MagneticDeclinationSource { function, source, declination }
     "function" => value(function);
     "source" => some_value(source);
     "declination" => some_value(declination);
 }
 
 record! {
-    crate::filter::GravityMagnitudeErrorAdaptiveMeasurement {
+    crate::filter::AccelMagnitudeErrorAdaptiveMeasurement {
         function,
         adaptive_measurement,
         frequency,
@@ -290,20 +290,20 @@ record! {
 }
 
 record! {
-    crate::filter::PitchRollAidingControl { function, aiding }
+    crate::filter::PitchRollAiding { function, aiding }
     "function" => value(function);
     "aiding" => some_value(aiding);
 }
 
 record! {
-    crate::filter::InclinationSource { function, source, inclination }
+    crate::filter::MagneticInclinationSource { function, source, inclination }
     "function" => value(function);
     "source" => some_value(source);
     "inclination" => some_value(inclination);
 }
 
 record! {
-    crate::filter::MagFieldMagnitudeSource { function, source, magnitude }
+    crate::filter::MagneticMagnitudeSource { function, source, magnitude }
     "function" => value(function);
     "source" => some_value(source);
     "magnitude" => some_value(magnitude);
@@ -316,13 +316,13 @@ record! {
 }
 
 record! {
-    crate::filter::SensorToVehicleRotationQuaternion { function, quat }
+    crate::filter::SensorToVehicleRotationQuaternion { function, q }
     "function" => value(function);
-    "quat" => some_value(quat);
+    "q" => some_value(q);
 }
 
 record! {
-    crate::filter::AidingMeasurementControl { function, aiding_source, enable }
+    crate::filter::AidingMeasurementEnable { function, aiding_source, enable }
     "function" => value(function);
     "aiding_source" => some_value(aiding_source);
     "enable" => some_value(enable);
@@ -342,10 +342,10 @@ record! {
 }
 
 record! {
-    crate::filter::NavigationFilterInitialization {
+    crate::filter::InitializationConfig {
         function,
         wait_for_run_command,
-        initial_cond_src,
+        initial_condition_source,
         auto_heading_alignment_selector,
         initial_heading,
         initial_pitch,
@@ -356,7 +356,7 @@ record! {
     }
     "function" => value(function);
     "wait_for_run_command" => some_value(wait_for_run_command);
-    "initial_cond_src" => some_value(initial_cond_src);
+    "initial_condition_source" => some_value(initial_condition_source);
     "auto_heading_alignment_selector" => some_value(auto_heading_alignment_selector);
     "initial_heading" => some_value(initial_heading);
     "initial_pitch" => some_value(initial_pitch);
@@ -367,21 +367,21 @@ record! {
 }
 
 record! {
-    crate::filter::AdaptiveFilterControl { function, level, time_limit }
+    crate::filter::AdaptiveFilterOptions { function, level, time_limit }
     "function" => value(function);
     "level" => some_value(level);
     "time_limit" => some_value(time_limit);
 }
 
 record! {
-    crate::filter::GnssMultiAntennaOffsetControl { function, receiver_id, antenna_offset }
+    crate::filter::MultiAntennaOffset { function, receiver_id, antenna_offset }
     "function" => value(function);
     "receiver_id" => some_value(receiver_id);
     "antenna_offset" => some_value(antenna_offset);
 }
 
 record! {
-    crate::filter::RelativePositionConfiguration {
+    crate::filter::RelativePositionConfig {
         function,
         source,
         reference_frame_selector,
@@ -394,9 +394,9 @@ record! {
 }
 
 record! {
-    crate::filter::ReferencePointLeverArm { function, ref_point_sel, lever_arm_offset }
+    crate::filter::ReferencePointLeverArm { function, reference_point, lever_arm_offset }
     "function" => value(function);
-    "ref_point_sel" => some_value(ref_point_sel);
+    "reference_point" => some_value(reference_point);
     "lever_arm_offset" => some_value(lever_arm_offset);
 }
 
@@ -409,7 +409,7 @@ record! {
 }
 
 record! {
-    crate::filter::MeasurementSpeedLeverArm { function, source, lever_arm_offset }
+    crate::filter::SpeedLeverArm { function, source, lever_arm_offset }
     "function" => value(function);
     "source" => some_value(source);
     "lever_arm_offset" => some_value(lever_arm_offset);
@@ -428,7 +428,7 @@ record! {
 }
 
 record! {
-    crate::filter::GnssAntennaOffsetCalibrationControl { function, enable, max_offset }
+    crate::filter::GnssAntennaCalibrationControl { function, enable, max_offset }
     "function" => value(function);
     "enable" => some_value(enable);
     "max_offset" => some_value(max_offset);
@@ -440,7 +440,7 @@ record! {
 }
 
 record! {
-    crate::filter::SensorToVehicleFrameTransformationResponse { roll, pitch, yaw }
+    crate::filter::SensorToVehicleRotationEulerResponse { roll, pitch, yaw }
     "roll" => value(roll);
     "pitch" => value(pitch);
     "yaw" => value(yaw);
@@ -452,23 +452,23 @@ record! {
 }
 
 record! {
-    crate::filter::GnssAntennaOffsetControlResponse { offset }
+    crate::filter::AntennaOffsetResponse { offset }
     "offset" => value(offset);
 }
 
 record! {
-    crate::filter::EstimationControlFlagsResponse { flags }
+    crate::filter::EstimationControlResponse { flags }
     "flags" => value(flags);
 }
 
 record! {
-    crate::filter::GnssAidingSourceControlResponse { source }
+    crate::filter::GnssSourceResponse { source }
     "source" => value(source);
 }
 
 record! {
-    crate::filter::HeadingUpdateControlResponse { enable }
-    "enable" => value(enable);
+    crate::filter::HeadingSourceResponse { source }
+    "source" => value(source);
 }
 
 record! {
@@ -477,23 +477,23 @@ record! {
 }
 
 record! {
-    crate::filter::AccelerometerNoiseStandardDeviationResponse { noise }
+    crate::filter::AccelNoiseResponse { noise }
     "noise" => value(noise);
 }
 
 record! {
-    crate::filter::GyroscopeNoiseStandardDeviationResponse { noise }
+    crate::filter::GyroNoiseResponse { noise }
     "noise" => value(noise);
 }
 
 record! {
-    crate::filter::AccelerometerBiasModelParametersResponse { beta, noise }
+    crate::filter::AccelBiasModelResponse { beta, noise }
     "beta" => value(beta);
     "noise" => value(noise);
 }
 
 record! {
-    crate::filter::GyroscopeBiasModelParametersResponse { beta, noise }
+    crate::filter::GyroBiasModelResponse { beta, noise }
     "beta" => value(beta);
     "noise" => value(noise);
 }
@@ -505,13 +505,13 @@ record! {
 }
 
 record! {
-    crate::filter::ZeroAngularRateUpdateControlResponse { enable, threshold }
+    crate::filter::AutoAngularZuptResponse { enable, threshold }
     "enable" => value(enable);
     "threshold" => value(threshold);
 }
 
 record! {
-    crate::filter::SetReferencePositionResponse { enable, latitude, longitude, altitude }
+    crate::filter::ReferencePositionResponse { enable, latitude, longitude, altitude }
     "enable" => value(enable);
     "latitude" => value(latitude);
     "longitude" => value(longitude);
@@ -519,7 +519,7 @@ record! {
 }
 
 record! {
-    crate::filter::GravityNoiseStandardDeviationResponse { noise }
+    crate::filter::GravityNoiseResponse { noise }
     "noise" => value(noise);
 }
 
@@ -544,7 +544,7 @@ record! {
 }
 
 record! {
-    crate::filter::EnableDisableMeasurementsResponse { control }
+    crate::filter::EnableMeasurementsResponse { control }
     "control" => value(control);
 }
 
@@ -554,13 +554,13 @@ record! {
 }
 
 record! {
-    crate::filter::MagneticFieldDeclinationSourceControlResponse { source, declination }
+    crate::filter::MagneticDeclinationSourceResponse { source, declination }
     "source" => value(source);
     "declination" => value(declination);
 }
 
 record! {
-    crate::filter::GravityMagnitudeErrorAdaptiveMeasurementResponse {
+    crate::filter::AccelMagnitudeErrorAdaptiveMeasurementResponse {
         adaptive_measurement,
         frequency,
         low_limit,
@@ -618,18 +618,18 @@ record! {
 }
 
 record! {
-    crate::filter::PitchRollAidingControlResponse { aiding }
+    crate::filter::PitchRollAidingResponse { aiding }
     "aiding" => value(aiding);
 }
 
 record! {
-    crate::filter::InclinationSourceResponse { source, inclination }
+    crate::filter::MagneticInclinationSourceResponse { source, inclination }
     "source" => value(source);
     "inclination" => value(inclination);
 }
 
 record! {
-    crate::filter::MagFieldMagnitudeSourceResponse { source, magnitude }
+    crate::filter::MagneticMagnitudeSourceResponse { source, magnitude }
     "source" => value(source);
     "magnitude" => value(magnitude);
 }
@@ -640,12 +640,12 @@ record! {
 }
 
 record! {
-    crate::filter::SensorToVehicleRotationQuaternionResponse { quat }
-    "quat" => value(quat);
+    crate::filter::SensorToVehicleRotationQuaternionResponse { q }
+    "q" => value(q);
 }
 
 record! {
-    crate::filter::AidingMeasurementControlResponse { aiding_source, enable }
+    crate::filter::AidingMeasurementEnableResponse { aiding_source, enable }
     "aiding_source" => value(aiding_source);
     "enable" => value(enable);
 }
@@ -662,9 +662,9 @@ record! {
 }
 
 record! {
-    crate::filter::NavigationFilterInitializationResponse {
+    crate::filter::InitializationConfigResponse {
         wait_for_run_command,
-        initial_cond_src,
+        initial_condition_source,
         auto_heading_alignment_selector,
         initial_heading,
         initial_pitch,
@@ -674,7 +674,7 @@ record! {
         reference_frame_selector,
     }
     "wait_for_run_command" => value(wait_for_run_command);
-    "initial_cond_src" => value(initial_cond_src);
+    "initial_condition_source" => value(initial_condition_source);
     "auto_heading_alignment_selector" => value(auto_heading_alignment_selector);
     "initial_heading" => value(initial_heading);
     "initial_pitch" => value(initial_pitch);
@@ -685,19 +685,19 @@ record! {
 }
 
 record! {
-    crate::filter::AdaptiveFilterControlResponse { level, time_limit }
+    crate::filter::AdaptiveFilterOptionsResponse { level, time_limit }
     "level" => value(level);
     "time_limit" => value(time_limit);
 }
 
 record! {
-    crate::filter::GnssMultiAntennaOffsetControlResponse { receiver_id, antenna_offset }
+    crate::filter::MultiAntennaOffsetResponse { receiver_id, antenna_offset }
     "receiver_id" => value(receiver_id);
     "antenna_offset" => value(antenna_offset);
 }
 
 record! {
-    crate::filter::RelativePositionConfigurationResponse {
+    crate::filter::RelativePositionConfigResponse {
         source,
         reference_frame_selector,
         reference_coordinates,
@@ -708,13 +708,13 @@ record! {
 }
 
 record! {
-    crate::filter::ReferencePointLeverArmResponse { ref_point_sel, lever_arm_offset }
-    "ref_point_sel" => value(ref_point_sel);
+    crate::filter::ReferencePointLeverArmResponse { reference_point, lever_arm_offset }
+    "reference_point" => value(reference_point);
     "lever_arm_offset" => value(lever_arm_offset);
 }
 
 record! {
-    crate::filter::MeasurementSpeedLeverArmResponse { source, lever_arm_offset }
+    crate::filter::SpeedLeverArmResponse { source, lever_arm_offset }
     "source" => value(source);
     "lever_arm_offset" => value(lever_arm_offset);
 }
@@ -730,7 +730,7 @@ record! {
 }
 
 record! {
-    crate::filter::GnssAntennaOffsetCalibrationControlResponse { enable, max_offset }
+    crate::filter::GnssAntennaCalibrationControlResponse { enable, max_offset }
     "enable" => value(enable);
     "max_offset" => value(max_offset);
 }

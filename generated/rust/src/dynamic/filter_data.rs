@@ -9,7 +9,7 @@ record! {
 }
 
 record! {
-    crate::filter_data::VelocityNed { north, east, down, valid_flags }
+    crate::filter_data::NedVelocity { north, east, down, valid_flags }
     "north" => value(north);
     "east" => value(east);
     "down" => value(down);
@@ -73,14 +73,14 @@ record! {
 }
 
 record! {
-    crate::filter_data::GyroBiasUncertainty { bias_uncert, valid_flags }
-    "bias_uncert" => value(bias_uncert);
+    crate::filter_data::GyroBiasUncertainty { bias_uncertainty, valid_flags }
+    "bias_uncertainty" => value(bias_uncertainty);
     "valid_flags" => value(valid_flags);
 }
 
 record! {
-    crate::filter_data::AccelBiasUncertainty { bias_uncert, valid_flags }
-    "bias_uncert" => value(bias_uncert);
+    crate::filter_data::AccelBiasUncertainty { bias_uncertainty, valid_flags }
+    "bias_uncertainty" => value(bias_uncertainty);
     "valid_flags" => value(valid_flags);
 }
 
@@ -97,7 +97,7 @@ record! {
 }
 
 record! {
-    crate::filter_data::Wgs84LocalGravityMagnitude { gravity_magnitude, valid_flags }
+    crate::filter_data::Wgs84GravityMagnitude { gravity_magnitude, valid_flags }
     "gravity_magnitude" => value(gravity_magnitude);
     "valid_flags" => value(valid_flags);
 }
@@ -129,12 +129,7 @@ record! {
 }
 
 record! {
-    crate::filter_data::HeadingUpdateSourceState {
-        heading,
-        heading_uncertainty,
-        source,
-        valid_flags,
-    }
+    crate::filter_data::HeadingUpdateState { heading, heading_uncertainty, source, valid_flags }
     "heading" => value(heading);
     "heading_uncertainty" => value(heading_uncertainty);
     "source" => value(source);
@@ -195,7 +190,7 @@ record! {
 }
 
 record! {
-    crate::filter_data::CompensatedAcceleration { accel, valid_flags }
+    crate::filter_data::CompAccel { accel, valid_flags }
     "accel" => value(accel);
     "valid_flags" => value(valid_flags);
 }
@@ -308,35 +303,35 @@ record! {
 record! {
     crate::filter_data::MultiAntennaOffsetCorrectionUncertainty {
         receiver_id,
-        offset_uncert,
+        offset_uncertainty,
         valid_flags,
     }
     "receiver_id" => value(receiver_id);
-    "offset_uncert" => value(offset_uncert);
+    "offset_uncertainty" => value(offset_uncertainty);
     "valid_flags" => value(valid_flags);
 }
 
 record! {
-    crate::filter_data::EcefPositionUncertainty { pos_uncertainty, valid_flags }
-    "pos_uncertainty" => value(pos_uncertainty);
+    crate::filter_data::EcefPositionUncertainty { position_uncertainty, valid_flags }
+    "position_uncertainty" => value(position_uncertainty);
     "valid_flags" => value(valid_flags);
 }
 
 record! {
-    crate::filter_data::EcefVelocityUncertainty { vel_uncertainty, valid_flags }
-    "vel_uncertainty" => value(vel_uncertainty);
+    crate::filter_data::EcefVelocityUncertainty { velocity_uncertainty, valid_flags }
+    "velocity_uncertainty" => value(velocity_uncertainty);
     "valid_flags" => value(valid_flags);
 }
 
 record! {
-    crate::filter_data::EcefPosition { position_ecef, valid_flags }
-    "position_ecef" => value(position_ecef);
+    crate::filter_data::EcefPosition { position, valid_flags }
+    "position" => value(position);
     "valid_flags" => value(valid_flags);
 }
 
 record! {
-    crate::filter_data::EcefVelocity { velocity_ecef, valid_flags }
-    "velocity_ecef" => value(velocity_ecef);
+    crate::filter_data::EcefVelocity { velocity, valid_flags }
+    "velocity" => value(velocity);
     "valid_flags" => value(valid_flags);
 }
 
@@ -347,9 +342,9 @@ record! {
 }
 
 record! {
-    crate::filter_data::GnssPositionAidingStatus { receiver_id, time_of_week, status, reserved }
+    crate::filter_data::GnssPositionAidingStatus { receiver_id, tow, status, reserved }
     "receiver_id" => value(receiver_id);
-    "time_of_week" => value(time_of_week);
+    "tow" => value(tow);
     "status" => value(status);
     "reserved" => value(reserved);
 }
@@ -369,8 +364,8 @@ record! {
 }
 
 record! {
-    crate::filter_data::AidingMeasurementSummary { time_of_week, source, type_, indicator }
-    "time_of_week" => value(time_of_week);
+    crate::filter_data::AidingMeasurementSummary { tow, source, type_, indicator }
+    "tow" => value(tow);
     "source" => value(source);
     "type" => value(type_);
     "indicator" => value(indicator);
@@ -393,35 +388,35 @@ record! {
 
 record! {
     crate::filter_data::GnssDualAntennaStatus {
-        time_of_week,
+        tow,
         heading,
-        heading_unc,
+        heading_uncertainty,
         fix_type,
         status_flags,
         valid_flags,
     }
-    "time_of_week" => value(time_of_week);
+    "tow" => value(tow);
     "heading" => value(heading);
-    "heading_unc" => value(heading_unc);
+    "heading_uncertainty" => value(heading_uncertainty);
     "fix_type" => value(fix_type);
     "status_flags" => value(status_flags);
     "valid_flags" => value(valid_flags);
 }
 
 record! {
-    crate::filter_data::AidingFrameConfigurationError { frame_id, translation, attitude }
+    crate::filter_data::AidingFrameConfigError { frame_id, translation, attitude }
     "frame_id" => value(frame_id);
     "translation" => value(translation);
     "attitude" => value(attitude);
 }
 
 record! {
-    crate::filter_data::AidingFrameConfigurationErrorUncertainty {
+    crate::filter_data::AidingFrameConfigErrorUncertainty {
         frame_id,
-        translation_unc,
-        attitude_unc,
+        translation_uncertainty,
+        attitude_uncertainty,
     }
     "frame_id" => value(frame_id);
-    "translation_unc" => value(translation_unc);
-    "attitude_unc" => value(attitude_unc);
+    "translation_uncertainty" => value(translation_uncertainty);
+    "attitude_uncertainty" => value(attitude_uncertainty);
 }

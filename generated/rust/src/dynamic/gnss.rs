@@ -12,7 +12,7 @@ record! {
 }
 
 record! {
-    crate::gnss::SignalConfiguration {
+    crate::gnss::SignalConfig {
         function,
         gps_enable,
         glonass_enable,
@@ -29,14 +29,14 @@ record! {
 }
 
 record! {
-    crate::gnss::RtkDongleConfiguration { function, enable, reserved }
+    crate::gnss::RtkDongleConfig { function, enable, reserved }
     "function" => value(function);
     "enable" => some_value(enable);
     "reserved" => some_value(reserved);
 }
 
 record! {
-    crate::gnss::SpartnConfiguration {
+    crate::gnss::SpartnConfig {
         function,
         enable,
         type_,
@@ -65,7 +65,7 @@ record! {
 }
 
 record! {
-    crate::gnss::SignalConfigurationResponse {
+    crate::gnss::SignalConfigResponse {
         gps_enable,
         glonass_enable,
         galileo_enable,
@@ -80,13 +80,13 @@ record! {
 }
 
 record! {
-    crate::gnss::RtkDongleConfigurationResponse { enable, reserved }
+    crate::gnss::RtkDongleConfigResponse { enable, reserved }
     "enable" => value(enable);
     "reserved" => value(reserved);
 }
 
 record! {
-    crate::gnss::SpartnConfigurationResponse {
+    crate::gnss::SpartnConfigResponse {
         enable,
         type_,
         current_key_tow,

@@ -1,7 +1,7 @@
 use crate::dynamic::macros::record;
 
 record! {
-    crate::gnss_1::GnssLlhPosition {
+    crate::gnss_1::LlhPosition {
         latitude,
         longitude,
         ellipsoid_height,
@@ -20,15 +20,15 @@ record! {
 }
 
 record! {
-    crate::gnss_1::GnssEcefPosition { x, x_accuracy, valid_flags }
-    "x" => value(x);
-    "x_accuracy" => value(x_accuracy);
+    crate::gnss_1::EcefPosition { position, position_accuracy, valid_flags }
+    "position" => value(position);
+    "position_accuracy" => value(position_accuracy);
     "valid_flags" => value(valid_flags);
 }
 
 record! {
     crate::gnss_1::NedVelocity {
-        v,
+        velocity,
         speed,
         ground_speed,
         heading,
@@ -36,7 +36,7 @@ record! {
         heading_accuracy,
         valid_flags,
     }
-    "v" => value(v);
+    "velocity" => value(velocity);
     "speed" => value(speed);
     "ground_speed" => value(ground_speed);
     "heading" => value(heading);
@@ -46,9 +46,9 @@ record! {
 }
 
 record! {
-    crate::gnss_1::GnssEcefVelocity { v, v_accuracy, valid_flags }
-    "v" => value(v);
-    "v_accuracy" => value(v_accuracy);
+    crate::gnss_1::EcefVelocity { velocity, velocity_accuracy, valid_flags }
+    "velocity" => value(velocity);
+    "velocity_accuracy" => value(velocity_accuracy);
     "valid_flags" => value(valid_flags);
 }
 
@@ -119,7 +119,7 @@ record! {
 }
 
 record! {
-    crate::gnss_1::GnssHardwareStatus { receiver_state, antenna_state, antenna_power, valid_flags }
+    crate::gnss_1::HardwareStatus { receiver_state, antenna_state, antenna_power, valid_flags }
     "receiver_state" => value(receiver_state);
     "antenna_state" => value(antenna_state);
     "antenna_power" => value(antenna_power);
@@ -173,7 +173,7 @@ record! {
 
 record! {
     crate::gnss_1::SbasInfo {
-        time_of_week,
+        tow,
         week_number,
         sbas_system,
         sbas_id,
@@ -181,7 +181,7 @@ record! {
         sbas_status,
         valid_flags,
     }
-    "time_of_week" => value(time_of_week);
+    "tow" => value(tow);
     "week_number" => value(week_number);
     "sbas_system" => value(sbas_system);
     "sbas_id" => value(sbas_id);
@@ -234,7 +234,7 @@ record! {
     crate::gnss_1::SatelliteStatus {
         index,
         count,
-        time_of_week,
+        tow,
         week_number,
         gnss_id,
         satellite_id,
@@ -245,7 +245,7 @@ record! {
     }
     "index" => value(index);
     "count" => value(count);
-    "time_of_week" => value(time_of_week);
+    "tow" => value(tow);
     "week_number" => value(week_number);
     "gnss_id" => value(gnss_id);
     "satellite_id" => value(satellite_id);
@@ -259,7 +259,7 @@ record! {
     crate::gnss_1::Raw {
         index,
         count,
-        time_of_week,
+        tow,
         week_number,
         receiver_id,
         tracking_channel,
@@ -271,15 +271,15 @@ record! {
         pseudorange,
         carrier_phase,
         doppler,
-        range_uncert,
-        phase_uncert,
-        doppler_uncert,
+        range_uncertainty,
+        phase_uncertainty,
+        doppler_uncertainty,
         lock_time,
         valid_flags,
     }
     "index" => value(index);
     "count" => value(count);
-    "time_of_week" => value(time_of_week);
+    "tow" => value(tow);
     "week_number" => value(week_number);
     "receiver_id" => value(receiver_id);
     "tracking_channel" => value(tracking_channel);
@@ -291,26 +291,26 @@ record! {
     "pseudorange" => value(pseudorange);
     "carrier_phase" => value(carrier_phase);
     "doppler" => value(doppler);
-    "range_uncert" => value(range_uncert);
-    "phase_uncert" => value(phase_uncert);
-    "doppler_uncert" => value(doppler_uncert);
+    "range_uncertainty" => value(range_uncertainty);
+    "phase_uncertainty" => value(phase_uncertainty);
+    "doppler_uncertainty" => value(doppler_uncertainty);
     "lock_time" => value(lock_time);
     "valid_flags" => value(valid_flags);
 }
 
 record! {
     crate::gnss_1::BaseStationInfo {
-        time_of_week,
+        tow,
         week_number,
-        ecef_pos,
+        ecef_position,
         height,
         station_id,
         indicators,
         valid_flags,
     }
-    "time_of_week" => value(time_of_week);
+    "tow" => value(tow);
     "week_number" => value(week_number);
-    "ecef_pos" => value(ecef_pos);
+    "ecef_position" => value(ecef_position);
     "height" => value(height);
     "station_id" => value(station_id);
     "indicators" => value(indicators);
@@ -319,7 +319,7 @@ record! {
 
 record! {
     crate::gnss_1::RtkCorrectionsStatus {
-        time_of_week,
+        tow,
         week_number,
         epoch_status,
         dongle_status,
@@ -330,7 +330,7 @@ record! {
         reserved,
         valid_flags,
     }
-    "time_of_week" => value(time_of_week);
+    "tow" => value(tow);
     "week_number" => value(week_number);
     "epoch_status" => value(epoch_status);
     "dongle_status" => value(dongle_status);
@@ -346,11 +346,11 @@ record! {
     crate::gnss_1::GpsEphemeris {
         index,
         count,
-        time_of_week,
+        tow,
         week_number,
         satellite_id,
         health,
-        iodec,
+        iodc,
         iode,
         t_oc,
         af0,
@@ -381,11 +381,11 @@ record! {
     }
     "index" => value(index);
     "count" => value(count);
-    "time_of_week" => value(time_of_week);
+    "tow" => value(tow);
     "week_number" => value(week_number);
     "satellite_id" => value(satellite_id);
     "health" => value(health);
-    "iodec" => value(iodec);
+    "iodc" => value(iodc);
     "iode" => value(iode);
     "t_oc" => value(t_oc);
     "af0" => value(af0);
@@ -419,18 +419,18 @@ record! {
     crate::gnss_1::GlonassEphemeris {
         index,
         count,
-        time_of_week,
+        tow,
         week_number,
         satellite_id,
-        freq_number,
+        frequency_number,
         tk,
         tb,
-        sat_type,
+        satellite_type,
         gamma,
         tau_n,
-        x,
-        v,
-        a,
+        position,
+        velocity,
+        accel,
         health,
         p,
         nt,
@@ -445,18 +445,18 @@ record! {
     }
     "index" => value(index);
     "count" => value(count);
-    "time_of_week" => value(time_of_week);
+    "tow" => value(tow);
     "week_number" => value(week_number);
     "satellite_id" => value(satellite_id);
-    "freq_number" => value(freq_number);
+    "frequency_number" => value(frequency_number);
     "tk" => value(tk);
     "tb" => value(tb);
-    "sat_type" => value(sat_type);
+    "satellite_type" => value(satellite_type);
     "gamma" => value(gamma);
     "tau_n" => value(tau_n);
-    "x" => value(x);
-    "v" => value(v);
-    "a" => value(a);
+    "position" => value(position);
+    "velocity" => value(velocity);
+    "accel" => value(accel);
     "health" => value(health);
     "p" => value(p);
     "nt" => value(nt);
@@ -474,11 +474,11 @@ record! {
     crate::gnss_1::GalileoEphemeris {
         index,
         count,
-        time_of_week,
+        tow,
         week_number,
         satellite_id,
         health,
-        iodec,
+        iodc,
         iode,
         t_oc,
         af0,
@@ -509,11 +509,11 @@ record! {
     }
     "index" => value(index);
     "count" => value(count);
-    "time_of_week" => value(time_of_week);
+    "tow" => value(tow);
     "week_number" => value(week_number);
     "satellite_id" => value(satellite_id);
     "health" => value(health);
-    "iodec" => value(iodec);
+    "iodc" => value(iodc);
     "iode" => value(iode);
     "t_oc" => value(t_oc);
     "af0" => value(af0);
@@ -547,11 +547,11 @@ record! {
     crate::gnss_1::BeidouEphemeris {
         index,
         count,
-        time_of_week,
+        tow,
         week_number,
         satellite_id,
         health,
-        iodec,
+        iodc,
         iode,
         t_oc,
         af0,
@@ -582,11 +582,11 @@ record! {
     }
     "index" => value(index);
     "count" => value(count);
-    "time_of_week" => value(time_of_week);
+    "tow" => value(tow);
     "week_number" => value(week_number);
     "satellite_id" => value(satellite_id);
     "health" => value(health);
-    "iodec" => value(iodec);
+    "iodc" => value(iodc);
     "iode" => value(iode);
     "t_oc" => value(t_oc);
     "af0" => value(af0);

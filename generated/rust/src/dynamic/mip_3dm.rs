@@ -23,7 +23,7 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::SupportedEventInfo { type_, count }
+    crate::mip_3dm::EventSupportInfo { type_, count }
     "type" => value(type_);
     "count" => value(count);
 }
@@ -61,7 +61,7 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::PollEstimationFilterData { suppress_ack, descriptors }
+    crate::mip_3dm::PollFilterData { suppress_ack, descriptors }
     "suppress_ack" => value(suppress_ack);
     "num_descriptors" => counter(descriptors, "descriptors");
     "descriptors" => value(descriptors);
@@ -75,11 +75,11 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::GetImuDataBaseRate {}
+    crate::mip_3dm::GetImuBaseRate {}
 }
 
 record! {
-    crate::mip_3dm::GetGnssDataBaseRate {}
+    crate::mip_3dm::GetGnssBaseRate {}
 }
 
 record! {
@@ -97,14 +97,14 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::EstimationFilterMessageFormat { function, descriptors }
+    crate::mip_3dm::FilterMessageFormat { function, descriptors }
     "function" => value(function);
     "num_descriptors" => some_counter(descriptors, "descriptors");
     "descriptors" => some_value(descriptors);
 }
 
 record! {
-    crate::mip_3dm::GetEstimationFilterDataBaseRate {}
+    crate::mip_3dm::GetFilterBaseRate {}
 }
 
 record! {
@@ -115,22 +115,22 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::PollData { desc_set, suppress_ack, descriptors }
-    "desc_set" => value(desc_set);
+    crate::mip_3dm::PollData { descriptor_set, suppress_ack, descriptors }
+    "descriptor_set" => value(descriptor_set);
     "suppress_ack" => value(suppress_ack);
     "num_descriptors" => counter(descriptors, "descriptors");
     "descriptors" => value(descriptors);
 }
 
 record! {
-    crate::mip_3dm::GetDataBaseRate { desc_set }
-    "desc_set" => value(desc_set);
+    crate::mip_3dm::GetBaseRate { descriptor_set }
+    "descriptor_set" => value(descriptor_set);
 }
 
 record! {
-    crate::mip_3dm::MessageFormat { function, desc_set, descriptors }
+    crate::mip_3dm::MessageFormat { function, descriptor_set, descriptors }
     "function" => value(function);
-    "desc_set" => some_value(desc_set);
+    "descriptor_set" => some_value(descriptor_set);
     "num_descriptors" => some_counter(descriptors, "descriptors");
     "descriptors" => some_value(descriptors);
 }
@@ -142,9 +142,9 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::DataStreamControl { function, desc_set, enable }
+    crate::mip_3dm::DataStreamControl { function, descriptor_set, enable }
     "function" => value(function);
-    "desc_set" => some_value(desc_set);
+    "descriptor_set" => some_value(descriptor_set);
     "enable" => some_value(enable);
 }
 
@@ -187,7 +187,7 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::GetSupportedEvents { query }
+    crate::mip_3dm::GetEventSupport { query }
     "query" => value(query);
 }
 
@@ -211,15 +211,15 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::EventTriggerConfiguration { function, instance, type_, parameters }
+    crate::mip_3dm::EventTriggerConfig { function, instance, type_, parameters }
     "function" => value(function);
     "instance" => some_value(instance);
     "type" => some_value(type_);
-    "parameters" => some_union(parameters, type_, crate::mip_3dm::EventTriggerConfigurationParameters);
+    "parameters" => some_union(parameters, type_, crate::mip_3dm::EventTriggerConfigParameters);
 }
 
 union! {
-    crate::mip_3dm::EventTriggerConfigurationParameters, types::EventTriggerType;
+    crate::mip_3dm::EventTriggerConfigParameters, types::EventTriggerType;
     NONE => None;
     GPIO => Gpio("gpio");
     THRESHOLD => Threshold("threshold");
@@ -227,28 +227,28 @@ union! {
 }
 
 record! {
-    crate::mip_3dm::EventActionConfiguration { function, instance, trigger, type_, parameters }
+    crate::mip_3dm::EventActionConfig { function, instance, trigger, type_, parameters }
     "function" => value(function);
     "instance" => some_value(instance);
     "trigger" => some_value(trigger);
     "type" => some_value(type_);
-    "parameters" => some_union(parameters, type_, crate::mip_3dm::EventActionConfigurationParameters);
+    "parameters" => some_union(parameters, type_, crate::mip_3dm::EventActionConfigParameters);
 }
 
 union! {
-    crate::mip_3dm::EventActionConfigurationParameters, types::EventActionType;
+    crate::mip_3dm::EventActionConfigParameters, types::EventActionType;
     NONE => None;
     GPIO => Gpio("gpio");
     MESSAGE => Message("message");
 }
 
 record! {
-    crate::mip_3dm::DeviceStartUpSettings { function }
+    crate::mip_3dm::DeviceSettings { function }
     "function" => value(function);
 }
 
 record! {
-    crate::mip_3dm::SensorToVehicleFrameTransformationEuler { function, roll, pitch, yaw }
+    crate::mip_3dm::SensorToVehicleTransformEuler { function, roll, pitch, yaw }
     "function" => value(function);
     "roll" => some_value(roll);
     "pitch" => some_value(pitch);
@@ -256,48 +256,48 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::SensorToVehicleFrameTransformationQuaternion { function, q }
+    crate::mip_3dm::SensorToVehicleTransformQuaternion { function, q }
     "function" => value(function);
     "q" => some_value(q);
 }
 
 record! {
-    crate::mip_3dm::SensorToVehicleFrameTransformationDirectionCosineMatrix { function, dcm }
+    crate::mip_3dm::SensorToVehicleTransformDcm { function, dcm }
     "function" => value(function);
     "dcm" => some_value(dcm);
 }
 
 record! {
-    crate::mip_3dm::AccelerometerBiasConfiguration { function, bias }
+    crate::mip_3dm::AccelBias { function, bias }
     "function" => value(function);
     "bias" => some_value(bias);
 }
 
 record! {
-    crate::mip_3dm::GyroscopeBiasConfiguration { function, bias }
+    crate::mip_3dm::GyroBias { function, bias }
     "function" => value(function);
     "bias" => some_value(bias);
 }
 
 record! {
-    crate::mip_3dm::CaptureGyroscopeBias { averaging_time_ms }
+    crate::mip_3dm::CaptureGyroBias { averaging_time_ms }
     "averaging_time_ms" => value(averaging_time_ms);
 }
 
 record! {
-    crate::mip_3dm::MagnetometerHardIronOffset { function, offset }
+    crate::mip_3dm::MagHardIronOffset { function, offset }
     "function" => value(function);
     "offset" => some_value(offset);
 }
 
 record! {
-    crate::mip_3dm::MagnetometerSoftIronMatrix { function, offset }
+    crate::mip_3dm::MagSoftIronMatrix { function, matrix }
     "function" => value(function);
-    "offset" => some_value(offset);
+    "matrix" => some_value(matrix);
 }
 
 record! {
-    crate::mip_3dm::ConingAndScullingEnable { function, enable }
+    crate::mip_3dm::ConingScullingEnable { function, enable }
     "function" => value(function);
     "enable" => some_value(enable);
 }
@@ -309,7 +309,7 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::GpioConfiguration { function, pin, feature, behavior, pin_mode }
+    crate::mip_3dm::GpioConfig { function, pin, feature, behavior, pin_mode }
     "function" => value(function);
     "pin" => some_value(pin);
     "feature" => some_value(feature);
@@ -325,7 +325,7 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::OdometerConfiguration { function, mode, scaling, uncertainty }
+    crate::mip_3dm::OdometerConfig { function, mode, scaling, uncertainty }
     "function" => value(function);
     "mode" => some_value(mode);
     "scaling" => some_value(scaling);
@@ -333,7 +333,7 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::AdvancedLowPassFilterSettings {
+    crate::mip_3dm::ImuLowPassFilter {
         function,
         target_descriptor,
         enable,
@@ -350,7 +350,7 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::ComplementaryFilterConfiguration {
+    crate::mip_3dm::ComplementaryFilter {
         function,
         pitch_roll_enable,
         heading_enable,
@@ -377,17 +377,17 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::LowPassAntiAliasingFilter {
+    crate::mip_3dm::LowPassFilter {
         function,
-        desc_set,
-        field_desc,
+        descriptor_set,
+        field_descriptor,
         enable,
         manual,
         frequency,
     }
     "function" => value(function);
-    "desc_set" => some_value(desc_set);
-    "field_desc" => some_value(field_desc);
+    "descriptor_set" => some_value(descriptor_set);
+    "field_descriptor" => some_value(field_descriptor);
     "enable" => some_value(enable);
     "manual" => some_value(manual);
     "frequency" => some_value(frequency);
@@ -411,24 +411,24 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::EstimationFilterMessageFormatResponse { descriptors }
+    crate::mip_3dm::FilterMessageFormatResponse { descriptors }
     "num_descriptors" => counter(descriptors, "descriptors");
     "descriptors" => value(descriptors);
 }
 
 record! {
-    crate::mip_3dm::GetImuDataBaseRateResponse { rate }
+    crate::mip_3dm::GetImuBaseRateResponse { rate }
     "rate" => value(rate);
 }
 
 record! {
-    crate::mip_3dm::GetGnssDataBaseRateResponse { rate }
+    crate::mip_3dm::GetGnssBaseRateResponse { rate }
     "rate" => value(rate);
 }
 
 record! {
-    crate::mip_3dm::DataStreamControlResponse { desc_set, enabled }
-    "desc_set" => value(desc_set);
+    crate::mip_3dm::DataStreamControlResponse { descriptor_set, enabled }
+    "descriptor_set" => value(descriptor_set);
     "enabled" => value(enabled);
 }
 
@@ -438,12 +438,12 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::GetEstimationFilterDataBaseRateResponse { rate }
+    crate::mip_3dm::GetFilterBaseRateResponse { rate }
     "rate" => value(rate);
 }
 
 record! {
-    crate::mip_3dm::AdvancedLowPassFilterSettingsResponse {
+    crate::mip_3dm::ImuLowPassFilterResponse {
         target_descriptor,
         enable,
         manual,
@@ -464,14 +464,14 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::GetDataBaseRateResponse { desc_set, rate }
-    "desc_set" => value(desc_set);
+    crate::mip_3dm::GetBaseRateResponse { descriptor_set, rate }
+    "descriptor_set" => value(descriptor_set);
     "rate" => value(rate);
 }
 
 record! {
-    crate::mip_3dm::MessageFormatResponse { desc_set, descriptors }
-    "desc_set" => value(desc_set);
+    crate::mip_3dm::MessageFormatResponse { descriptor_set, descriptors }
+    "descriptor_set" => value(descriptor_set);
     "num_descriptors" => counter(descriptors, "descriptors");
     "descriptors" => value(descriptors);
 }
@@ -492,10 +492,10 @@ record! {
         filter_stream_enabled,
         imu_dropped_packets,
         filter_dropped_packets,
-        com_port_bytes_written,
-        com_port_bytes_read,
-        com_port_write_overruns,
-        com_port_read_overruns,
+        comm_port_bytes_written,
+        comm_port_bytes_read,
+        comm_port_write_overruns,
+        comm_port_read_overruns,
         imu_parser_errors,
         imu_message_count,
         imu_last_message_time,
@@ -507,17 +507,17 @@ record! {
     "filter_stream_enabled" => value(filter_stream_enabled);
     "imu_dropped_packets" => value(imu_dropped_packets);
     "filter_dropped_packets" => value(filter_dropped_packets);
-    "com_port_bytes_written" => value(com_port_bytes_written);
-    "com_port_bytes_read" => value(com_port_bytes_read);
-    "com_port_write_overruns" => value(com_port_write_overruns);
-    "com_port_read_overruns" => value(com_port_read_overruns);
+    "comm_port_bytes_written" => value(comm_port_bytes_written);
+    "comm_port_bytes_read" => value(comm_port_bytes_read);
+    "comm_port_write_overruns" => value(comm_port_write_overruns);
+    "comm_port_read_overruns" => value(comm_port_read_overruns);
     "imu_parser_errors" => value(imu_parser_errors);
     "imu_message_count" => value(imu_message_count);
     "imu_last_message_time" => value(imu_last_message_time);
 }
 
 record! {
-    crate::mip_3dm::ComplementaryFilterConfigurationResponse {
+    crate::mip_3dm::ComplementaryFilterResponse {
         pitch_roll_enable,
         heading_enable,
         pitch_roll_time_constant,
@@ -530,27 +530,27 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::AccelerometerBiasConfigurationResponse { bias }
+    crate::mip_3dm::AccelBiasResponse { bias }
     "bias" => value(bias);
 }
 
 record! {
-    crate::mip_3dm::GyroscopeBiasConfigurationResponse { bias }
+    crate::mip_3dm::GyroBiasResponse { bias }
     "bias" => value(bias);
 }
 
 record! {
-    crate::mip_3dm::MagnetometerHardIronOffsetResponse { offset }
+    crate::mip_3dm::MagHardIronOffsetResponse { offset }
     "offset" => value(offset);
 }
 
 record! {
-    crate::mip_3dm::MagnetometerSoftIronMatrixResponse { offset }
-    "offset" => value(offset);
+    crate::mip_3dm::MagSoftIronMatrixResponse { matrix }
+    "matrix" => value(matrix);
 }
 
 record! {
-    crate::mip_3dm::ConingAndScullingEnableResponse { enable }
+    crate::mip_3dm::ConingScullingEnableResponse { enable }
     "enable" => value(enable);
 }
 
@@ -593,24 +593,24 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::SensorToVehicleFrameTransformationEulerResponse { roll, pitch, yaw }
+    crate::mip_3dm::SensorToVehicleTransformEulerResponse { roll, pitch, yaw }
     "roll" => value(roll);
     "pitch" => value(pitch);
     "yaw" => value(yaw);
 }
 
 record! {
-    crate::mip_3dm::SensorToVehicleFrameTransformationQuaternionResponse { q }
+    crate::mip_3dm::SensorToVehicleTransformQuaternionResponse { q }
     "q" => value(q);
 }
 
 record! {
-    crate::mip_3dm::SensorToVehicleFrameTransformationDirectionCosineMatrixResponse { dcm }
+    crate::mip_3dm::SensorToVehicleTransformDcmResponse { dcm }
     "dcm" => value(dcm);
 }
 
 record! {
-    crate::mip_3dm::GetSupportedEventsResponse { query, max_instances, entries }
+    crate::mip_3dm::GetEventSupportResponse { query, max_instances, entries }
     "query" => value(query);
     "max_instances" => value(max_instances);
     "num_entries" => counter(entries, "entries");
@@ -636,22 +636,22 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::EventTriggerConfigurationResponse { instance, type_, parameters }
+    crate::mip_3dm::EventTriggerConfigResponse { instance, type_, parameters }
     "instance" => value(instance);
     "type" => value(type_);
-    "parameters" => union(parameters, type_, crate::mip_3dm::EventTriggerConfigurationParameters);
+    "parameters" => union(parameters, type_, crate::mip_3dm::EventTriggerConfigParameters);
 }
 
 record! {
-    crate::mip_3dm::EventActionConfigurationResponse { instance, trigger, type_, parameters }
+    crate::mip_3dm::EventActionConfigResponse { instance, trigger, type_, parameters }
     "instance" => value(instance);
     "trigger" => value(trigger);
     "type" => value(type_);
-    "parameters" => union(parameters, type_, crate::mip_3dm::EventActionConfigurationParameters);
+    "parameters" => union(parameters, type_, crate::mip_3dm::EventActionConfigParameters);
 }
 
 record! {
-    crate::mip_3dm::GpioConfigurationResponse { pin, feature, behavior, pin_mode }
+    crate::mip_3dm::GpioConfigResponse { pin, feature, behavior, pin_mode }
     "pin" => value(pin);
     "feature" => value(feature);
     "behavior" => value(behavior);
@@ -665,7 +665,7 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::OdometerConfigurationResponse { mode, scaling, uncertainty }
+    crate::mip_3dm::OdometerConfigResponse { mode, scaling, uncertainty }
     "mode" => value(mode);
     "scaling" => value(scaling);
     "uncertainty" => value(uncertainty);
@@ -685,15 +685,15 @@ record! {
 }
 
 record! {
-    crate::mip_3dm::LowPassAntiAliasingFilterResponse {
-        desc_set,
-        field_desc,
+    crate::mip_3dm::LowPassFilterResponse {
+        descriptor_set,
+        field_descriptor,
         enable,
         manual,
         frequency,
     }
-    "desc_set" => value(desc_set);
-    "field_desc" => value(field_desc);
+    "descriptor_set" => value(descriptor_set);
+    "field_descriptor" => value(field_descriptor);
     "enable" => value(enable);
     "manual" => value(manual);
     "frequency" => value(frequency);

@@ -41,12 +41,12 @@ record! {
 }
 
 record! {
-    crate::sensor::ComplementaryFilterOrientationMatrix { m }
+    crate::sensor::CompOrientationMatrix { m }
     "m" => value(m);
 }
 
 record! {
-    crate::sensor::ComplementaryFilterQuaternion { q }
+    crate::sensor::CompQuaternion { q }
     "q" => value(q);
 }
 
@@ -56,15 +56,15 @@ record! {
 }
 
 record! {
-    crate::sensor::ComplementaryFilterEulerAngles { roll, pitch, yaw }
+    crate::sensor::CompEulerAngles { roll, pitch, yaw }
     "roll" => value(roll);
     "pitch" => value(pitch);
     "yaw" => value(yaw);
 }
 
 record! {
-    crate::sensor::OrientationRawTemp { raw_temp }
-    "raw_temp" => value(raw_temp);
+    crate::sensor::OrientationRawTemperature { raw_temperature }
+    "raw_temperature" => value(raw_temperature);
 }
 
 record! {
@@ -79,12 +79,12 @@ record! {
 }
 
 record! {
-    crate::sensor::ComplementaryFilterStabilizedNorthVector { stabilized_mag }
+    crate::sensor::NorthVector { stabilized_mag }
     "stabilized_mag" => value(stabilized_mag);
 }
 
 record! {
-    crate::sensor::ComplementaryFilterStabilizedUpVector { stabilized_accel }
+    crate::sensor::UpVector { stabilized_accel }
     "stabilized_accel" => value(stabilized_accel);
 }
 
@@ -96,10 +96,10 @@ record! {
 }
 
 record! {
-    crate::sensor::TemperatureStatistics { min_temp, max_temp, mean_temp }
-    "min_temp" => value(min_temp);
-    "max_temp" => value(max_temp);
-    "mean_temp" => value(mean_temp);
+    crate::sensor::TemperatureStatistics { min_temperature, max_temperature, mean_temperature }
+    "min_temperature" => value(min_temperature);
+    "max_temperature" => value(max_temperature);
+    "mean_temperature" => value(mean_temperature);
 }
 
 record! {

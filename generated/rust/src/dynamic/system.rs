@@ -9,7 +9,7 @@ record! {
 }
 
 record! {
-    crate::system::CommunicationMode { function, mode }
+    crate::system::CommMode { function, mode }
     "function" => value(function);
     "mode" => some_value(mode);
 }
@@ -22,6 +22,6 @@ record! {
 }
 
 record! {
-    crate::system::CommunicationModeResponse { mode }
+    crate::system::CommModeResponse { mode }
     "mode" => value(mode);
 }

@@ -6,9 +6,9 @@ record! {
 }
 
 record! {
-    crate::system_data::TimeSyncStatus { time_sync, last_pps_rcvd }
+    crate::system_data::TimeSyncStatus { time_sync, last_pps_received }
     "time_sync" => value(time_sync);
-    "last_pps_rcvd" => value(last_pps_rcvd);
+    "last_pps_received" => value(last_pps_received);
 }
 
 record! {

@@ -8,22 +8,28 @@ record! {
 }
 
 record! {
-    types::EventThresholdWindow { low_thres, high_thres }
-    "low_thres" => value(low_thres);
-    "high_thres" => value(high_thres);
+    types::EventThresholdWindow { low_threshold, high_threshold }
+    "low_threshold" => value(low_threshold);
+    "high_threshold" => value(high_threshold);
 }
 
 record! {
-    types::EventThresholdInterval { int_thres, interval }
-    "int_thres" => value(int_thres);
+    types::EventThresholdInterval { interval_threshold, interval }
+    "interval_threshold" => value(interval_threshold);
     "interval" => value(interval);
 }
 
 record! {
-    types::EventTriggerThreshold { desc_set, field_desc, param_id, type_, thresholds }
-    "desc_set" => value(desc_set);
-    "field_desc" => value(field_desc);
-    "param_id" => value(param_id);
+    types::EventTriggerThreshold {
+        descriptor_set,
+        field_descriptor,
+        parameter_id,
+        type_,
+        thresholds,
+    }
+    "descriptor_set" => value(descriptor_set);
+    "field_descriptor" => value(field_descriptor);
+    "parameter_id" => value(parameter_id);
     "type" => value(type_);
     "thresholds" => union(thresholds, type_, types::EventTriggerThresholdThresholds);
 }
@@ -47,18 +53,18 @@ record! {
 }
 
 record! {
-    types::EventActionMessage { desc_set, decimation, descriptors }
-    "desc_set" => value(desc_set);
+    types::EventActionMessage { descriptor_set, decimation, descriptors }
+    "descriptor_set" => value(descriptor_set);
     "decimation" => value(decimation);
     "num_fields" => counter(descriptors, "descriptors");
     "descriptors" => value(descriptors);
 }
 
 record! {
-    types::NmeaMessage { message_id, talker_id, source_desc_set, decimation }
+    types::NmeaMessage { message_id, talker_id, source_descriptor_set, decimation }
     "message_id" => value(message_id);
     "talker_id" => value(talker_id);
-    "source_desc_set" => value(source_desc_set);
+    "source_descriptor_set" => value(source_descriptor_set);
     "decimation" => value(decimation);
 }
 
