@@ -641,6 +641,14 @@ class Word:
 
 
 @dataclass(frozen=True, slots=True)
+class Usage:
+    """The word that names use for a thing, and those that they do not use."""
+
+    word: str
+    instead_of: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Protocol:
     name: str
     version: str
@@ -653,6 +661,7 @@ class Protocol:
     units: tuple[Word, ...]
     frames: tuple[Word, ...]
     manuals: tuple[Manual, ...]
+    vocabulary: tuple[Usage, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -133,6 +133,9 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
         manuals=tuple(
             m.Manual(i, n["title"].value, n["document"].value, n["lengths"].value) for i, n in root["manuals"].items()
         ),
+        vocabulary=tuple(m.Usage(word, sentences(root["vocabulary"], word)) for word in root["vocabulary"].value)
+        if "vocabulary" in root
+        else (),
     )
 
 
