@@ -4,23 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import replace
-from typing import Protocol
-
 from . import model as m
 from .nodes import Node
 from .problems import nearest
 
 Problem = Callable[[m.Position, str], None]
 Number = int | float
-
-
-class Words(Protocol):
-    """The names that the meaning of a value may refer to."""
-
-    units: set[str]
-    frames: set[str]
-    devices: set[str]
 
 
 def units(node: Node, p: m.Parameter, known: set[str], problem: Problem) -> tuple[str, ...]:
@@ -202,7 +191,7 @@ def _valid_bit(node: Node, p: m.Parameter, names: dict[str, m.Parameter], proble
     if other is None:
         problem(node.position, f"there is no parameter '{flags}' beside '{p.name}'{nearest(flags, names)}")
         return
-    readable = [other.element, *(t for _, t in (other.reading.types if other.reading else ()))]
+    readable = [other.element, *(v.type for v in other.readings)]
     known = {b.name for t in readable if isinstance(t, m.Bitfield) for b in t.bits}
     if not known:
         problem(node.position, f"'{flags}' has no bits, so it cannot vouch for '{p.name}'; name a bitfield")
@@ -215,49 +204,3 @@ def valid(node: Node) -> tuple[str, ...]:
     if given is None:
         return ()
     return tuple(given.plain()) if isinstance(given.value, list) else (given.value,)
-
-
-def keys(
-    by: Node, among: Iterable[m.Parameter], devices: Iterable[str], where: str, problem: Problem
-) -> list[str] | None:
-    """What may stand for `by`: device ids, or the value names of an enumeration among these."""
-    if by.value == "device":
-        return sorted(devices)
-    siblings = {q.name: q for q in among}
-    sibling = siblings.get(by.value)
-    if sibling is None or not isinstance(sibling.element, m.Enum):
-        near = nearest(by.value, ["device", *siblings])
-        problem(by.position, f"'{by.value}' is neither 'device' nor an enumeration {where}{near}")
-        return None
-    return [v.name for v in sibling.element.values]
-
-
-def variants(
-    node: Node, p: m.Parameter, beside: Iterable[m.Parameter], words: Words, problem: Problem
-) -> tuple[m.Variant, ...]:
-    """`varies`: what differs by device, or by the value of an enumeration in the same record."""
-    spec = node.get("varies")
-    if spec is None:
-        return ()
-    by = spec["by"]
-    known = keys(by, beside, words.devices, f"beside '{p.name}'", problem)
-    found = []
-    for key, case in spec["cases"].items() if known is not None else ():
-        assert known is not None
-        if key not in known:
-            problem(spec["cases"].keys[key], f"'{key}' is not known to '{by.value}'{nearest(key, known)}")
-        low, high = limits(case, p, problem)
-        ranged = replace(p, minimum=low, maximum=high)
-        found.append(
-            m.Variant(
-                by.value,
-                key,
-                units(case, p, words.units, problem),
-                frame(case, words.frames, problem),
-                low,
-                high,
-                default(case, ranged, problem),
-                case.scalar("description", ""),
-            )
-        )
-    return tuple(found)
