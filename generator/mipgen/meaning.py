@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
+
 from . import model as m
 from .nodes import Node
 from .problems import nearest
