@@ -40,7 +40,7 @@ $(VENV)/development.stamp: requirements-dev.txt | $(VENV)/generator.stamp
 .PHONY: lock
 lock: $(VENV)/development.stamp ## pin the newest versions of the Python tools (run it with the oldest Python)
 	@for f in requirements requirements-dev; do \
-	  $(VENV)/bin/pip-compile --quiet --upgrade --generate-hashes --strip-extras --allow-unsafe --no-emit-index-url --no-header -o $$f.txt $$f.in; \
+	  $(VENV)/bin/pip-compile --quiet --upgrade --generate-hashes --strip-extras --allow-unsafe --no-emit-index-url --no-emit-find-links --no-header -o $$f.txt $$f.in; \
 	done
 
 # ----------------------------------------------------------------- what it is for

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 from . import __version__, audit, naming, render
+from .formatting import FormatError
 from .model import RESPONSE, Model
 from .problems import Problems, SpecError, nearest
 from .resolve import load_model
@@ -22,6 +23,9 @@ def main(arguments: list[str] | None = None) -> int:
         print(error, file=sys.stderr)
         count = len(error.problems)
         print(f"mipgen: {count} problem{'s' if count > 1 else ''}; nothing was written", file=sys.stderr)
+        return 1
+    except FormatError as error:
+        print(f"mipgen: {error}\nmipgen: nothing was written", file=sys.stderr)
         return 1
 
 

@@ -16,6 +16,7 @@ from typing import Any, Protocol
 import jinja2
 import yaml
 
+from . import formatting
 from . import targets as targets_package
 from .model import Model
 from .naming import Identifier
@@ -34,7 +35,7 @@ class File:
 
 
 class Target(Protocol):
-    """What a module of `mipgen.targets` offers."""
+    """What a module of `mipgen.targets` offers; FORMATTER, a `formatting.Formatter`, may be left out."""
 
     TITLE: str  # "C99", shown by `mipgen generate`
 
@@ -85,6 +86,9 @@ def render(name: str, model: Model) -> dict[str, bytes]:
             raise ValueError(f"{name}: {file.path} is made twice")
         text = environment.get_template(file.template).render(file.context)
         made[file.path] = text.encode("utf-8")
+    formatter = getattr(module, "FORMATTER", None)
+    if formatter is not None:
+        made = formatting.formatted(formatter, made)
     made[MANIFEST] = "".join(f"{path}\n" for path in sorted(made)).encode("utf-8")
     return made
 

@@ -7,12 +7,13 @@ import textwrap
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
-from .. import codec
+from .. import codec, formatting
 from .. import model as m
 from ..naming import Escape, Identifier, upper
 from ..render import ROOT, File, language
 
 TITLE = "C99, library mip"
+FORMATTER = formatting.CLANG_FORMAT
 WIDTH = 100
 
 _RUNTIME = ROOT / "templates/c/runtime"

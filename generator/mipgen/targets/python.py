@@ -9,11 +9,13 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from .. import formatting
 from .. import model as m
 from ..naming import Escape, Identifier, pascal, upper
 from ..render import File, language
 
 TITLE = "Python >= 3.10, package mip_protocol"
+FORMATTER = formatting.RUFF
 WIDTH = 100
 
 _LANGUAGE = language("python")
