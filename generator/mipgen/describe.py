@@ -71,7 +71,7 @@ def field(f: m.Field, model: m.Model) -> list[Fact]:
     """What there is to say of a field beside its description."""
     found: list[Fact] = []
     if f.deprecated:
-        found.append(_fact("deprecated", prose(f.deprecated, model), "Deprecated: {}"))
+        found.append(_fact("deprecated", prose(f.deprecated.rstrip("."), model), "Deprecated: {}."))
     if f.advanced:
         found.append(_fact("advanced", (), "For advanced use."))
     if f.definition:
@@ -123,7 +123,8 @@ def parameter(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
         found.append(_fact("constant", (str(p.constant),), "Always {}."))
     if p.reserved is not None:
         sent = not isinstance(record, m.Field) or record.role == m.COMMAND
-        found.append(_fact("reserved", (str(p.reserved),), "Reserved: send {}." if sent else "Reserved."))
+        value = (str(p.reserved),) if sent else ()
+        found.append(_fact("reserved", value, "Reserved: send {}." if sent else "Reserved."))
     if p.counts:
         found.append(_fact("counts", (Ref(beside[p.counts], p.counts, record),), "The number of elements of {}."))
     if p.tag:

@@ -43,7 +43,9 @@ def _variants(node: Node, model: m.Model, types: Types, problems: Problems) -> I
         f = model.field(name)
         if f is None:
             known = [x.full_name for x in (*model.fields, model.protocol.acknowledge)]
-            problems.add(spec.keys[path], f"no field '{name}'{nearest(name, known)}; write set.field.parameter")
+            problems.add(
+                spec.keys[path], f"'{path}' names no set.field.parameter: no field '{name}'{nearest(name, known)}"
+            )
             continue
         p = next((p for p in f.parameters if p.name == last), None)
         if p is None:
@@ -51,6 +53,16 @@ def _variants(node: Node, model: m.Model, types: Types, problems: Problems) -> I
             problems.add(spec.keys[path], f"'{name}' has no parameter '{last}'{near}")
             continue
         yield path, variant(case, p, m.DEVICE, device, None, types.scope(f.set_name))
+
+
+def _unsupported(node: Node, supports: tuple[m.Support, ...], model: m.Model, problems: Problems) -> None:
+    """What varies belongs to a field that the device supports."""
+    known = {f.full_name for s in supports for f in (s.field, *model.responses(s.field))}
+    known.add(model.protocol.acknowledge.full_name)
+    for path in node["varies"].value if "varies" in node else ():
+        name = path.rpartition(".")[0]
+        if model.field(name) is not None and name not in known:
+            problems.add(node["varies"].keys[path], f"the device does not support '{name}'; add it to supports")
 
 
 def _with_variants(model: m.Model, found: list[tuple[str, m.Variant]]) -> m.Model:
@@ -90,6 +102,7 @@ class _Device:
             entries = (entry["name"] for entry in node.get(key) or ())
             _unique(entries, f"'{{}}' is given twice in {key}; rename one", self.problems)
         supports = self.supports(node["supports"], self.functions(node.get("functions")))
+        _unsupported(node, supports, self.model, self.problems)
         self.readings(device_id, supports)
         return m.Device(
             id=device_id,

@@ -387,9 +387,9 @@ class _Build:
                 node["for"].position,
                 f"'{p.name}' is required for {''.join(extra)}, but the command takes {self.functions} only",
             )
-        known = self.types.vocabulary.letters(self.functions)
-        named = {f.name for f in known if f.letter in (letters or "")}
-        return tuple(f for f in known if f.name in named or f.like in named)
+        functions = self.types.vocabulary.letters(self.functions)
+        named = {f.name for f in functions if f.letter in (letters or "")}
+        return tuple(f for f in functions if f.name in named or f.like in named)
 
     def may_be_absent(self, node: Node, p: m.Parameter) -> bool:
         if self.inside and "optional" in node:

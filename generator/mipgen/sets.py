@@ -42,7 +42,7 @@ class Sets:
         fields: list[m.Field] = []
         for entry in node.get("fields") or ():
             fields += self.field(entry, number, name, kind)
-        self.check_shared(node, fields)
+        fields = self.shared(node, fields)
         fields += self.repeats(node, number, name, kind, others)
         order = {m.COMMAND: 0, m.DATA: 0, m.RESPONSE: 1}
         fields.sort(key=lambda f: (order[f.role], f.descriptor))
@@ -82,10 +82,13 @@ class Sets:
             notes=tuple(node["notes"].plain()) if "notes" in node else (), position=node.position,
         )  # fmt: skip
         silent = self.conditions(node.get("silent_when") if role == m.COMMAND else None, command)
-        responses = [r for entry in node.get("responses") or () if (r := self.response(entry, node, command))]
-        names = []
+        responses, names = [], []
         for entry in node.get("responses") or ():
-            names.append(entry.scalar("same_as") or entry.scalar("name", f"{command.name}_response"))
+            made = self.response(entry, node, command)
+            if made is not None:
+                responses.append(made)
+            if made is not None or "same_as" in entry:
+                names.append(made.name if made else entry["same_as"].value)
         return [replace(command, responses=tuple(names), silent_when=silent), *responses]
 
     def response(self, node: Node, owner: Node, command: m.Field) -> m.Field | None:
@@ -154,8 +157,8 @@ class Sets:
                 self.problems.add(entry.position, f"'{name}' must be {wanted}")
         return tuple(found)
 
-    def check_shared(self, node: Node, fields: list[m.Field]) -> None:
-        """Every same_as names a response of this set."""
+    def shared(self, node: Node, fields: list[m.Field]) -> list[m.Field]:
+        """Every same_as names a response of this set; what does not is dropped once it is reported."""
         known = [f.name for f in fields if f.role == m.RESPONSE]
         for entry in node.get("fields") or ():
             for response in entry.get("responses") or ():
@@ -163,6 +166,7 @@ class Sets:
                 if name is not None and name not in known:
                     place = response["same_as"].position
                     self.problems.add(place, f"no command of this set has the response '{name}'{nearest(name, known)}")
+        return [replace(f, responses=tuple(name for name in f.responses if name in known)) for f in fields]
 
     def repeats(self, node: Node, number: int, set_name: str, kind: Kind, others: dict[str, m.Set]) -> list[m.Field]:
         if "repeats" not in node:

@@ -46,7 +46,7 @@ def by_sibling(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], scope:
     by, siblings = spec["by"], {q.name: q for q in beside if q.name != p.name}
     sibling = siblings.get(by.value)
     if sibling is None or not isinstance(sibling.element, m.Enum):
-        near = nearest(by.value, [m.DEVICE, *siblings])
+        near = nearest(by.value, [m.DEVICE, *(name for name, q in siblings.items() if isinstance(q.element, m.Enum))])
         scope.problem(by.position, f"'{by.value}' is neither '{m.DEVICE}' nor an enumeration beside '{p.name}'{near}")
         return ()
     if "cases" not in spec:

@@ -18,7 +18,10 @@ from mipgen import checks, cli, codec, render
 from mipgen.resolve import load_model
 
 GENERATOR = Path(mipgen.__file__).parent
-MODULES = ("loader", "nodes", "layout", "meaning", "resolve", "evidence", "checks", "naming")
+MODULES = (
+    "loader", "nodes", "vocabulary", "layout", "meaning", "variation", "resolve", "sets", "devices", "evidence",
+    "checks", "naming",
+)  # fmt: skip
 
 #: What reports a problem: calls of these, `raise _Wrong(...)`, and the messages that `loader.messages` yields.
 REPORTERS = {"add", "problem", "complain", "wrong", "named", "_fits", "_Wrong"}
