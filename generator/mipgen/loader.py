@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import functools
 import json
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
 import jsonschema
 import referencing
 
+from . import overlay
+from .documents import Document
 from .model import Position
 from .nodes import Node, read
 from .problems import Problems, nearest
@@ -29,27 +30,38 @@ LAYOUT = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class Document:
-    kind: str
-    path: str
-    root: Node
+#: The files of an overlay: the same, but what it adds to the protocol has a file of its own.
+OVERLAY = {"overlay": "overlay.yaml", **{kind: path for kind, path in LAYOUT.items() if kind != "protocol"}}
 
 
-def load(spec: Path, problems: Problems) -> list[Document]:
-    """Reads all files of a specification; what is wrong with them goes to `problems`."""
+def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Document]:
+    """Reads all files of a specification and its overlays; what is wrong with them goes to `problems`."""
     if not (spec / "protocol.yaml").is_file():
         problems.add(Position(shown(spec), 1, 1), "this is no specification: protocol.yaml is missing")
         return []
-    validators = _validators(_schema_dir(spec))
+    schemas = _schema_dir(spec)
+    documents = _documents(spec, LAYOUT, _validators(schemas), problems)
+    for folder in overlays:
+        more = _documents(folder, OVERLAY, _validators(schemas, optional="sources"), problems)
+        if not more and not problems:
+            problems.add(Position(shown(folder), 1, 1), f"nothing to lay over the specification: no {_listed(OVERLAY)}")
+        documents = overlay.lay(documents, more, problems)
+    return documents
+
+
+def _documents(folder: Path, layout: dict[str, str], validators: dict[str, Any], problems: Problems) -> list[Document]:
+    """The files of one folder."""
     documents = []
-    for kind, pattern in LAYOUT.items():
-        for path in sorted(spec.glob(pattern)):
-            name = path.relative_to(spec).as_posix()
+    for kind, pattern in layout.items():
+        for path in sorted(folder.glob(pattern)):
+            name = path.relative_to(folder).as_posix()
             root = read(path, shown(path), problems)
-            if root is not None and _valid(validators[kind], root, "the file", problems):
-                documents.append(Document(kind, name, root))
-    _strays(spec, problems)
+            if root is None:
+                continue
+            of = f"{kind}_extension" if f"{kind}_extension" in overlay.EXTENSIONS and "extend" in root else kind
+            if _valid(validators[of], root, "the file", problems):
+                documents.append(Document(of, name, root))
+    _strays(folder, layout, problems)
     return documents
 
 
@@ -60,10 +72,14 @@ def shown(path: Path) -> str:
     return absolute.relative_to(here).as_posix() if absolute.is_relative_to(here) else str(path)
 
 
-def _strays(spec: Path, problems: Problems) -> None:
+def _listed(layout: dict[str, str]) -> str:
+    return ", ".join(layout.values())
+
+
+def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
     """A misplaced file would be missing without a word."""
-    known = {path for pattern in LAYOUT.values() for path in spec.glob(pattern)}
-    read_ones = ", ".join(LAYOUT.values())
+    known = {path for pattern in layout.values() for path in spec.glob(pattern)}
+    read_ones = _listed(layout)
     for path in sorted({*spec.rglob("*.yaml"), *spec.rglob("*.yml")} - known):
         problems.add(Position(shown(path), 1, 1), f"this file is never read; those that are: {read_ones}")
 
@@ -85,12 +101,24 @@ _Validator = _extend(jsonschema.Draft7Validator, type_checker=_TYPES)
 
 
 @functools.cache
-def _validators(folder: Path) -> dict[str, Any]:
-    files = {p.name: json.loads(p.read_text("utf-8")) for p in sorted(folder.glob("*.schema.json"))}
+def _validators(folder: Path, optional: str | None = None) -> dict[str, Any]:
+    """A validator for each kind of file; `optional` is a key that none of them requires."""
+    files = {p.name: _relaxed(json.loads(p.read_text("utf-8")), optional) for p in sorted(folder.glob("*.schema.json"))}
     registry: referencing.Registry[Any] = referencing.Registry().with_resources(
         (name, referencing.Resource.from_contents(schema)) for name, schema in files.items()
     )
-    return {kind: _Validator(files[f"{kind}.schema.json"], registry=registry) for kind in LAYOUT}
+    kinds = {name.removesuffix(".schema.json") for name in files}
+    return {kind: _Validator(files[f"{kind}.schema.json"], registry=registry) for kind in kinds}
+
+
+def _relaxed(schema: Any, optional: str | None) -> Any:
+    """The same schema, without requiring the optional key."""
+    if isinstance(schema, dict):
+        return {
+            k: [x for x in v if x != optional] if k == "required" and isinstance(v, list) else _relaxed(v, optional)
+            for k, v in schema.items()
+        }
+    return [_relaxed(x, optional) for x in schema] if isinstance(schema, list) else schema
 
 
 # --------------------------------------------------------------------------- what a schema says, in words

@@ -23,6 +23,9 @@ Role = Literal["command", "response", "data"]
 Key = TypeVar("Key")
 Item = TypeVar("Item")
 
+#: The set whose fields are valid in every data set.
+SHARED_SET: Final = 0xFF
+
 #: What a variant depends on if not on a sibling.
 DEVICE: Final = "device"
 
@@ -716,7 +719,7 @@ class Model:
             return (ack,)
         found = self._descriptors.get((set_number, descriptor), ())
         if not found and set_number >= 0x80:
-            found = self._descriptors.get((0xFF, descriptor), ())
+            found = self._descriptors.get((SHARED_SET, descriptor), ())
         return found
 
     def responses(self, command: Field) -> tuple[Field, ...]:

@@ -15,13 +15,13 @@ from .sets import Sets
 from .vocabulary import Vocabulary, sources
 
 
-def load_model(spec: Path) -> m.Model:
-    """Loads, resolves and checks a specification; raises SpecError with all that is wrong.
+def load_model(spec: Path, *overlays: Path) -> m.Model:
+    """Loads, resolves and checks a specification with its overlays; raises SpecError with all that is wrong.
 
     What the manuals print is judged only once the definitions are right: it would seem wrong otherwise.
     """
     problems = Problems()
-    documents = loader.load(spec, problems)
+    documents = loader.load(spec, overlays, problems)
     problems.raise_if_any()
     roots = {kind: [d.root for d in documents if d.kind == kind] for kind in loader.LAYOUT}
     types, model = definitions(roots, problems)

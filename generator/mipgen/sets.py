@@ -11,8 +11,6 @@ from .nodes import Node
 from .problems import Problems, nearest
 from .vocabulary import sources
 
-SHARED_SET = 0xFF
-
 Kind = Literal["command", "data", "shared"]
 
 #: Keys of a field that suit one role only.
@@ -38,7 +36,7 @@ class Sets:
 
     def set(self, node: Node, others: dict[str, m.Set]) -> m.Set:
         number, name = node["set"].value, node["name"].value
-        kind: Kind = "command" if number < 0x80 else "shared" if number == SHARED_SET else "data"
+        kind: Kind = "command" if number < 0x80 else "shared" if number == m.SHARED_SET else "data"
         fields: list[m.Field] = []
         for entry in node.get("fields") or ():
             fields += self.field(entry, number, name, kind)
