@@ -9,14 +9,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import jsonschema
-import referencing
-
+from . import cache, resources, stamp
 from .model import Position
 from .nodes import Node, read
 from .problems import Problems, nearest
-
-SCHEMA_DIR = "schema"
 
 #: Which files a specification has: kind of schema -> pattern below its folder.
 LAYOUT = {
@@ -41,14 +37,20 @@ def load(spec: Path, problems: Problems) -> list[Document]:
     if not (spec / "protocol.yaml").is_file():
         problems.add(Position(shown(spec), 1, 1), "this is no specification: protocol.yaml is missing")
         return []
-    validators = _validators(_schema_dir(spec))
-    documents = []
+    documents, judged = [], {}
     for kind, pattern in LAYOUT.items():
         for path in sorted(spec.glob(pattern)):
             name = path.relative_to(spec).as_posix()
             root = read(path, shown(path), problems)
-            if root is not None and _valid(validators[kind], root, "the file", problems):
-                documents.append(Document(kind, name, root))
+            if root is None:
+                continue
+            seen = cache.key(stamp.program(), kind, path.read_bytes())
+            if cache.get("valid", seen) is None:
+                if not _valid(_validators()[kind], root, "the file", problems):
+                    continue
+                judged[seen] = b""
+            documents.append(Document(kind, name, root))
+    cache.put("valid", judged)
     _strays(spec, problems)
     return documents
 
@@ -68,29 +70,26 @@ def _strays(spec: Path, problems: Problems) -> None:
         problems.add(Position(shown(path), 1, 1), f"this file is never read; those that are: {read_ones}")
 
 
-def _schema_dir(spec: Path) -> Path:
-    """A specification may bring its own schemas; else those of the main specification serve."""
-    own = spec / SCHEMA_DIR
-    return own if own.is_dir() else Path(__file__).parents[2] / "spec" / SCHEMA_DIR
-
-
 def _is_integer(_: Any, value: Any) -> bool:
     """JSON Schema takes 1.0 for an integer; an author who writes it means something else."""
     return isinstance(value, int) and not isinstance(value, bool)
 
 
-_TYPES = jsonschema.Draft7Validator.TYPE_CHECKER.redefine("integer", _is_integer)
-_extend: Any = jsonschema.validators.extend
-_Validator = _extend(jsonschema.Draft7Validator, type_checker=_TYPES)
-
-
 @functools.cache
-def _validators(folder: Path) -> dict[str, Any]:
-    files = {p.name: json.loads(p.read_text("utf-8")) for p in sorted(folder.glob("*.schema.json"))}
+def _validators() -> dict[str, Any]:
+    """The judge of each kind of file. Its library takes long to load, and is not needed for what was judged before."""
+    import jsonschema
+    import referencing
+
+    types = jsonschema.Draft7Validator.TYPE_CHECKER.redefine("integer", _is_integer)
+    extend: Any = jsonschema.validators.extend
+    validator = extend(jsonschema.Draft7Validator, type_checker=types)
+    folder = resources.root() / "spec/schema"
+    files = {name: json.loads(file.read_text("utf-8")) for name, file in resources.files(folder)}
     registry: referencing.Registry[Any] = referencing.Registry().with_resources(
         (name, referencing.Resource.from_contents(schema)) for name, schema in files.items()
     )
-    return {kind: _Validator(files[f"{kind}.schema.json"], registry=registry) for kind in LAYOUT}
+    return {kind: validator(files[f"{kind}.schema.json"], registry=registry) for kind in LAYOUT}
 
 
 # --------------------------------------------------------------------------- what a schema says, in words
