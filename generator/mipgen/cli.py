@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator
+from collections.abc import Generator
 from pathlib import Path
 from typing import Any
 
@@ -50,10 +50,14 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 class _Layout(argparse.RawDescriptionHelpFormatter):
-    """Keeps the lines of examples, and leaves room for the longest command."""
+    """Keeps the lines of examples; the commands are in one column, without a line before them."""
 
-    def _iter_indented_subactions(self, action: argparse.Action) -> Iterator[argparse.Action]:
+    def _iter_indented_subactions(self, action: argparse.Action) -> Generator[argparse.Action, None, None]:
         yield from getattr(action, "_get_subactions", list)()
+
+    def _format_action(self, action: argparse.Action) -> str:
+        text = super()._format_action(action)
+        return text.partition("\n")[2] if action.nargs == argparse.PARSER else text
 
 
 def parser() -> argparse.ArgumentParser:
@@ -106,7 +110,7 @@ def parser() -> argparse.ArgumentParser:
     _target_path(targets)
 
     completion = command("completion", "completion", "print a script that completes commands in a shell", COMPLETION)
-    completion.add_argument("shell", choices=("bash", "zsh", "fish"))
+    completion.add_argument("shell", choices=("bash", "zsh", "fish"), help="the shell that reads the script")
     return made
 
 
