@@ -8,16 +8,11 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-import jsonschema
-import referencing
-
-from . import overlay
+from . import cache, overlay, resources, stamp
 from .documents import Document
 from .model import Position
 from .nodes import Node, read
 from .problems import Problems, nearest
-
-SCHEMA_DIR = "schema"
 
 #: Which files a specification has: kind of schema -> pattern below its folder.
 LAYOUT = {
@@ -29,7 +24,6 @@ LAYOUT = {
     "errata": "errata/*.yaml",
 }
 
-
 #: The files of an overlay: the same, but what it adds to the protocol has a file of its own.
 OVERLAY = {"overlay": "overlay.yaml", **{kind: path for kind, path in LAYOUT.items() if kind != "protocol"}}
 
@@ -39,28 +33,34 @@ def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Docum
     if not (spec / "protocol.yaml").is_file():
         problems.add(Position(shown(spec), 1, 1), "this is no specification: protocol.yaml is missing")
         return []
-    schemas = _schema_dir(spec)
-    documents = _documents(spec, LAYOUT, _validators(schemas), problems)
+    documents = _documents(spec, LAYOUT, False, problems)
     for folder in overlays:
-        more = _documents(folder, OVERLAY, _validators(schemas, optional="sources"), problems)
+        more = _documents(folder, OVERLAY, True, problems)
         if not more and not problems:
             problems.add(Position(shown(folder), 1, 1), f"nothing to lay over the specification: no {_listed(OVERLAY)}")
         documents = overlay.lay(documents, more, problems)
     return documents
 
 
-def _documents(folder: Path, layout: dict[str, str], validators: dict[str, Any], problems: Problems) -> list[Document]:
-    """The files of one folder."""
-    documents = []
+def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Problems) -> list[Document]:
+    """The files of one folder, be it an overlay. What was judged before, and found good, is not judged again."""
+    documents, judged = [], {}
     for kind, pattern in layout.items():
         for path in sorted(folder.glob(pattern)):
             name = path.relative_to(folder).as_posix()
             root = read(path, shown(path), problems)
             if root is None:
                 continue
-            of = f"{kind}_extension" if f"{kind}_extension" in overlay.EXTENSIONS and "extend" in root else kind
-            if _valid(validators[of], root, "the file", problems):
-                documents.append(Document(of, name, root))
+            of = (
+                f"{kind}_extension" if over and "extend" in root and f"{kind}_extension" in overlay.EXTENSIONS else kind
+            )
+            seen = cache.key(stamp.program(), of, str(over), path.read_bytes())
+            if cache.get("valid", seen) is None:
+                if not _valid(_validators(over)[of], root, "the file", problems):
+                    continue
+                judged[seen] = b""
+            documents.append(Document(of, name, root))
+    cache.put("valid", judged)
     _strays(folder, layout, problems)
     return documents
 
@@ -84,41 +84,41 @@ def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
         problems.add(Position(shown(path), 1, 1), f"this file is never read; those that are: {read_ones}")
 
 
-def _schema_dir(spec: Path) -> Path:
-    """A specification may bring its own schemas; else those of the main specification serve."""
-    own = spec / SCHEMA_DIR
-    return own if own.is_dir() else Path(__file__).parents[2] / "spec" / SCHEMA_DIR
-
-
 def _is_integer(_: Any, value: Any) -> bool:
     """JSON Schema takes 1.0 for an integer; an author who writes it means something else."""
     return isinstance(value, int) and not isinstance(value, bool)
 
 
-_TYPES = jsonschema.Draft7Validator.TYPE_CHECKER.redefine("integer", _is_integer)
-_extend: Any = jsonschema.validators.extend
-_Validator = _extend(jsonschema.Draft7Validator, type_checker=_TYPES)
-
-
 @functools.cache
-def _validators(folder: Path, optional: str | None = None) -> dict[str, Any]:
-    """A validator for each kind of file; `optional` is a key that none of them requires."""
-    files = {p.name: _relaxed(json.loads(p.read_text("utf-8")), optional) for p in sorted(folder.glob("*.schema.json"))}
+def _validators(over: bool) -> dict[str, Any]:
+    """The judge of each kind of file. Its library takes long to load, and is not needed for what was judged before.
+
+    An overlay needs no sources.
+    """
+    import jsonschema
+    import referencing
+
+    types = jsonschema.Draft7Validator.TYPE_CHECKER.redefine("integer", _is_integer)
+    extend: Any = jsonschema.validators.extend
+    validator = extend(jsonschema.Draft7Validator, type_checker=types)
+    folder = resources.root() / "spec/schema"
+    files = {name: json.loads(file.read_text("utf-8")) for name, file in resources.files(folder)}
+    if over:
+        files = {name: _without_sources(schema) for name, schema in files.items()}
     registry: referencing.Registry[Any] = referencing.Registry().with_resources(
         (name, referencing.Resource.from_contents(schema)) for name, schema in files.items()
     )
-    kinds = {name.removesuffix(".schema.json") for name in files}
-    return {kind: _Validator(files[f"{kind}.schema.json"], registry=registry) for kind in kinds}
+    return {name.removesuffix(".schema.json"): validator(schema, registry=registry) for name, schema in files.items()}
 
 
-def _relaxed(schema: Any, optional: str | None) -> Any:
-    """The same schema, without requiring the optional key."""
+def _without_sources(schema: Any) -> Any:
+    """The same schema, in which sources are not required."""
     if isinstance(schema, dict):
         return {
-            k: [x for x in v if x != optional] if k == "required" and isinstance(v, list) else _relaxed(v, optional)
+            k: [x for x in v if x != "sources"] if k == "required" and isinstance(v, list) else _without_sources(v)
             for k, v in schema.items()
         }
-    return [_relaxed(x, optional) for x in schema] if isinstance(schema, list) else schema
+    return [_without_sources(x) for x in schema] if isinstance(schema, list) else schema
 
 
 # --------------------------------------------------------------------------- what a schema says, in words

@@ -5,11 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from . import (
-    filter_data,
-    mip_3dm,
-    types,
-)
+from . import filter_data, mip_3dm, types
 
 
 @dataclass(frozen=True)

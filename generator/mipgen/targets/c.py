@@ -7,16 +7,16 @@ import textwrap
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
-from .. import codec, formatting
+from .. import codec, formatting, resources
 from .. import model as m
 from ..naming import Escape, Identifier, upper
-from ..render import ROOT, File, language
+from ..render import File, language
 
 TITLE = "C99, library mip"
 FORMATTER = formatting.CLANG_FORMAT
 WIDTH = 100
 
-_RUNTIME = ROOT / "templates/c/runtime"
+_RUNTIME = resources.root() / "templates/c/runtime"
 _LANGUAGE = language("c")
 _SCALARS: dict[str, tuple[str, int]] = {k: (v[0], v[1]) for k, v in _LANGUAGE["scalars"].items()}
 _KEYWORDS = frozenset(_LANGUAGE["keywords"])
@@ -50,7 +50,7 @@ def files(model: m.Model) -> Iterator[File]:
 
 def _sources(model: m.Model) -> list[str]:
     """The names of all sources: those that are made, and those that are copied."""
-    copied = [path.stem for path in (_RUNTIME / "src").glob("*.c")]
+    copied = [file.name.removesuffix(".c") for file in (_RUNTIME / "src").iterdir()]
     made = ["devices", "protocol", "reflection", "registry", "types"]
     return sorted([*copied, *made, *(module(s.name) for s in model.sets if has_code(s))])
 

@@ -5,10 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from . import (
-    tools,
-    types,
-)
+from . import tools, types
 
 
 @dataclass(frozen=True)
