@@ -21,7 +21,8 @@ def check_definitions(model: m.Model, problems: Problems) -> None:
 
 
 def check_evidence(model: m.Model, problems: Problems) -> None:
-    for check in (printed_lengths, printed_bytes, references):
+    """What is worth saying once the definitions are right."""
+    for check in (descriptions, units, printed_lengths, printed_bytes, references):
         check(model, problems)
 
 
@@ -141,6 +142,36 @@ def replies(model: m.Model, problems: Problems) -> None:
             problems.add(f.position, f"'{f.name}' can be read, but has no response; add one, or drop R from functions")
         if f.responses and not reads:
             problems.add(f.position, f"'{f.name}' has a response, but no function asks for it; add R to functions")
+
+
+def _parameters(model: m.Model) -> Iterator[m.Parameter]:
+    """Those of all fields and structures, but for the ones that mean nothing."""
+    for parameters in (
+        model.protocol.acknowledge.parameters,
+        *(f.parameters for f in model.fields),
+        *(t.parameters for t in _all_types(model) if isinstance(t, m.Struct)),
+    ):
+        yield from (p for p in parameters if p.reserved is None)
+
+
+def descriptions(model: m.Model, problems: Problems) -> None:
+    for p in _parameters(model):
+        if not p.description:
+            problems.add(p.position, f"'{p.name}' has no description; say what it is")
+        for case in p.cases:
+            # The type of a case describes it; a plain number or a text has no type of its own.
+            if case.parameter and isinstance(case.parameter.element, m.Scalar) and not case.parameter.description:
+                problems.add(case.parameter.position, f"the case '{case.tag.name}' has no description; say what it is")
+
+
+def units(model: m.Model, problems: Problems) -> None:
+    for parameter in _parameters(model):
+        for p in (parameter, *(case.parameter for case in parameter.cases if case.parameter)):
+            scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
+            if not isinstance(scalar, m.Scalar) or scalar.kind != "float" or p.units:
+                continue
+            if not (p.variants and all(v.units for v in p.variants)):
+                problems.add(p.position, f"'{p.name}' has no unit; give it one (\"1\" for a plain number)")
 
 
 # --------------------------------------------------------------------------- evidence

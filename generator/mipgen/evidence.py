@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from . import codec
+from . import codec, meaning
 from . import model as m
 from .nodes import Node
 from .problems import Problems, nearest
@@ -47,11 +47,8 @@ class _Example:
 
     def resolve(self) -> m.Example | None:
         node = self.node
-        manuals = [x.id for x in self.model.protocol.manuals]
-        manual = node["manual"].value
-        if manual not in manuals:
-            place = node["manual"].position
-            self.problems.add(place, f"unknown manual '{manual}'{nearest(manual, manuals)}")
+        manuals = {x.id: x for x in self.model.protocol.manuals}
+        manual, section = meaning.citation(node, manuals, self.problems.add)
         printed = node.scalar("string")
         try:
             table = self.octets("table")
@@ -63,7 +60,7 @@ class _Example:
         return m.Example(
             id=node["id"].value,
             manual=manual,
-            section=node["section"].value,
+            section=section,
             title=node["title"].value,
             role=node["role"].value,
             string=printed,
@@ -274,19 +271,18 @@ def _with_counters(operations: tuple[m.Operation, ...], values: codec.Values) ->
 # --------------------------------------------------------------------------- errata
 
 
-def errata(roots: Iterable[Node], manuals: set[str], problems: Problems) -> tuple[m.Erratum, ...]:
+def errata(roots: Iterable[Node], manuals: Mapping[str, m.Manual], problems: Problems) -> tuple[m.Erratum, ...]:
     found: dict[str, m.Erratum] = {}
     for root in roots:
         for node in root["errata"]:
-            name, manual = node["id"].value, node["manual"].value
-            if manual not in manuals:
-                problems.add(node["manual"].position, f"unknown manual '{manual}'{nearest(manual, manuals)}")
+            name = node["id"].value
+            manual, section = meaning.citation(node, manuals, problems.add)
             if name in found:
                 problems.add(node["id"].position, f"the erratum '{name}' stands twice; choose another id")
             found[name] = m.Erratum(
                 id=name,
                 manual=manual,
-                section=node["section"].value,
+                section=section,
                 severity=node["severity"].value,
                 printed=node["printed"].value,
                 right=node["right"].value,

@@ -37,7 +37,7 @@ class Vocabulary:
 
     units: set[str]
     frames: set[str]
-    manuals: set[str]
+    manuals: dict[str, m.Manual]
     devices: set[str]
     functions: tuple[m.Function, ...]
     selector: m.Enum
@@ -551,13 +551,11 @@ class _Build:
 
 
 def sources(node: Node, vocabulary: Vocabulary, problems: Problems) -> tuple[m.Source, ...]:
-    """The `sources` of a node, with unknown manuals reported."""
+    """The `sources` of a node."""
     found = []
     for entry in node.get("sources") or ():
-        manual = entry["manual"].value
-        if manual not in vocabulary.manuals:
-            problems.add(entry["manual"].position, f"unknown manual '{manual}'{nearest(manual, vocabulary.manuals)}")
+        manual, section = meaning.citation(entry, vocabulary.manuals, problems.add)
         length = entry.get("length")
         printed, place = (str(length.value), length.position) if length else (None, entry.position)
-        found.append(m.Source(manual, entry["section"].value, printed, place))
+        found.append(m.Source(manual, section, printed, place))
     return tuple(found)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from typing import Protocol
 
 from . import model as m
 from .nodes import Node
-from .problems import nearest
+from .problems import close, nearest
 
 Problem = Callable[[m.Position, str], None]
 Number = int | float
@@ -21,6 +21,18 @@ class Words(Protocol):
     units: set[str]
     frames: set[str]
     devices: set[str]
+
+
+def citation(node: Node, manuals: Mapping[str, m.Manual], problem: Problem) -> tuple[str, str]:
+    """The manual and the section that a source, an example or an erratum names."""
+    manual, section = node["manual"].value, node["section"].value
+    known = manuals.get(manual)
+    if known is None:
+        problem(node["manual"].position, f"unknown manual '{manual}'{nearest(manual, manuals)}")
+    elif known.sections and section not in known.sections:
+        near = close(section, known.sections) or "; add it to the sections of the manual if the manual has it"
+        problem(node["section"].position, f"'{manual}' lists no section '{section}'{near}")
+    return manual, section
 
 
 def units(node: Node, p: m.Parameter, known: set[str], problem: Problem) -> tuple[str, ...]:

@@ -603,6 +603,7 @@ class Manual:
     title: str
     document: str
     lengths: Literal["wire", "scalars"]  # how it counts the field lengths that it prints
+    sections: tuple[str, ...] = ()  # its headings that may be cited; none: any
 
 
 @dataclass(frozen=True, slots=True)

@@ -50,10 +50,11 @@ def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types
     """The protocol, the types and the sets."""
     root = roots["protocol"][0]
     functions = _functions(root["functions"], problems)
+    manuals = _manuals(roots["manual"], problems)
     words = Vocabulary(
         units=set(root["units"].value),
         frames=set(root["frames"].value),
-        manuals=set(root["manuals"].value),
+        manuals={x.id: x for x in manuals},
         devices={d["device"].value for d in roots["device"]},
         functions=functions,
         selector=_selector(functions),
@@ -128,10 +129,20 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
         function_selector=types.vocabulary.selector,
         units=_words(root["units"]),
         frames=_words(root["frames"]),
-        manuals=tuple(
-            m.Manual(i, n["title"].value, n["document"].value, n["lengths"].value) for i, n in root["manuals"].items()
-        ),
+        manuals=tuple(types.vocabulary.manuals.values()),
     )
+
+
+def _manuals(nodes: list[Node], problems: Problems) -> list[m.Manual]:
+    """The manuals in the order of their document numbers."""
+    found: dict[str, m.Manual] = {}
+    for node in nodes:
+        name = node["manual"].value
+        if name in found:
+            problems.add(node["manual"].position, f"the manual '{name}' is defined twice; rename one")
+        sections = tuple(node["sections"].plain()) if "sections" in node else ()
+        found[name] = m.Manual(name, node["title"].value, node["document"].value, node["lengths"].value, sections)
+    return sorted(found.values(), key=lambda x: (x.document, x.id))
 
 
 def _words(node: Node) -> tuple[m.Word, ...]:
