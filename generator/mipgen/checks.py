@@ -34,7 +34,8 @@ def set_numbers(model: m.Model, problems: Problems) -> None:
     for s in model.sets:
         if s.number in seen:
             problems.add(
-                s.position, f"0x{s.number:02X} is the set '{seen[s.number].name}' already; give '{s.name}' its own"
+                s.position,
+                f"0x{s.number:02X} is already the set '{seen[s.number].name}'; give '{s.name}' another number",
             )
         seen[s.number] = s
 
@@ -46,10 +47,10 @@ def descriptors(model: m.Model, problems: Problems) -> None:
             _descriptor_range(s, f, problems)
             other = seen.setdefault(f.descriptor, f)
             if other is not f and not _told_apart(other, f):
+                apart = ", or a const that tells the two layouts apart" if f.role == m.RESPONSE else ""
                 problems.add(
                     f.position,
-                    f"duplicate descriptor 0x{f.descriptor:02X}: '{other.name}' and '{f.name}' of the set '{s.name}'; "
-                    "two layouts of one descriptor need a const that differs at the same place",
+                    f"'{f.name}' has the descriptor 0x{f.descriptor:02X} of '{other.name}'; give it another{apart}",
                 )
 
 
@@ -63,7 +64,7 @@ def _descriptor_range(s: m.Set, f: m.Field, problems: Problems) -> None:
     if f.descriptor not in allowed:
         what = "shared data" if s.kind == "shared" else f.role
         span = f"0x{allowed.start:02X} to 0x{allowed.stop - 1:02X}"
-        problems.add(f.position, f"'{f.name}': 0x{f.descriptor:02X} is no {what} descriptor; those are {span}")
+        problems.add(f.position, f"'{f.name}': 0x{f.descriptor:02X} is not a {what} descriptor; use {span}")
 
 
 def _told_apart(a: m.Field, b: m.Field) -> bool:
@@ -80,7 +81,7 @@ def names(model: m.Model, problems: Problems) -> None:
             (f.name, f.position) for f in s.fields
         ]:
             if name in seen:
-                problems.add(place, f"the name '{name}' stands twice in the set '{s.name}'; rename one")
+                problems.add(place, f"the name '{name}' is used twice in the set '{s.name}'; rename one")
             seen.add(name)
 
 
@@ -100,9 +101,9 @@ def enumerations(model: m.Model, problems: Problems) -> None:
         seen: dict[int, str] = {}
         for v in t.values:
             if v.value >> (8 * t.scalar.size):
-                problems.add(v.position, f"'{t.name}': {v.name} = {v.value} does not fit into {t.scalar.name}")
+                problems.add(v.position, f"'{t.name}': {v.name} = {v.value} does not fit in {t.scalar.name}")
             if v.value in seen:
-                problems.add(v.position, f"'{t.name}': {seen[v.value]} and {v.name} are both {v.value}; drop one")
+                problems.add(v.position, f"'{t.name}': {seen[v.value]} and {v.name} are both {v.value}; remove one")
             seen.setdefault(v.value, v.name)
 
 
@@ -115,7 +116,7 @@ def bitfields(model: m.Model, problems: Problems) -> None:
             other = next((o for o in used if o.mask & b.mask), None)
             if other is not None and not b.alias:
                 problems.add(
-                    b.position, f"'{t.name}': {b.name} overlaps {other.name}; if that is meant, add alias: true"
+                    b.position, f"'{t.name}': {b.name} overlaps {other.name}; add alias: true if it is meant to"
                 )
             if not b.alias:
                 used.append(b)
@@ -124,7 +125,7 @@ def bitfields(model: m.Model, problems: Problems) -> None:
                     problems.add(
                         b.position,
                         f"'{t.name}': {v.name} = {v.value} of '{b.enum.name if b.enum else ''}' "
-                        f"does not fit into {b.name}, which holds 0 to {b.mask >> b.first}",
+                        f"does not fit in {b.name}, which holds 0 to {b.mask >> b.first}",
                     )
                     break
 
@@ -139,7 +140,9 @@ def replies(model: m.Model, problems: Problems) -> None:
             continue
         reads = any(x.responds for x in f.functions)
         if reads and not f.responses:
-            problems.add(f.position, f"'{f.name}' can be read, but has no response; add one, or drop R from functions")
+            problems.add(
+                f.position, f"'{f.name}' can be read, but has no response; add one, or remove R from functions"
+            )
         if f.responses and not reads:
             problems.add(f.position, f"'{f.name}' has a response, but no function asks for it; add R to functions")
 
@@ -206,7 +209,7 @@ def printed_lengths(model: m.Model, problems: Problems) -> None:
             elif (e.manual, c.subject) not in differing:
                 problems.add(
                     c.position,
-                    f"the length that {e.manual} prints for '{c.subject}' is right (or not given); drop the claim",
+                    f"the length that {e.manual} prints for '{c.subject}' is right (or not given); remove the claim",
                 )
 
 
@@ -263,7 +266,7 @@ def printed_bytes(model: m.Model, problems: Problems) -> None:
             if c.subject not in by_id:
                 problems.add(c.position, f"unknown example '{c.subject}'{nearest(c.subject, by_id)}")
             elif c.subject not in differing:
-                problems.add(c.position, f"the prints of '{c.subject}' are right; drop the claim")
+                problems.add(c.position, f"the prints of '{c.subject}' are right; remove the claim")
 
 
 def differences(e: m.Example) -> list[str]:
@@ -297,4 +300,4 @@ def references(model: m.Model, problems: Problems) -> None:
             if c.kind == "reference":
                 number, descriptor = (int(x, 16) for x in c.subject.split(","))
                 if model.candidates(number, descriptor):
-                    problems.add(c.position, f"({c.subject}) is defined; drop the claim")
+                    problems.add(c.position, f"({c.subject}) is defined; remove the claim")

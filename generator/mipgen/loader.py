@@ -15,7 +15,7 @@ import referencing
 
 from .model import Position
 from .nodes import Node, read
-from .problems import Problems, nearest
+from .problems import Problems, close, nearest
 from .spelling import strange
 
 #: What other readers of YAML take for true and false.
@@ -45,7 +45,7 @@ class Document:
 def load(spec: Path, problems: Problems) -> list[Document]:
     """Reads all files of a specification; what is wrong with them goes to `problems`."""
     if not (spec / "protocol.yaml").is_file():
-        problems.add(Position(shown(spec), 1, 1), "this is no specification: protocol.yaml is missing")
+        problems.add(Position(shown(spec), 1, 1), "this is not a specification: protocol.yaml is missing")
         return []
     validators = _validators(_schema_dir(spec))
     documents = []
@@ -71,7 +71,7 @@ def _strays(spec: Path, problems: Problems) -> None:
     known = {path for pattern in LAYOUT.values() for path in spec.glob(pattern)}
     read_ones = ", ".join(LAYOUT.values())
     for path in sorted({*spec.rglob("*.yaml"), *spec.rglob("*.yml")} - known):
-        problems.add(Position(shown(path), 1, 1), f"this file is never read; those that are: {read_ones}")
+        problems.add(Position(shown(path), 1, 1), f"this file is not read; only these are: {read_ones}")
 
 
 def _schema_dir(spec: Path) -> Path:
@@ -135,8 +135,8 @@ def messages(error: Any, root: str) -> Iterator[tuple[list[str | int], str]]:
             kinds = [rule] if isinstance(rule, str) else rule
             yield [], f"{inside} must be {_kinds(kinds)}, not {_shown(instance)}{_instead(instance, kinds)}"
         case "enum":
-            near = nearest(str(instance), map(str, rule))
-            yield [], f"{inside}: {_shown(instance)} is not known here{near}"
+            known = [str(x) for x in rule]
+            yield [], f"{inside} must be {' or '.join(known)}, not {_shown(instance)}{close(str(instance), known)}"
         case "const":
             yield [], f"{inside} must be {_shown(rule)}, or be left out, not {_shown(instance)}"
         case "pattern":

@@ -64,11 +64,11 @@ def limits(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None,
     element, (low, high) = p.element, node["range"].plain()
     scalar = element.scalar if isinstance(element, m.Vector) else element
     if not isinstance(scalar, m.Scalar) or scalar.kind in ("bool", "char"):
-        problem(node["range"].position, f"'{p.name}' is no number, so it has no range; remove it")
+        problem(node["range"].position, f"'{p.name}' is not a number, so it has no range; remove it")
         return None, None
     for entry in node["range"]:
         if entry.value is not None:
-            _fits(entry, scalar, f"'{p.name}': the range", problem)
+            _fits(entry, scalar, f"a bound of the range of '{p.name}'", problem)
     if low is not None and high is not None and low > high:
         problem(node["range"].position, f"the range of '{p.name}' is empty; write the smaller number first")
     return low, high
@@ -100,7 +100,7 @@ def reserved(node: Node, p: m.Parameter, problem: Problem) -> int | None:
     if not (isinstance(p.element, m.Scalar) and p.element.kind in ("unsigned", "signed")):
         problem(node.keys["reserved"], f"the reserved parameter '{p.name}' must be a whole number, or an array of them")
     else:
-        _fits(node["reserved"], p.element, f"'{p.name}': the reserved value", problem)
+        _fits(node["reserved"], p.element, f"the reserved value of '{p.name}'", problem)
     return found
 
 
@@ -176,22 +176,20 @@ class _Default:
                 self.wrong(node, "true or false")
         elif not isinstance(value, (int, float)) or isinstance(value, bool):
             self.wrong(node, "a number")
-        elif _fits(node, scalar, f"'{p.name}': the default", self.problem):
-            low = -math.inf if p.minimum is None else p.minimum
-            high = math.inf if p.maximum is None else p.maximum
-            if not low <= value <= high:
-                self.problem(
-                    node.position, f"'{p.name}': the default {value} lies outside of its range {low} to {high}"
-                )
+        elif _fits(node, scalar, f"the default of '{p.name}'", self.problem):
+            low, high = p.minimum, p.maximum
+            if (low is not None and value < low) or (high is not None and value > high):
+                span = f"[{'~' if low is None else low}, {'~' if high is None else high}]"
+                self.problem(node.position, f"the default of '{p.name}' is {value}, outside its range {span}")
 
 
 def _fits(node: Node, scalar: m.Scalar, what: str, problem: Problem) -> bool:
     value, (low, high) = node.value, bounds(scalar)
     if scalar.kind != "float" and isinstance(value, float):
-        problem(node.position, f"{what} {value} must be a whole number, as {scalar.name} is")
+        problem(node.position, f"{what} is {value}, but {scalar.name} holds only whole numbers")
         return False
     if not low <= value <= high:
-        problem(node.position, f"{what} {value} does not fit into {scalar.name}, which holds {low} to {high}")
+        problem(node.position, f"{what} is {value}, but {scalar.name} holds only {low} to {high}")
         return False
     return True
 
@@ -217,7 +215,7 @@ def _valid_bit(node: Node, p: m.Parameter, names: dict[str, m.Parameter], proble
     readable = [other.element, *(t for _, t in (other.reading.types if other.reading else ()))]
     known = {b.name for t in readable if isinstance(t, m.Bitfield) for b in t.bits}
     if not known:
-        problem(node.position, f"'{flags}' has no bits, so it cannot vouch for '{p.name}'; name a bitfield")
+        problem(node.position, f"'{flags}' is not a bitfield, so it cannot say whether '{p.name}' is valid")
     elif bit not in known:
         problem(node.position, f"'{flags}' has no bit '{bit}'{nearest(bit, known)}")
 
@@ -232,7 +230,7 @@ def valid(node: Node) -> tuple[str, ...]:
 def keys(
     by: Node, among: Iterable[m.Parameter], devices: Iterable[str], where: str, problem: Problem
 ) -> list[str] | None:
-    """What may stand for `by`: device ids, or the value names of an enumeration among these."""
+    """The keys that go with `by`: device ids, or the value names of an enumeration among these."""
     if by.value == "device":
         return sorted(devices)
     siblings = {q.name: q for q in among}
@@ -242,6 +240,15 @@ def keys(
         problem(by.position, f"'{by.value}' is neither 'device' nor an enumeration {where}{near}")
         return None
     return [v.name for v in sibling.element.values]
+
+
+def unknown_key(by: str, key: str, known: list[str]) -> str:
+    """
+    >>> unknown_key("device", "gx5", ["cv7"]), unknown_key("mode", "fsat", ["fast"])
+    ("unknown device 'gx5'; known: cv7", "'mode' has no value 'fsat', did you mean 'fast'?")
+    """
+    what = f"unknown device '{key}'" if by == "device" else f"'{by}' has no value '{key}'"
+    return what + nearest(key, known)
 
 
 def variants(
@@ -257,7 +264,7 @@ def variants(
     for key, case in spec["cases"].items() if known is not None else ():
         assert known is not None
         if key not in known:
-            problem(spec["cases"].keys[key], f"'{key}' is not known to '{by.value}'{nearest(key, known)}")
+            problem(spec["cases"].keys[key], unknown_key(by.value, key, known))
         low, high = limits(case, p, problem)
         ranged = replace(p, minimum=low, maximum=high)
         found.append(

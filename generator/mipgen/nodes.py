@@ -139,7 +139,7 @@ class _Reader:
     def document(self) -> Node | None:
         self.next()
         if isinstance(self.next(), yaml.StreamEndEvent):
-            self.problem(1, 1, "the file is empty; remove it, or write what belongs into it")
+            self.problem(1, 1, "the file is empty; write its content, or remove it")
             return None
         try:
             root = self.node(self.next(), 0)
@@ -162,12 +162,12 @@ class _Reader:
     def node(self, event: Any, depth: int) -> Node:
         position = _position(self.file, event.start_mark)
         if isinstance(event, yaml.AliasEvent):
-            self.complain(f"aliases (*{event.anchor}) are not used here; write the value out")
+            self.complain(f"aliases (*{event.anchor}) are not supported; write the value out")
             return Node(self.anchors[event.anchor].value if event.anchor in self.anchors else None, position)
         if event.anchor is not None:
-            self.complain(f"anchors (&{event.anchor}) are not used here; remove it")
+            self.complain(f"anchors (&{event.anchor}) are not supported; remove it")
         if event.tag is not None:
-            self.complain(f"tags (!{event.tag.removeprefix('!')}) are not used here; remove it")
+            self.complain(f"tags (!{event.tag.removeprefix('!')}) are not supported; remove it")
         if depth > MAX_DEPTH:
             raise _TooDeep
         if isinstance(event, yaml.ScalarEvent):

@@ -90,9 +90,9 @@ def _functions(node: Node, problems: Problems) -> tuple[m.Function, ...]:
         letter, value = n["letter"], n["value"]
         for other in found:
             if other.letter == letter.value:
-                problems.add(letter.position, f"'{other.name}' has the letter {letter.value} already; choose another")
+                problems.add(letter.position, f"'{other.name}' already has the letter {letter.value}; choose another")
             if other.value == value.value:
-                problems.add(value.position, f"'{other.name}' has the value {value.value} already; choose another")
+                problems.add(value.position, f"'{other.name}' already has the value {value.value}; choose another")
         reply, responds = n.scalar("reply", True), n.scalar("responds", False)
         found.append(m.Function(name, letter.value, value.value, reply, responds, n["description"].value))
     return tuple(sorted(found, key=lambda f: f.value))
@@ -163,7 +163,7 @@ class _Sets:
         for node in pending:
             name = node["name"].value
             if name in found:
-                self.problems.add(node["name"].position, f"there are two sets called '{name}'; rename one")
+                self.problems.add(node["name"].position, f"two sets are called '{name}'; rename one")
                 continue
             found[name] = self.set(node, found)
         return tuple(sorted(found.values(), key=lambda s: s.number))
@@ -193,7 +193,7 @@ class _Sets:
             return []
         for key in COMMAND_KEYS if role == m.DATA else DATA_KEYS:
             if key in node:
-                self.problems.add(node.keys[key], f"'{key}' does not belong to a {role} field; remove it")
+                self.problems.add(node.keys[key], f"a {role} field has no '{key}'; remove it")
         letters = node.scalar("functions", "") if role == m.COMMAND else ""
         functions = self.types.vocabulary.letters(letters)
         unknown = sorted(set(letters) - {f.letter for f in functions})
@@ -223,10 +223,13 @@ class _Sets:
     def response(self, node: Node, owner: Node, command: m.Field) -> m.Field | None:
         if "same_as" in node:
             for key in set(node.value) - {"same_as"}:
-                self.problems.add(node.keys[key], f"'{key}' does not go with same_as; remove it")
+                self.problems.add(node.keys[key], f"a response with same_as has no '{key}' of its own; remove it")
             return None
         if "response" not in node:
-            self.problems.add(node.position, "a response begins with 'response: 0x..' or is 'same_as' another's")
+            self.problems.add(
+                node.position,
+                "a response begins with 'response: 0x..', or with 'same_as' and the name of another command's response",
+            )
             return None
         listed = node.get("parameters")
         plain = listed is not None and listed.value == "as_command"
@@ -307,7 +310,7 @@ class _Sets:
         of = node["repeats"]["of"]
         origin = others.get(of.value)
         if origin is None:
-            self.problems.add(of.position, f"no set '{of.value}' to repeat{nearest(of.value, others)}")
+            self.problems.add(of.position, f"unknown set '{of.value}'{nearest(of.value, others)}")
             return []
         found = []
         known = {f.name: f for f in origin.own_fields if f.role == m.DATA}
@@ -349,7 +352,7 @@ class _Devices:
             for key in ("device", "name"):
                 name = node[key].value
                 if name in taken:
-                    self.problems.add(node[key].position, f"there are two devices called '{name}'; rename one")
+                    self.problems.add(node[key].position, f"two devices are called '{name}'; rename one")
             taken |= {node["device"].value, node["name"].value}
         return tuple(sorted((self.device(node) for node in nodes), key=lambda d: d.id))
 
@@ -394,7 +397,7 @@ class _Devices:
         for entry in entries or ():
             name = entry["name"]
             if name.value in seen:
-                self.problems.add(name.position, f"'{name.value}' stands twice in {key}; rename one")
+                self.problems.add(name.position, f"'{name.value}' is used twice in {key}; rename one")
             seen.add(name.value)
 
     def supports(self, node: Node) -> tuple[str, ...]:
@@ -409,9 +412,9 @@ class _Devices:
             for entry in entries:
                 full = f"{set_name}.{entry.value}"
                 if entry.value not in known:
-                    self.problems.add(entry.position, f"undefined field '{full}'{nearest(entry.value, known)}")
+                    self.problems.add(entry.position, f"unknown field '{full}'{nearest(entry.value, known)}")
                 elif full in found:
-                    self.problems.add(entry.position, f"'{full}' stands twice; remove one")
+                    self.problems.add(entry.position, f"'{full}' is listed twice; remove one")
                 found.append(full)
         return tuple(found)
 
@@ -422,7 +425,7 @@ class _Devices:
             known = [f.full_name for f in self.model.fields if f.functions]
             field = self.model.field(name)
             if field is None or not field.functions:
-                self.problems.add(node.keys[name], f"no command '{name}' with functions{nearest(name, known)}")
+                self.problems.add(node.keys[name], f"there is no command '{name}' with functions{nearest(name, known)}")
                 continue
             if name not in supported:
                 self.problems.add(node.keys[name], f"the device does not support '{name}'; add it to supports")
@@ -430,7 +433,7 @@ class _Devices:
             if extra:
                 more = "".join(sorted(extra))
                 self.problems.add(
-                    letters.position, f"'{name}' is not defined with the functions {more}; add them there"
+                    letters.position, f"'{name}' is not defined with the functions {more}; add them to its definition"
                 )
             found.append((name, letters.value))
         return tuple(found)
@@ -475,5 +478,5 @@ class _Devices:
         known = {v.value for v in of.values}
         for code in node if of is not self.model.protocol.function_selector else ():
             if code.value not in known:
-                self.problems.add(code.position, f"{code.value} is no value of '{of.name}'; add it there")
+                self.problems.add(code.position, f"'{of.name}' has no value {code.value}; add it to the enumeration")
         return tuple(node.plain())
