@@ -6,7 +6,7 @@ What the wire looks like is decided here: sizes, capacities, presence. Nothing d
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 
 from . import meaning
@@ -35,7 +35,7 @@ class Record:
 class Vocabulary:
     """What names may refer to: units, frames, manuals, devices and function selectors."""
 
-    units: set[str]
+    units: Collection[str]
     frames: set[str]
     manuals: dict[str, m.Manual]
     devices: set[str]

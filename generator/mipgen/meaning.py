@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import replace
 from typing import Protocol
 
@@ -18,7 +18,7 @@ Number = int | float
 class Words(Protocol):
     """The names that the meaning of a value may refer to."""
 
-    units: set[str]
+    units: Collection[str]
     frames: set[str]
     devices: set[str]
 
@@ -35,7 +35,11 @@ def citation(node: Node, manuals: Mapping[str, m.Manual], problem: Problem) -> t
     return manual, section
 
 
-def units(node: Node, p: m.Parameter, known: set[str], problem: Problem) -> tuple[str, ...]:
+def unknown_unit(unit: str, known: Iterable[str]) -> str:
+    return f"unknown unit '{unit}'{nearest(unit, known, guess=False)}"
+
+
+def units(node: Node, p: m.Parameter, known: Collection[str], problem: Problem) -> tuple[str, ...]:
     """One unit for all elements, or one for each."""
     given = node.get("unit")
     if given is None:
@@ -43,7 +47,7 @@ def units(node: Node, p: m.Parameter, known: set[str], problem: Problem) -> tupl
     entries = list(given) if isinstance(given.value, list) else [given]
     for entry in entries:
         if entry.value not in known:
-            problem(entry.position, f"unknown unit '{entry.value}'{nearest(entry.value, known)}")
+            problem(entry.position, unknown_unit(entry.value, known))
     width = len(p.element.elements) if isinstance(p.element, m.Vector) else p.length
     if isinstance(given.value, list) and len(entries) != width:
         problem(given.position, f"'{p.name}' has {len(entries)} units; give one, or one for each element")

@@ -162,12 +162,12 @@ class _Reader:
     def node(self, event: Any, depth: int) -> Node:
         position = _position(self.file, event.start_mark)
         if isinstance(event, yaml.AliasEvent):
-            self.complain(f"aliases (*{event.anchor}) are not supported; write the value out")
+            self.complain(f"aliases (*{event.anchor}) are not supported; write the value out, or put text in quotes")
             return Node(self.anchors[event.anchor].value if event.anchor in self.anchors else None, position)
         if event.anchor is not None:
-            self.complain(f"anchors (&{event.anchor}) are not supported; remove it")
+            self.complain(f"anchors (&{event.anchor}) are not supported; remove it, or put text in quotes")
         if event.tag is not None:
-            self.complain(f"tags (!{event.tag.removeprefix('!')}) are not supported; remove it")
+            self.complain(f"tags (!{event.tag.removeprefix('!')}) are not supported; remove it, or put text in quotes")
         if depth > MAX_DEPTH:
             raise _TooDeep
         if isinstance(event, yaml.ScalarEvent):

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
 
-from . import checks, evidence, loader
+from . import checks, evidence, loader, meaning
 from . import model as m
 from .layout import Types, Vocabulary, sources
 from .nodes import Node
@@ -52,7 +52,7 @@ def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types
     functions = _functions(root["functions"], problems)
     manuals = _manuals(roots["manual"], problems)
     words = Vocabulary(
-        units=set(root["units"].value),
+        units=list(root["units"].value),
         frames=set(root["frames"].value),
         manuals={x.id: x for x in manuals},
         devices={d["device"].value for d in roots["device"]},
@@ -452,7 +452,7 @@ class _Devices:
         unit = node.scalar("unit")
         known = [u.symbol for u in self.model.protocol.units]
         if unit is not None and unit not in known:
-            self.problems.add(node["unit"].position, f"unknown unit '{unit}'{nearest(unit, known)}")
+            self.problems.add(node["unit"].position, meaning.unknown_unit(unit, known))
         return m.Limit(node["name"].value, node["value"].value, unit, node["description"].value)
 
     def readings(self, device_id: str, node: Node | None) -> tuple[tuple[str, m.Enum | m.Bitfield], ...]:

@@ -31,7 +31,7 @@ SYNONYMS = {
     "m/s^2": ("m/s2", "m/s²", "m/s/s", "m/sec^2", "m/sec2", "m/s**2", "m s^-2"),
     "s": ("sec", "secs", "second", "seconds"),
     "ms": ("msec", "millisecond", "milliseconds"),
-    "us": ("µs", "μs", "usec", "microsecond", "microseconds"),
+    "us": ("µs", "usec", "microsecond", "microseconds"),
     "ns": ("nsec", "nanosecond", "nanoseconds"),
     "week": ("weeks",),
     "rad": ("radian", "radians"),

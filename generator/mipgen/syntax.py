@@ -27,10 +27,10 @@ class Fault(NamedTuple):
 #: What the parser says -> what to do about it. {c}: the character at which it stopped, {line}: where a block begins.
 _REMEDIES = {
     "cannot start any token": "a text cannot begin with {c}; put it in quotes",
-    "expected alphabetic or numeric character": "a text cannot begin with * or &; put it in quotes",
     "did not find expected comment or line break": "a text cannot begin with | or >; put it in quotes",
     "did not find expected node content": "a value is missing before '{c}'; write it, or put text in quotes",
     "did not find expected ',' or": "a comma is missing here, or quotes around a text that holds ',' or ': '",
+    "block sequence entries are not allowed": "a list begins on the line below its key",
     "found unknown escape character": "an unknown escape; write '\\\\' for a backslash, or use single quotes",
     "did not find expected '-' indicator":
         "this does not belong to the list that begins in line {line}; begin items with '- ' and indent them alike",
