@@ -171,10 +171,10 @@ def units(model: m.Model, problems: Problems) -> None:
     for parameter in _parameters(model):
         for p in (parameter, *(case.parameter for case in parameter.cases if case.parameter)):
             scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
-            if not isinstance(scalar, m.Scalar) or scalar.kind != "float" or p.units:
+            if not isinstance(scalar, m.Scalar) or scalar.kind != "float" or p.units or p.any_unit:
                 continue
             if not (p.variants and all(v.units for v in p.variants)):
-                problems.add(p.position, f"'{p.name}' has no unit; give it one (\"1\" for a plain number)")
+                problems.add(p.position, f"'{p.name}' has no unit; give it one (\"1\" for a plain number, ~ if another value decides it)")
 
 
 # --------------------------------------------------------------------------- evidence

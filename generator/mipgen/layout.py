@@ -360,6 +360,7 @@ class _Build:
             p,
             description=node.scalar("description", ""),
             units=meaning.units(node, p, words.units, self.problem),
+            any_unit="unit" in node and node["unit"].value is None,
             frame=meaning.frame(node, words.frames, self.problem),
             default=meaning.default(node, p, self.problem),
             valid=meaning.valid(node),  # judged in `finish`, because the flags usually stand last

@@ -42,7 +42,7 @@ def unknown_unit(unit: str, known: Iterable[str]) -> str:
 def units(node: Node, p: m.Parameter, known: Collection[str], problem: Problem) -> tuple[str, ...]:
     """One unit for all elements, or one for each."""
     given = node.get("unit")
-    if given is None:
+    if given is None or given.value is None:
         return ()
     entries = list(given) if isinstance(given.value, list) else [given]
     for entry in entries:

@@ -238,6 +238,7 @@ class Parameter:
     operation: Operation = field(compare=False)
     description: str = ""
     units: tuple[str, ...] = ()  # one for all elements, or one for each
+    any_unit: bool = False  # no unit can be named: another value decides it
     frame: str | None = None
     minimum: float | int | None = None
     maximum: float | int | None = None
