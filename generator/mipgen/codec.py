@@ -140,7 +140,7 @@ def _read(op: m.Operation, reader: _Reader, values: Values) -> None:
                 _read(case_.operation, reader, inner)
             values[op.member] = inner
         case m.GroupOp():
-            raise AssertionError("groups stand in fields only")
+            raise AssertionError("groups are in fields only")
         case _:
             values[op.member] = _item(op, reader, values)
 
@@ -227,7 +227,7 @@ def encode(f: m.Field, values: Values) -> bytes:
         else:
             _write(op, values, out)
     if len(out) > m.MAX_FIELD_DATA:
-        raise CodecError("length", f"{len(out)} bytes do not fit into a field")
+        raise CodecError("length", f"{len(out)} bytes do not fit in a field")
     return bytes(out)
 
 
@@ -236,7 +236,7 @@ def _write(op: m.Operation, values: Values, out: bytearray) -> None:
         case m.ConstantOp():
             out += op.value.to_bytes(op.size, "big")
         case m.GroupOp():
-            raise AssertionError("groups stand in fields only")
+            raise AssertionError("groups are in fields only")
         case _:
             if op.member not in values:
                 raise CodecError("missing", op.member)
@@ -293,12 +293,12 @@ def _bytes(scalar: m.Scalar, value: Any) -> bytes:
     if scalar.kind == "float":
         raw = bytes.fromhex(value[2:]) if isinstance(value, str) else b""
         if len(raw) != scalar.size:
-            raise CodecError("range", f"{value!r} is no {scalar.name}")
+            raise CodecError("range", f"{value!r} is not a {scalar.name}")
         return raw
     try:
         return int(value).to_bytes(scalar.size, "big", signed=scalar.kind == "signed")
     except OverflowError as error:
-        raise CodecError("range", f"{value} does not fit into {scalar.name}") from error
+        raise CodecError("range", f"{value} does not fit in {scalar.name}") from error
 
 
 # --------------------------------------------------------------------------- values written by people
@@ -358,11 +358,13 @@ def _canonical_number(op: m.ScalarOp, value: Any, where: str) -> int | str:
         if isinstance(value, str) and re.fullmatch(f"0x[0-9A-Fa-f]{{{2 * op.size}}}", value):
             return value.lower()
         if isinstance(value, (str, bool)) or value is None:
-            raise ValueError(f"{where}: {value!r} is no number, nor the {2 * op.size} hexadecimal digits of its bits")
+            raise ValueError(
+                f"{where}: {value!r} is neither a number nor the {2 * op.size} hexadecimal digits of its bits"
+            )
         try:
             return "0x" + struct.pack(">f" if op.size == 4 else ">d", value).hex()
         except (OverflowError, struct.error) as error:
-            raise ValueError(f"{where}: {value!r} does not fit into a {op.scalar.name}") from error
+            raise ValueError(f"{where}: {value!r} does not fit in a {op.scalar.name}") from error
     if isinstance(value, str) and isinstance(op.type, m.Enum):
         known = op.type.by_name(value)
         if known is None:
@@ -379,4 +381,4 @@ def _canonical_number(op: m.ScalarOp, value: Any, where: str) -> int | str:
         return mask
     if isinstance(value, (bool, int)):
         return int(value)
-    raise ValueError(f"{where}: {value!r} is no whole number")
+    raise ValueError(f"{where}: {value!r} is not a whole number")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
+from . import meaning
 from . import model as m
 from .layout import Types
 from .nodes import Node
@@ -15,7 +16,7 @@ from .variation import variant
 def resolve(nodes: list[Node], model: m.Model, types: Types, problems: Problems) -> m.Model:
     """The model with its devices, and with what differs on them said of each parameter."""
     for key, what in (("device", "called"), ("name", "called"), ("title", "titled")):
-        _unique((node[key] for node in nodes), f"there are two devices {what} '{{}}'; rename one", problems)
+        _unique((node[key] for node in nodes), f"two devices are {what} '{{}}'; rename one", problems)
     nodes = sorted(nodes, key=lambda node: str(node["device"].value))
     found = [(path, v) for node in nodes for path, v in _variants(node, model, types, problems)]
     model = _with_variants(model, found)
@@ -100,7 +101,7 @@ class _Device:
             self.problems.add(manual.position, f"unknown manual '{manual.value}'{nearest(manual.value, manuals)}")
         for key in ("limits", "notes"):
             entries = (entry["name"] for entry in node.get(key) or ())
-            _unique(entries, f"'{{}}' is given twice in {key}; rename one", self.problems)
+            _unique(entries, f"'{{}}' is used twice in {key}; rename one", self.problems)
         supports = self.supports(node["supports"], self.functions(node.get("functions")))
         _unsupported(node, supports, self.model, self.problems)
         self.readings(device_id, supports)
@@ -148,9 +149,9 @@ class _Device:
             for entry in entries:
                 f, full = known.get(entry.value), f"{set_name}.{entry.value}"
                 if f is None:
-                    self.problems.add(entry.position, f"undefined field '{full}'{nearest(entry.value, known)}")
+                    self.problems.add(entry.position, f"unknown field '{full}'{nearest(entry.value, known)}")
                 elif full in found:
-                    self.problems.add(entry.position, f"'{full}' is given twice; remove one")
+                    self.problems.add(entry.position, f"'{full}' is listed twice; remove one")
                 else:
                     own = functions.get(full)
                     taken = tuple(x for x in f.functions if own is None or x.letter in own.value)
@@ -168,13 +169,13 @@ class _Device:
             field = self.model.field(name)
             if field is None or not field.functions:
                 known = [f.full_name for f in self.model.fields if f.functions]
-                self.problems.add(node.keys[name], f"no command '{name}' with functions{nearest(name, known)}")
+                self.problems.add(node.keys[name], f"there is no command '{name}' with functions{nearest(name, known)}")
                 continue
             extra = set(letters.value) - set(m.letters(field.functions))
             if extra:
                 more = "".join(sorted(extra))
                 self.problems.add(
-                    letters.position, f"'{name}' is not defined with the functions {more}; add them there"
+                    letters.position, f"'{name}' is not defined with the functions {more}; add them to its definition"
                 )
             found[name] = letters
         return found
@@ -206,7 +207,7 @@ class _Device:
         unit = node.scalar("unit")
         known = [u.symbol for u in self.model.protocol.units]
         if unit is not None and unit not in known:
-            self.problems.add(node["unit"].position, f"unknown unit '{unit}'{nearest(unit, known)}")
+            self.problems.add(node["unit"].position, meaning.unknown_unit(unit, known))
         return m.Limit(node["name"].value, node["value"].value, unit, node["description"].value)
 
     def codes(self, node: Node) -> tuple[int, ...]:
@@ -214,5 +215,5 @@ class _Device:
         known = {v.value for v in of.values}
         for code in node if of is not self.model.protocol.function_selector else ():
             if code.value not in known:
-                self.problems.add(code.position, f"{code.value} is no value of '{of.name}'; add it there")
+                self.problems.add(code.position, f"'{of.name}' has no value {code.value}; add it to the enumeration")
         return tuple(node.plain())

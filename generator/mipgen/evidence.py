@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from . import codec
+from . import codec, meaning
 from . import model as m
 from .nodes import Node
 from .problems import Problems, nearest
@@ -23,7 +23,7 @@ def examples(roots: Iterable[Node], model: m.Model, problems: Problems) -> tuple
         for node in root["examples"]:
             name = node["id"].value
             if name in found:
-                problems.add(node["id"].position, f"the example '{name}' stands twice; choose another id")
+                problems.add(node["id"].position, f"two examples are called '{name}'; rename one")
                 continue
             example = _Example(node, model, problems).resolve()
             if example is not None:
@@ -47,11 +47,8 @@ class _Example:
 
     def resolve(self) -> m.Example | None:
         node = self.node
-        manuals = [x.id for x in self.model.protocol.manuals]
-        manual = node["manual"].value
-        if manual not in manuals:
-            place = node["manual"].position
-            self.problems.add(place, f"unknown manual '{manual}'{nearest(manual, manuals)}")
+        manuals = {x.id: x for x in self.model.protocol.manuals}
+        manual, section = meaning.citation(node, manuals, self.problems.add)
         printed = node.scalar("string")
         try:
             table = self.octets("table")
@@ -63,7 +60,7 @@ class _Example:
         return m.Example(
             id=node["id"].value,
             manual=manual,
-            section=node["section"].value,
+            section=section,
             title=node["title"].value,
             role=node["role"].value,
             string=printed,
@@ -108,7 +105,7 @@ class _Example:
         else:
             packet = _known(given, place)
         if "set" in self.node and packet[2:3] != bytes([self.node["set"].value]):
-            raise _Wrong(self.node["set"].position, f"the packet belongs to the set 0x{packet[2:3].hex().upper()}")
+            raise _Wrong(self.node["set"].position, f"the packet is of the set 0x{packet[2:3].hex().upper()}")
         return packet
 
     def number(self, what: str) -> int:
@@ -141,7 +138,7 @@ class _Example:
         try:
             return codec.build(self.model, number, parts)
         except codec.CodecError as error:
-            raise _Wrong(place, f"the fields make no packet: {error}") from error
+            raise _Wrong(place, f"the fields do not make a packet: {error}") from error
 
     # ----------------------------------------------------------------------- fields
 
@@ -150,7 +147,9 @@ class _Example:
         if isinstance(node.value, str):
             return node.value, Node({}, node.position)
         if not node.value:
-            raise _Wrong(node.position, "a field is missing: give its name, its name and values, or raw bytes")
+            raise _Wrong(
+                node.position, "this entry is empty; write a field's name, its name and values, or raw and its bytes"
+            )
         name, values = next(node.items())
         if name == "raw":
             return None, values
@@ -189,7 +188,7 @@ class _Example:
         try:
             split = codec.split(self.model, packet)
         except codec.CodecError as error:
-            raise _Wrong(place, f"this is no packet: {error}") from error
+            raise _Wrong(place, f"this is not a packet: {error}") from error
         stated = list(self.node.get("fields") or ())
         if stated and len(stated) != len(split):
             there, listed = (f"{n} field{'s' if n != 1 else ''}" for n in (len(split), len(stated)))
@@ -221,7 +220,7 @@ class _Example:
     def check_role(self, field: m.Field, place: m.Position) -> None:
         role = self.node["role"].value
         if role != "field" and role != ROLES[field.role]:
-            message = f"the role is {role}, but '{field.full_name}' belongs to a packet of the role {ROLES[field.role]}"
+            message = f"the role is {role}, but '{field.full_name}' comes in packets of the role {ROLES[field.role]}"
             raise _Wrong(place, message)
 
     def stated(self, node: Node, field: m.Field | None, descriptor: int, data: bytes) -> codec.Values | None:
@@ -251,13 +250,13 @@ def _digits(text: str) -> int:
 def _known(octets: Octets, place: m.Position) -> bytes:
     """The bytes, if none is open."""
     if None in octets:
-        raise _Wrong(place, "the right bytes are open; give 'packet' with all bytes but the checksum")
+        raise _Wrong(place, "bytes are open in the print; give 'packet' with all of them but the checksum")
     return bytes(x or 0 for x in octets)
 
 
 def _as_field(data: bytes, place: m.Position) -> tuple[int, bytes]:
     if len(data) < 2 or data[0] != len(data):
-        raise _Wrong(place, f"{data.hex(' ')} is no field: its first byte must be its length, {len(data)}")
+        raise _Wrong(place, f"{data.hex(' ')} is not a field: its first byte must be its length, {len(data)}")
     return data[1], data[2:]
 
 
@@ -274,19 +273,18 @@ def _with_counters(operations: tuple[m.Operation, ...], values: codec.Values) ->
 # --------------------------------------------------------------------------- errata
 
 
-def errata(roots: Iterable[Node], manuals: set[str], problems: Problems) -> tuple[m.Erratum, ...]:
+def errata(roots: Iterable[Node], manuals: Mapping[str, m.Manual], problems: Problems) -> tuple[m.Erratum, ...]:
     found: dict[str, m.Erratum] = {}
     for root in roots:
         for node in root["errata"]:
-            name, manual = node["id"].value, node["manual"].value
-            if manual not in manuals:
-                problems.add(node["manual"].position, f"unknown manual '{manual}'{nearest(manual, manuals)}")
+            name = node["id"].value
+            manual, section = meaning.citation(node, manuals, problems.add)
             if name in found:
-                problems.add(node["id"].position, f"the erratum '{name}' stands twice; choose another id")
+                problems.add(node["id"].position, f"two errata are called '{name}'; rename one")
             found[name] = m.Erratum(
                 id=name,
                 manual=manual,
-                section=node["section"].value,
+                section=section,
                 severity=node["severity"].value,
                 printed=node["printed"].value,
                 right=node["right"].value,

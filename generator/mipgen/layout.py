@@ -50,7 +50,7 @@ class Types:
             place = types.keys[name] if types else node.position
             taken = (*m.SCALARS, self.vocabulary.selector.name)
             if name in known or name in self.shared or name in taken:
-                self.problems.add(place, f"the type '{name}' is defined already; choose another name")
+                self.problems.add(place, f"the type '{name}' is already defined; choose another name")
             else:
                 known[name] = Node(node.value, place, node.keys)
 
@@ -76,10 +76,10 @@ class Types:
         if (where, name) not in self._done:
             if name in self._open:
                 loop = " -> ".join([*self._open[self._open.index(name) :], name])
-                self.problems.add(position, f"the type contains itself: {loop}; a structure needs an end")
+                self.problems.add(position, f"the type contains itself: {loop}; break the loop")
                 return None
             if len(self._open) == MAX_NESTING:
-                self.problems.add(position, f"'{name}' is nested more than {MAX_NESTING} deep; make it flatter")
+                self.problems.add(position, f"'{name}' is nested more than {MAX_NESTING} deep; flatten it")
                 return None
             self._open.append(name)
             found = self._resolve(name, where, node)
@@ -97,7 +97,7 @@ class Types:
         part = parts.get(kinds[0])
         for other in ("values", "bits", "elements"):
             if (other in node) != (other == part):
-                fault = "is missing in" if other == part else "does not belong into"
+                fault = "is missing in" if other == part else "does not belong in"
                 place = node.keys.get(other, node.position)
                 self.problems.add(place, f"'{other}' {fault} the {kinds[0]} '{name}'")
                 return None
@@ -108,7 +108,7 @@ class Types:
             for i, entry in enumerate(node["elements"]):
                 if entry.value in elements[:i]:
                     self.problems.add(
-                        entry.position, f"'{entry.value}' stands twice in the vector '{name}'; rename one"
+                        entry.position, f"'{entry.value}' is used twice in the vector '{name}'; rename one"
                     )
             return m.Vector(name, scalar, tuple(elements), description)
         origin = (description, owner, sources(node, self.vocabulary, self.problems))
@@ -143,17 +143,17 @@ class Types:
         found = []
         for name, entry in node["bits"].items():
             if isinstance(entry.value, dict) and ("bit" in entry) == ("bits" in entry):
-                self.problems.add(entry.position, f"'{name}' needs either bit: 3 or bits: 3-5")
+                self.problems.add(entry.position, f"'{name}' needs one bit, bit: 3, or a range of them, bits: 3-5")
                 continue
             span = entry.get("bits") or entry.get("bit") or entry
             parts = re.fullmatch(r"([0-9]{1,4})(?:-([0-9]{1,4}))?", str(span.value))
             if parts is None:
-                self.problems.add(span.position, f"'{name}': '{span.value}' is no bit; write 3 or 3-5")
+                self.problems.add(span.position, f"'{name}': '{span.value}' is not a bit; write 3, or 3-5 for a range")
                 continue
             low, high = int(parts[1]), int(parts[2] or parts[1])
             if high < low or high >= width:
-                wanted = "write the lower bit first" if high < low else f"they must lie in 0-{width - 1}"
-                self.problems.add(span.position, f"'{name}': bits {span.value}; {wanted}")
+                wanted = f"write {high}-{low}" if high < low else f"there are only 0 to {width - 1}"
+                self.problems.add(span.position, f"'{name}': no bits {span.value}; {wanted}")
                 continue
             place = node["bits"].keys[name]
             enum = self._enum_of(entry, owner)
@@ -171,7 +171,7 @@ class Types:
         if isinstance(found, m.Enum):
             return found
         if found is not None:
-            self.problems.add(entry.position, f"'{found.name}' is no enumeration")
+            self.problems.add(entry.position, f"'{found.name}' is not an enumeration")
         return None
 
     # ----------------------------------------------------------------------- records
@@ -221,11 +221,11 @@ class _Build:
     def add(self, node: Node) -> None:
         name = node["name"].value
         if self.earlier(name) or (self.functions and name == "function"):
-            self.problem(node["name"].position, f"the parameter '{name}' stands twice; rename one")
+            self.problem(node["name"].position, f"the parameter '{name}' is defined twice; rename one")
             return
         if self.done and open_ended(self.done[-1].operation):
             last = self.done[-1].name
-            self.problem(node.position, f"'{name}' cannot follow '{last}', which reaches to the end of the field")
+            self.problem(node.position, f"'{name}' cannot follow '{last}', which takes the rest of the field")
             return
         parameter = self.union(node) if "switch" in node or "cases" in node else self.value(node)
         if parameter is not None:
@@ -244,7 +244,7 @@ class _Build:
             self.problem(node["switch"].position, f"no parameter '{tag_name}' comes before '{name}'{near}")
             return None
         if not isinstance(tag.element, m.Enum) or tag.length is not None:
-            self.problem(node["switch"].position, f"'{tag_name}' is no enumeration, so it cannot select a case")
+            self.problem(node["switch"].position, f"'{tag_name}' is not an enumeration, so it cannot select a case")
             return None
         cases: list[m.Case] = []
         for label, case in node["cases"].items():
@@ -301,14 +301,11 @@ class _Build:
         if "const" in node:
             return self.constant(node, name, element)
         length = node.scalar("count")
-        if isinstance(length, int) and length < 1:
-            self.problem(node["count"].position, f"the count of '{name}' must be at least 1, not {length}")
-            return None
         if length is not None and isinstance(element, m.Struct) and not element.fixed:
             self.problem(node["count"].position, f"the size of '{type_name}' varies, so there can be no array of it")
             return None
         if length is not None and isinstance(element, m.Bitfield) and element.scalar is None:
-            self.problem(node["count"].position, f"'{type_name}' is an array of bytes, so there can be no array of it")
+            self.problem(node["count"].position, f"'{type_name}' is a wide bitfield, so there can be no array of it")
             return None
         if isinstance(length, str) and length != REST and not self.counter(node, name, length):
             return None
@@ -320,7 +317,7 @@ class _Build:
             self.problem(node.keys["const"], f"the constant '{name}' must be one unsigned number")
             return None
         if value >> (8 * element.size):
-            self.problem(node["const"].position, f"{value} does not fit into {element.name}")
+            self.problem(node["const"].position, f"{value} does not fit in {element.name}")
         op = m.ConstantOp(name, element, value, element.size)
         return m.Parameter(name, element, None, op, constant=value, position=node.position)
 
@@ -334,7 +331,7 @@ class _Build:
                     self.problem(place, f"'{counter}' cannot count '{name}': it is not one unsigned number")
                     return False
                 if p.counts:
-                    self.problem(place, f"'{counter}' counts '{p.counts}' already; give '{name}' its own counter")
+                    self.problem(place, f"'{counter}' already counts '{p.counts}'; give '{name}' its own counter")
                     return False
                 assert isinstance(p.element, m.Scalar)
                 op = m.CounterOp(counter, p.element, name, p.element.size)
@@ -353,6 +350,7 @@ class _Build:
             p,
             description=node.scalar("description", ""),
             units=meaning.units(node, p, words.units, self.problem),
+            any_unit="unit" in node and node["unit"].value is None,
             frame=meaning.frame(node, words.frames, self.problem),
             default=meaning.default(node, p, self.problem),
             valid=meaning.valid(node),  # judged in `finish`, because the flags usually stand last
@@ -371,7 +369,7 @@ class _Build:
         if not self.functions:
             if letters is not None:
                 self.problem(
-                    node.keys["for"], f"'{p.name}' has 'for', but no function selector comes before it; remove it"
+                    node.keys["for"], f"'{p.name}' has 'for', but the field has no function selector; remove it"
                 )
             return ()
         if (letters is None) == (not optional):
@@ -385,7 +383,7 @@ class _Build:
         if extra:
             self.problem(
                 node["for"].position,
-                f"'{p.name}' is required for {''.join(extra)}, but the command takes {self.functions} only",
+                f"'{p.name}' is required for {''.join(extra)}, but the command takes only {self.functions}",
             )
         functions = self.types.vocabulary.letters(self.functions)
         named = {f.name for f in functions if f.letter in (letters or "")}
@@ -394,7 +392,7 @@ class _Build:
     def may_be_absent(self, node: Node, p: m.Parameter) -> bool:
         if self.inside and "optional" in node:
             self.problem(
-                node.keys["optional"], f"'{p.name}' stands in a structure, where nothing is optional; remove it"
+                node.keys["optional"], f"'{p.name}' is in a structure, where nothing is optional; remove 'optional'"
             )
         return "optional" in node and not self.plain and not self.inside
 
@@ -421,7 +419,7 @@ class _Build:
         for p in parameters[:first]:
             if p.counts in [q.name for q in parameters[first:]]:
                 self.problem(
-                    p.position, f"'{p.name}' is required, but the array that it counts is optional; make both so"
+                    p.position, f"'{p.name}' is required, but the array that it counts is optional; make both optional"
                 )
         always = tuple(p.operation for p in parameters[:first])
         groups = self.groups(parameters[first:], first)
@@ -466,13 +464,13 @@ class _Build:
             if all(p.constant is not None for p in members):
                 self.problem(
                     members[0].position,
-                    f"the constant '{members[0].name}' may be absent, so nothing tells whether it is there; "
-                    "it must come before every parameter that may be absent",
+                    f"the constant '{members[0].name}' may be absent, and nothing would tell; "
+                    "put it before every parameter that may be absent",
                 )
             for p in members:
                 if p.required_for != members[0].required_for or p.optional != members[0].optional:
-                    what = f"'{members[0].name}' up to '{members[-1].name}'"
-                    self.problem(p.position, f"a counter and its array come together: give {what} the same 'for'")
+                    what = f"all from '{members[0].name}' to '{members[-1].name}'"
+                    self.problem(p.position, f"a counter and its array come together; give {what} the same 'for'")
                     break
             found.append(m.GroupOp(before + i + 1, before + end + 1, tuple(p.operation for p in members)))
             i = end + 1
@@ -487,7 +485,7 @@ class _Build:
                 return  # said of the structure
             if used > m.MAX_FIELD_DATA:
                 self.problem(
-                    p.position, f"up to '{p.name}' it is {used} bytes; a field has room for {m.MAX_FIELD_DATA}"
+                    p.position, f"with '{p.name}' the field has {used} bytes of data; the most is {m.MAX_FIELD_DATA}"
                 )
                 return
 

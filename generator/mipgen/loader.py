@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import json
+import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
@@ -12,11 +13,16 @@ from . import cache, overlay, resources, stamp
 from .documents import Document
 from .model import Position
 from .nodes import Node, read
-from .problems import Problems, nearest
+from .problems import Problems, close, nearest
+from .spelling import strange
+
+#: What other readers of YAML take for true and false.
+BOOLEANS = {**dict.fromkeys(("true", "yes", "on", "y"), "true"), **dict.fromkeys(("false", "no", "off", "n"), "false")}
 
 #: Which files a specification has: kind of schema -> pattern below its folder.
 LAYOUT = {
     "protocol": "protocol.yaml",
+    "manual": "manuals/*.yaml",
     "types": "types/*.yaml",
     "set": "sets/*.yaml",
     "device": "devices/*.yaml",
@@ -31,7 +37,7 @@ OVERLAY = {"overlay": "overlay.yaml", **{kind: path for kind, path in LAYOUT.ite
 def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Document]:
     """Reads all files of a specification and its overlays; what is wrong with them goes to `problems`."""
     if not (spec / "protocol.yaml").is_file():
-        problems.add(Position(shown(spec), 1, 1), "this is no specification: protocol.yaml is missing")
+        problems.add(Position(shown(spec), 1, 1), "this is not a specification: protocol.yaml is missing")
         return []
     documents = _documents(spec, LAYOUT, False, problems)
     for folder in overlays:
@@ -81,7 +87,7 @@ def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
     known = {path for pattern in layout.values() for path in spec.glob(pattern)}
     read_ones = _listed(layout)
     for path in sorted({*spec.rglob("*.yaml"), *spec.rglob("*.yml")} - known):
-        problems.add(Position(shown(path), 1, 1), f"this file is never read; those that are: {read_ones}")
+        problems.add(Position(shown(path), 1, 1), f"this file is not read; only these are: {read_ones}")
 
 
 def _is_integer(_: Any, value: Any) -> bool:
@@ -133,12 +139,15 @@ def _valid(validator: Any, root: Node, name: str, problems: Problems) -> bool:
     return not errors
 
 
+_ALONE = "; write the number alone if the name says it all"
+
+
 def messages(error: Any, root: str) -> Iterator[tuple[list[str | int], str]]:
     """What is wrong and what would be right, in words; with the key that it is about, if it is one."""
     instance, schema, rule = error.instance, error.schema, error.validator_value
     inside = _inside(list(error.absolute_path), root)
     if "propertyNames" in error.absolute_schema_path:
-        yield [instance], f"the name '{instance}' must be {_form(schema, rule)}"
+        yield [instance], f"the name '{instance}' must be {_form(schema, rule)}{strange(instance)}"
         return
     match error.validator:
         case "additionalProperties":
@@ -148,18 +157,18 @@ def messages(error: Any, root: str) -> Iterator[tuple[list[str | int], str]]:
         case "required":
             for key in rule:
                 if key not in instance:
-                    yield [], f"'{key}' is missing in {inside}"
+                    alone = _ALONE if key == "description" and "integer" in schema.get("type", ()) else ""
+                    yield [], f"'{key}' is missing in {inside}{alone}"
         case "type":
             kinds = [rule] if isinstance(rule, str) else rule
-            hint = "; put it in quotes" if "string" in kinds and isinstance(instance, (int, float)) else ""
-            yield [], f"{inside} must be {_kinds(kinds)}, not {_shown(instance)}{hint}"
+            yield [], f"{inside} must be {_kinds(kinds)}, not {_shown(instance)}{_instead(instance, kinds)}"
         case "enum":
-            near = nearest(str(instance), map(str, rule))
-            yield [], f"{inside}: {_shown(instance)} is not known here{near}"
+            known = [str(x) for x in rule]
+            yield [], f"{inside} must be {' or '.join(known)}, not {_shown(instance)}{close(str(instance), known)}"
         case "const":
             yield [], f"{inside} must be {_shown(rule)}, or be left out, not {_shown(instance)}"
         case "pattern":
-            yield [], f"{inside} must be {_form(schema, rule)}, not {_shown(instance)}"
+            yield [], f"{inside} must be {_form(schema, rule)}, not {_shown(instance)}{strange(instance)}"
         case "minimum":
             yield [], f"{inside} must be at least {rule}, not {_shown(instance)}"
         case "exclusiveMinimum":
@@ -178,6 +187,29 @@ def _inside(path: list[str | int], root: str) -> str:
     """What an error is about: a key, or the item of a list."""
     key = next((f"'{p}'" for p in reversed(path) if isinstance(p, str)), root)
     return f"item {path[-1] + 1} of {key}" if path and isinstance(path[-1], int) else key
+
+
+def _instead(value: Any, kinds: list[str]) -> str:
+    """What to write in place of a value of the wrong kind, where that is plain.
+
+    >>> _instead("yes", ["boolean"]), _instead(7, ["string"]), _instead("8C", ["integer"]), _instead("−3", ["integer"])
+    ('; write true', '; put it in quotes', '; write 0x8C', "; '−' is a minus sign (U+2212), write '-'")
+    >>> _instead({}, ["array"]), _instead([], ["object"]), _instead("fast", ["integer"])
+    ("; begin each item with '- '", "; write 'key: value', without '- '", '')
+    """
+    match value:
+        case bool() | int() | float() if "string" in kinds:
+            return "; put it in quotes"
+        case dict() if "array" in kinds:
+            return "; begin each item with '- '"
+        case list() if "object" in kinds:
+            return "; write 'key: value', without '- '"
+        case str() if "boolean" in kinds and value.casefold() in BOOLEANS:
+            return f"; write {BOOLEANS[value.casefold()]}"
+        case str() if {"integer", "number"}.intersection(kinds):
+            return f"; write 0x{value}" if re.fullmatch("[0-9A-Fa-f]{2}", value) else strange(value)
+        case _:
+            return ""
 
 
 def _form(schema: Any, pattern: Any) -> str:

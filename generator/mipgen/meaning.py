@@ -3,25 +3,41 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping
 
 from . import model as m
 from .nodes import Node
-from .problems import nearest
+from .problems import close, nearest
 
 Problem = Callable[[m.Position, str], None]
 Number = int | float
 
 
-def units(node: Node, p: m.Parameter, known: set[str], problem: Problem) -> tuple[str, ...]:
+def citation(node: Node, manuals: Mapping[str, m.Manual], problem: Problem) -> tuple[str, str]:
+    """The manual and the section that a source, an example or an erratum names."""
+    manual, section = node["manual"].value, node["section"].value
+    known = manuals.get(manual)
+    if known is None:
+        problem(node["manual"].position, f"unknown manual '{manual}'{nearest(manual, manuals)}")
+    elif known.sections and section not in known.sections:
+        near = close(section, known.sections) or "; add it to the sections of the manual if the manual has it"
+        problem(node["section"].position, f"'{manual}' lists no section '{section}'{near}")
+    return manual, section
+
+
+def unknown_unit(unit: str, known: Iterable[str]) -> str:
+    return f"unknown unit '{unit}'{nearest(unit, known, guess=False)}"
+
+
+def units(node: Node, p: m.Parameter, known: Collection[str], problem: Problem) -> tuple[str, ...]:
     """One unit for all elements, or one for each."""
     given = node.get("unit")
-    if given is None:
+    if given is None or given.value is None:
         return ()
     entries = list(given) if isinstance(given.value, list) else [given]
     for entry in entries:
         if entry.value not in known:
-            problem(entry.position, f"unknown unit '{entry.value}'{nearest(entry.value, known)}")
+            problem(entry.position, unknown_unit(entry.value, known))
     width = len(p.element.elements) if isinstance(p.element, m.Vector) else p.length
     if isinstance(given.value, list) and len(entries) != width:
         problem(given.position, f"'{p.name}' has {len(entries)} units; give one, or one for each element")
@@ -42,11 +58,11 @@ def limits(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None,
     element, (low, high) = p.element, node["range"].plain()
     scalar = element.scalar if isinstance(element, m.Vector) else element
     if not isinstance(scalar, m.Scalar) or scalar.kind in ("bool", "char"):
-        problem(node["range"].position, f"'{p.name}' is no number, so it has no range; remove it")
+        problem(node["range"].position, f"'{p.name}' is not a number, so it has no range; remove it")
         return None, None
     for entry in node["range"]:
         if entry.value is not None:
-            _fits(entry, scalar, f"'{p.name}': the range", problem)
+            _fits(entry, scalar, f"a bound of the range of '{p.name}'", problem)
     if low is not None and high is not None and low > high:
         problem(node["range"].position, f"the range of '{p.name}' is empty; write the smaller number first")
     return low, high
@@ -78,7 +94,7 @@ def reserved(node: Node, p: m.Parameter, problem: Problem) -> int | None:
     if not (isinstance(p.element, m.Scalar) and p.element.kind in ("unsigned", "signed")):
         problem(node.keys["reserved"], f"the reserved parameter '{p.name}' must be a whole number, or an array of them")
     else:
-        _fits(node["reserved"], p.element, f"'{p.name}': the reserved value", problem)
+        _fits(node["reserved"], p.element, f"the reserved value of '{p.name}'", problem)
     return found
 
 
@@ -154,22 +170,20 @@ class _Default:
                 self.wrong(node, "true or false")
         elif not isinstance(value, (int, float)) or isinstance(value, bool):
             self.wrong(node, "a number")
-        elif _fits(node, scalar, f"'{p.name}': the default", self.problem):
-            low = -math.inf if p.minimum is None else p.minimum
-            high = math.inf if p.maximum is None else p.maximum
-            if not low <= value <= high:
-                self.problem(
-                    node.position, f"'{p.name}': the default {value} lies outside of its range {low} to {high}"
-                )
+        elif _fits(node, scalar, f"the default of '{p.name}'", self.problem):
+            low, high = p.minimum, p.maximum
+            if (low is not None and value < low) or (high is not None and value > high):
+                span = f"[{'~' if low is None else low}, {'~' if high is None else high}]"
+                self.problem(node.position, f"the default of '{p.name}' is {value}, outside its range {span}")
 
 
 def _fits(node: Node, scalar: m.Scalar, what: str, problem: Problem) -> bool:
     value, (low, high) = node.value, bounds(scalar)
     if scalar.kind != "float" and isinstance(value, float):
-        problem(node.position, f"{what} {value} must be a whole number, as {scalar.name} is")
+        problem(node.position, f"{what} is {value}, but {scalar.name} holds only whole numbers")
         return False
     if not low <= value <= high:
-        problem(node.position, f"{what} {value} does not fit into {scalar.name}, which holds {low} to {high}")
+        problem(node.position, f"{what} is {value}, but {scalar.name} holds only {low} to {high}")
         return False
     return True
 
@@ -195,7 +209,7 @@ def _valid_bit(node: Node, p: m.Parameter, names: dict[str, m.Parameter], proble
     readable = [other.element, *(v.type for v in other.readings)]
     known = {b.name for t in readable if isinstance(t, m.Bitfield) for b in t.bits}
     if not known:
-        problem(node.position, f"'{flags}' has no bits, so it cannot vouch for '{p.name}'; name a bitfield")
+        problem(node.position, f"'{flags}' is not a bitfield, so it cannot say whether '{p.name}' is valid")
     elif bit not in known:
         problem(node.position, f"'{flags}' has no bit '{bit}'{nearest(bit, known)}")
 

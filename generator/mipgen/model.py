@@ -248,6 +248,7 @@ class Parameter:
     operation: Operation = field(compare=False)
     description: str = ""
     units: tuple[str, ...] = ()  # one for all elements, or one for each
+    any_unit: bool = False  # no unit can be named: another value decides it
     frame: str | None = None
     minimum: float | int | None = None
     maximum: float | int | None = None
@@ -654,6 +655,7 @@ class Manual:
     title: str
     document: str
     lengths: Literal["wire", "scalars"]  # how it counts the field lengths that it prints
+    sections: tuple[str, ...] = ()  # its headings that may be cited; none: any
 
 
 @dataclass(frozen=True, slots=True)

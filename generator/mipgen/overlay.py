@@ -1,7 +1,7 @@
 """Lays further folders over a specification: own sets, fields, types and devices, without touching its files.
 
 An overlay has the folders of a specification. A set file or a device file that begins with `extend: NAME` adds
-to a set or a device that is there already; `overlay.yaml` adds units, frames and manuals.
+to a set or a device that is there already; `overlay.yaml` adds units and frames.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def lay(documents: list[Document], over: list[Document], problems: Problems) -> 
 
 
 def _with_words(protocol: Document, overlay: Node, problems: Problems) -> Document:
-    """The protocol with more units, frames and manuals."""
+    """The protocol with more units and frames."""
     value = dict(protocol.root.value)
     for key, more in overlay.items():
         value[key] = _joined(value[key], more, problems)

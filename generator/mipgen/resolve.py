@@ -43,10 +43,11 @@ def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types
     """The protocol, the types and the sets."""
     root = roots["protocol"][0]
     functions = _functions(root["functions"], problems)
+    manuals = _manuals(roots["manual"], problems)
     words = Vocabulary(
-        units=set(root["units"].value),
+        units=list(root["units"].value),
         frames=set(root["frames"].value),
-        manuals=set(root["manuals"].value),
+        manuals={x.id: x for x in manuals},
         devices={d["device"].value for d in roots["device"]},
         functions=functions,
         selector=_selector(functions),
@@ -71,12 +72,12 @@ def _functions(node: Node, problems: Problems) -> tuple[m.Function, ...]:
         letter, value = n["letter"], n["value"]
         for other in found:
             if other.letter == letter.value:
-                problems.add(letter.position, f"'{other.name}' has the letter {letter.value} already; choose another")
+                problems.add(letter.position, f"'{other.name}' already has the letter {letter.value}; choose another")
             if other.value == value.value:
-                problems.add(value.position, f"'{other.name}' has the value {value.value} already; choose another")
+                problems.add(value.position, f"'{other.name}' already has the value {value.value}; choose another")
         like = n.get("like")
         if like is not None and like.value not in node:
-            problems.add(like.position, f"no function '{like.value}'{nearest(like.value, node.value)}")
+            problems.add(like.position, f"unknown function '{like.value}'{nearest(like.value, node.value)}")
         found.append(
             m.Function(
                 name,
@@ -123,10 +124,20 @@ def _protocol(root: Node, types: Types, functions: tuple[m.Function, ...], probl
         function_selector=types.vocabulary.selector,
         units=_words(root["units"]),
         frames=_words(root["frames"]),
-        manuals=tuple(
-            m.Manual(i, n["title"].value, n["document"].value, n["lengths"].value) for i, n in root["manuals"].items()
-        ),
+        manuals=tuple(types.vocabulary.manuals.values()),
     )
+
+
+def _manuals(nodes: list[Node], problems: Problems) -> list[m.Manual]:
+    """The manuals in the order of their document numbers."""
+    found: dict[str, m.Manual] = {}
+    for node in nodes:
+        name = node["manual"].value
+        if name in found:
+            problems.add(node["manual"].position, f"the manual '{name}' is defined twice; rename one")
+        sections = tuple(node["sections"].plain()) if "sections" in node else ()
+        found[name] = m.Manual(name, node["title"].value, node["document"].value, node["lengths"].value, sections)
+    return sorted(found.values(), key=lambda x: (x.document, x.id))
 
 
 def _words(node: Node) -> tuple[m.Word, ...]:

@@ -29,7 +29,7 @@ class Sets:
         for node in pending:
             name = node["name"].value
             if name in found:
-                self.problems.add(node["name"].position, f"there are two sets called '{name}'; rename one")
+                self.problems.add(node["name"].position, f"two sets are called '{name}'; rename one")
                 continue
             found[name] = self.set(node, found)
         return tuple(sorted(found.values(), key=lambda s: s.number))
@@ -59,7 +59,7 @@ class Sets:
             return []
         for key in COMMAND_KEYS if role == m.DATA else DATA_KEYS:
             if key in node:
-                self.problems.add(node.keys[key], f"'{key}' does not belong to a {role} field; remove it")
+                self.problems.add(node.keys[key], f"a {role} field has no '{key}'; remove it")
         letters = node.scalar("functions", "") if role == m.COMMAND else ""
         functions = self.types.vocabulary.letters(letters)
         unknown = sorted(set(letters) - {f.letter for f in functions})
@@ -92,10 +92,13 @@ class Sets:
     def response(self, node: Node, owner: Node, command: m.Field) -> m.Field | None:
         if "same_as" in node:
             for key in set(node.value) - {"same_as"}:
-                self.problems.add(node.keys[key], f"'{key}' does not go with same_as; remove it")
+                self.problems.add(node.keys[key], f"a response with same_as has no '{key}' of its own; remove it")
             return None
         if "response" not in node:
-            self.problems.add(node.position, "a response begins with 'response: 0x..' or is 'same_as' another's")
+            self.problems.add(
+                node.position,
+                "a response begins with 'response: 0x..', or with 'same_as' and the name of another command's response",
+            )
             return None
         listed = node.get("parameters")
         plain = listed is not None and listed.value == "as_command"
@@ -177,7 +180,7 @@ class Sets:
         of = node["repeats"]["of"]
         origin = others.get(of.value)
         if origin is None:
-            self.problems.add(of.position, f"no set '{of.value}' to repeat{nearest(of.value, others)}")
+            self.problems.add(of.position, f"unknown set '{of.value}'{nearest(of.value, others)}")
             return []
         found = []
         known = {f.name: f for f in origin.own_fields if f.role == m.DATA}

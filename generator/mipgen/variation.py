@@ -58,8 +58,7 @@ def by_sibling(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], scope:
         if value is None:
             near = nearest(key, [v.name for v in sibling.element.values])
             scope.problem(spec["cases"].keys[key], f"'{sibling.element.name}' has no value '{key}'{near}")
-        else:
-            found.append(variant(case, p, by.value, key, value.value, scope))
+        found.append(variant(case, p, by.value, key, value.value if value else None, scope))
     return tuple(found)
 
 
@@ -95,10 +94,10 @@ def _reading(node: Node, p: m.Parameter, scope: Scope) -> m.Enum | m.Bitfield | 
     if isinstance(p.element, (m.Struct, m.Vector)) or (
         isinstance(p.element, m.Scalar) and p.element.kind != "unsigned"
     ):
-        scope.problem(entry.position, f"'{p.name}' is no unsigned number, so it cannot be read as '{found.name}'")
+        scope.problem(entry.position, f"'{p.name}' is not an unsigned number, so '{found.name}' cannot name its values")
         return None
     own, width = size(p.operation)[1], found.scalar.size if isinstance(found, m.Enum) else found.size
     if own != width:
-        scope.problem(entry.position, f"'{found.name}' is {8 * width} bits wide, but '{p.name}' is {8 * own}")
+        scope.problem(entry.position, f"'{found.name}' has {8 * width} bits, but '{p.name}' has {8 * own}")
         return None
     return found

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
+from . import meaning
 from . import model as m
 from .nodes import Node
-from .problems import Problems, nearest
+from .problems import Problems
 
 
 @dataclass
 class Vocabulary:
     """Units, frames, manuals, devices and function selectors."""
 
-    units: set[str]
+    units: Collection[str]
     frames: set[str]
-    manuals: set[str]
+    manuals: dict[str, m.Manual]
     devices: set[str]
     functions: tuple[m.Function, ...]
     selector: m.Enum
@@ -26,13 +28,11 @@ class Vocabulary:
 
 
 def sources(node: Node, vocabulary: Vocabulary, problems: Problems) -> tuple[m.Source, ...]:
-    """The `sources` of a node, with unknown manuals reported."""
+    """The `sources` of a node."""
     found = []
     for entry in node.get("sources") or ():
-        manual = entry["manual"].value
-        if manual not in vocabulary.manuals:
-            problems.add(entry["manual"].position, f"unknown manual '{manual}'{nearest(manual, vocabulary.manuals)}")
+        manual, section = meaning.citation(entry, vocabulary.manuals, problems.add)
         length = entry.get("length")
         printed, place = (str(length.value), length.position) if length else (None, entry.position)
-        found.append(m.Source(manual, entry["section"].value, printed, place))
+        found.append(m.Source(manual, section, printed, place))
     return tuple(found)

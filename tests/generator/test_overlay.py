@@ -38,7 +38,7 @@ def test_the_specification_below_keeps_its_requirements(tmp_path: Path) -> None:
 A = "sets/a.yaml"
 DEVICE = "devices/a.yaml"
 PONG = "extend: tools\nfields:\n  - {command: 0x01, name: pong, title: Pong, description: Pongs.}\n"
-MODE = "extend: tools\ntypes:\n  mode: {enum: u8, description: A., values: {a: 1}}\n"
+MODE = "extend: tools\ntypes:\n  mode: {enum: u8, description: A., values: {a: {value: 1, description: A.}}}\n"
 
 
 @pytest.mark.parametrize(
@@ -46,13 +46,13 @@ MODE = "extend: tools\ntypes:\n  mode: {enum: u8, description: A., values: {a: 1
     [
         (A, "extend: tols\nfields: []\n", ":1:9: error: no set 'tols' to extend, did you mean 'tools'?"),
         (A, "extend: tools\ntitle: T\n", ":2:1: error: unknown key 'title'"),
-        (A, PONG, ":3:5: error: duplicate descriptor 0x01: 'ping' and 'pong'"),
-        (A, MODE, ":3:3: error: the type 'mode' is defined already"),
+        (A, PONG, ":3:5: error: 'pong' has the descriptor 0x01 of 'ping'; give it another"),
+        (A, MODE, ":3:3: error: the type 'mode' is already defined"),
         (DEVICE, "extend: model-x\n", ":1:9: error: no device 'model-x' to extend, did you mean 'model-a'?"),
         (DEVICE, "extend: model-a\nbase_rates: {measurements: 5}\n", ":2:14: error: 'measurements' is given at "),
         ("overlay.yaml", "units:\n  m: {title: mile}\n", ":2:3: error: 'm' is given at "),
-        ("protocol.yaml", "name: MIP\n", ":1:1: error: this file is never read"),
-        ("sets/a.txt", "", ":1:1: error: nothing to lay over the specification: no overlay.yaml, types/*.yaml"),
+        ("protocol.yaml", "name: MIP\n", ":1:1: error: this file is not read"),
+        ("sets/a.txt", "", ":1:1: error: nothing to lay over the specification: no overlay.yaml, manuals/*.yaml, types/*.yaml"),
     ],
 )
 def test_messages(tmp_path: Path, file: str, text: str, message: str) -> None:

@@ -100,9 +100,9 @@ class Numbers(Data):
     s64: int
     """Signed."""
     float_: float
-    """Four bytes."""
+    """Four bytes. [1]"""
     double: float
-    """Eight bytes."""
+    """Eight bytes. [1]"""
     bool_: bool
     """True or false."""
     char: int
@@ -275,7 +275,7 @@ class Arrays(Data):
     flags: tuple[types.StateFlags, ...]
     """Bitfields."""
     vectors: tuple[types.Vector3f, types.Vector3f]
-    """Vectors."""
+    """Vectors. [m]"""
     points: tuple[types.Point, ...]
     """Structures. [m]"""
     track: types.Segment
@@ -337,7 +337,7 @@ class Growing(Data):
     second: int | None = None
     """From version 2 on."""
     third: float | None = None
-    """From version 3 on."""
+    """From version 3 on. [deg]"""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Growing, int]:

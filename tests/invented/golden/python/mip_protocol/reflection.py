@@ -120,7 +120,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
                 1: Parameter("circle", "circle", "struct", type=tools.Circle),
                 2: Parameter("path", "path", "struct", type=tools.Path),
                 3: Parameter(
-                    "rotation", "rotation", "array", scalar="float", elements=("w", "x", "y", "z")
+                    "rotation",
+                    "rotation",
+                    "array",
+                    scalar="float",
+                    elements=("w", "x", "y", "z"),
+                    units=("1",),
                 ),
                 4: Parameter("label", "label", "text", scalar="char", length=8),
             },
@@ -159,7 +164,12 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
                 1: Parameter("circle", "circle", "struct", type=tools.Circle),
                 2: Parameter("path", "path", "struct", type=tools.Path),
                 3: Parameter(
-                    "rotation", "rotation", "array", scalar="float", elements=("w", "x", "y", "z")
+                    "rotation",
+                    "rotation",
+                    "array",
+                    scalar="float",
+                    elements=("w", "x", "y", "z"),
+                    units=("1",),
                 ),
                 4: Parameter("label", "label", "text", scalar="char", length=8),
             },
@@ -217,8 +227,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("s16", "s16", "scalar", scalar="s16"),
         Parameter("s32", "s32", "scalar", scalar="s32"),
         Parameter("s64", "s64", "scalar", scalar="s64"),
-        Parameter("float", "float_", "scalar", scalar="float"),
-        Parameter("double", "double", "scalar", scalar="double"),
+        Parameter("float", "float_", "scalar", scalar="float", units=("1",)),
+        Parameter("double", "double", "scalar", scalar="double", units=("1",)),
         Parameter("bool", "bool_", "scalar", scalar="bool"),
         Parameter("char", "char", "scalar", scalar="char"),
     ),
@@ -236,7 +246,13 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("modes", "modes", "array", scalar="u8", length=3, type=types.Mode),
         Parameter("flags", "flags", "array", scalar="u16", length=2, type=types.StateFlags),
         Parameter(
-            "vectors", "vectors", "array", scalar="float", elements=("x", "y", "z"), length=2
+            "vectors",
+            "vectors",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            length=2,
+            units=("m",),
         ),
         Parameter("points", "points", "array", length=2, type=types.Point, units=("m",)),
         Parameter("track", "track", "struct", type=types.Segment),
@@ -245,7 +261,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     measurements.Growing: (
         Parameter("first", "first", "scalar", scalar="u16"),
         Parameter("second", "second", "scalar", scalar="u16"),
-        Parameter("third", "third", "scalar", scalar="float"),
+        Parameter("third", "third", "scalar", scalar="float", units=("deg",)),
     ),
     more.Own: (Parameter("mode", "mode", "scalar", scalar="u8", type=types.Mode),),
     shared.Timestamp: (

@@ -74,9 +74,9 @@ struct mip_measurements_numbers {
     int32_t s32;
     /** Signed. */
     int64_t s64;
-    /** Four bytes. */
+    /** Four bytes. Unit: 1. */
     float float_;
-    /** Eight bytes. */
+    /** Eight bytes. Unit: 1. */
     double double_;
     /** True or false. */
     mip_bool bool_;
@@ -162,7 +162,7 @@ struct mip_measurements_arrays {
     mip_mode modes[3];
     /** Bitfields. */
     mip_state_flags flags[2];
-    /** Vectors. Elements: x, y, z. */
+    /** Vectors. Elements: x, y, z. Unit: m. */
     float vectors[2][3];
     /** Structures. Unit: m. */
     struct mip_point points[2];
@@ -197,7 +197,7 @@ struct mip_measurements_growing {
     uint16_t first;
     /** From version 2 on. May be absent. */
     uint16_t second;
-    /** From version 3 on. May be absent. */
+    /** From version 3 on. Unit: deg. May be absent. */
     float third;
 };
 

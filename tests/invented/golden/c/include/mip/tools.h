@@ -509,7 +509,7 @@ union mip_tools_choice_parameters {
     struct mip_tools_circle circle;
     /** If shape is path. */
     struct mip_tools_path path;
-    /** If shape is turn: A rotation. Elements: w, x, y, z. */
+    /** If shape is turn: A rotation. Elements: w, x, y, z. Unit: 1. */
     float rotation[4];
     /** If shape is label: A name. */
     char label[9];
@@ -556,7 +556,7 @@ union mip_tools_choice_response_parameters {
     struct mip_tools_circle circle;
     /** If shape is path. */
     struct mip_tools_path path;
-    /** If shape is turn: A rotation. Elements: w, x, y, z. */
+    /** If shape is turn: A rotation. Elements: w, x, y, z. Unit: 1. */
     float rotation[4];
     /** If shape is label: A name. */
     char label[9];
