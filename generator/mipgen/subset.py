@@ -9,11 +9,8 @@ from collections.abc import Container, Iterable
 from dataclasses import dataclass, replace
 
 from . import model as m
+from .errors import Failure
 from .problems import nearest
-
-
-class Unknown(Exception):
-    """A device, set or field that the specification does not have."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +54,7 @@ def _check(model: m.Model, selection: Selection) -> None:
     for what, (asked, names) in known.items():
         for name in asked:
             if name not in names:
-                raise Unknown(f"unknown {what} '{name}'{nearest(name, names)}")
+                raise Failure(f"unknown {what} '{name}'{nearest(name, names)}")
 
 
 def _asked(model: m.Model, selection: Selection) -> list[m.Field]:

@@ -52,7 +52,11 @@ MODE = "extend: tools\ntypes:\n  mode: {enum: u8, description: A., values: {a: {
         (DEVICE, "extend: model-a\nbase_rates: {measurements: 5}\n", ":2:14: error: 'measurements' is given at "),
         ("overlay.yaml", "units:\n  m: {title: mile}\n", ":2:3: error: 'm' is given at "),
         ("protocol.yaml", "name: MIP\n", ":1:1: error: this file is not read"),
-        ("sets/a.txt", "", ":1:1: error: nothing to lay over the specification: no overlay.yaml, manuals/*.yaml, types/*.yaml"),
+        (
+            "sets/a.txt",
+            "",
+            ":1:1: error: nothing to lay over the specification: no overlay.yaml, manuals/*.yaml, types/*.yaml",
+        ),
     ],
 )
 def test_messages(tmp_path: Path, file: str, text: str, message: str) -> None:

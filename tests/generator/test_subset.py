@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 from mipgen import model as m
-from mipgen.subset import Selection, Unknown, left_out, select
+from mipgen.errors import Failure
+from mipgen.subset import Selection, left_out, select
 from support import model
 
 REAL, INVENTED = model("real"), model("invented")
@@ -87,6 +88,6 @@ def test_what_was_left_out() -> None:
     ],
 )
 def test_unknown_names(selection: Selection, message: str) -> None:
-    with pytest.raises(Unknown) as caught:
+    with pytest.raises(Failure) as caught:
         select(REAL, selection)
-    assert str(caught.value) == message
+    assert str(caught.value) == f"mipgen: error: {message}"
