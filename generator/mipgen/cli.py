@@ -121,10 +121,13 @@ def parser() -> argparse.ArgumentParser:
     _out(check)
     _targets(check)
 
-    audit = command("audit", "audit_manuals", "list what manuals contain and the specification does not")
+    audit = command("audit", "audit", "list where the specification differs from manuals and other sources")
     _spec(audit)
     audit.add_argument(
-        "--manual", action="append", required=True, metavar="ID=FILE", help="a manual as plain text; may be repeated"
+        "--manual", action="append", default=[], metavar="ID=FILE", help="a manual as plain text; may be repeated"
+    )
+    audit.add_argument(
+        "--sdk", type=Path, metavar="FOLDER", help="facts about the vendor's SDK: layouts.yaml and names.yaml"
     )
 
     targets = command("targets", "targets", "list the targets")

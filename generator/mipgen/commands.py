@@ -177,22 +177,27 @@ def _of_another_time(name: str, *folders: Path) -> Model:
         raise Failure(f"this mipgen cannot read it: {error.problems[0].message}", name) from None
 
 
-def audit_manuals(options: Namespace) -> int:
-    from . import audit
+def audit(options: Namespace) -> int:
+    from . import audit as manuals
+    from . import audit_sdk
     from .problems import nearest
 
+    if not options.manual and options.sdk is None:
+        raise Failure("nothing to compare with; give --manual ID=FILE, --sdk FOLDER or both")
     model = _load(options)
     known = [x.id for x in model.protocol.manuals]
     findings = []
     for argument in options.manual:
         manual, _, file = argument.partition("=")
         if manual not in known:
-            print(f"mipgen: unknown manual '{manual}'{nearest(manual, known)}", file=sys.stderr)
-            return 2
+            raise Failure(f"unknown manual '{manual}'{nearest(manual, known)}")
         if not Path(file).is_file():
-            print(f"mipgen: '{argument}': no such file; write --manual {manual}=FILE", file=sys.stderr)
-            return 2
-        findings += audit.audit(model, manual, Path(file))
+            raise Failure(f"'{argument}': no such file; write --manual {manual}=FILE")
+        findings += manuals.audit(model, manual, Path(file))
+    if options.sdk is not None:
+        if not options.sdk.is_dir():
+            raise Failure(f"'{options.sdk}': no such folder; write --sdk FOLDER")
+        findings += audit_sdk.audit(model, options.sdk)
     print("".join(f"{f}\n" for f in findings), end="")
     print(f"{len(findings)} findings")
     return 1 if findings else 0

@@ -16,7 +16,7 @@ from .nodes import Node
 from .operations import REST, open_ended, operation, size, with_capacity
 from .problems import Problems, nearest
 from .variation import Scope
-from .vocabulary import Vocabulary, sources
+from .vocabulary import Vocabulary, sentences, sources
 
 #: How deep structures may stand in structures: far beyond need, and short of Python's own limit.
 MAX_NESTING = 16
@@ -110,8 +110,8 @@ class Types:
                     self.problems.add(
                         entry.position, f"'{entry.value}' is used twice in the vector '{name}'; rename one"
                     )
-            return m.Vector(name, scalar, tuple(elements), description)
-        origin = (description, owner, sources(node, self.vocabulary, self.problems))
+            return m.Vector(name, scalar, tuple(elements), description, sentences(node, "uncertain"))
+        origin = (description, owner, sources(node, self.vocabulary, self.problems), sentences(node, "uncertain"))
         if kinds[0] == "enum":
             return m.Enum(name, m.SCALARS[node["enum"].value], self._values(node), *origin, position=node.position)
         if kinds[0] == "struct":
@@ -134,7 +134,8 @@ class Types:
                 v["value"].value,
                 v.scalar("description", ""),
                 v.scalar("deprecated", False),
-                position=places[name],
+                sentences(v, "uncertain"),
+                places[name],
             )
             for name, v in node["values"].items()
         )
@@ -157,9 +158,8 @@ class Types:
                 continue
             place = node["bits"].keys[name]
             enum = self._enum_of(entry, owner)
-            found.append(
-                m.Bits(name, low, high, entry.scalar("description", ""), entry.scalar("alias", False), enum, place)
-            )
+            description, alias = entry.scalar("description", ""), entry.scalar("alias", False)
+            found.append(m.Bits(name, low, high, description, alias, enum, sentences(entry, "uncertain"), place))
         return tuple(found)
 
     def _enum_of(self, bits: Node, owner: str | None) -> m.Enum | None:
@@ -345,7 +345,9 @@ class _Build:
         """Adds what the value means to how it is laid out."""
         words = self.types.vocabulary
         low, high = meaning.limits(node, p, self.problem)
-        p = replace(p, minimum=low, maximum=high, reserved=meaning.reserved(node, p, self.problem))
+        above, below = meaning.open_limits(node, p, low, high, self.problem)
+        p = replace(p, minimum=low, maximum=high, above=above, below=below)
+        p = replace(p, reserved=meaning.reserved(node, p, self.problem))
         return replace(
             p,
             description=node.scalar("description", ""),
@@ -358,7 +360,8 @@ class _Build:
             optional=self.may_be_absent(node, p),
             by_device=variation.differs_by_device(node, p, self.problem),
             deprecated=node.scalar("deprecated", False),
-            notes=tuple(node["notes"].plain()) if "notes" in node else (),
+            notes=sentences(node, "notes"),
+            uncertain=sentences(node, "uncertain"),
         )
 
     def presence(self, node: Node, p: m.Parameter) -> tuple[m.Function, ...]:

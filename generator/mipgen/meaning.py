@@ -68,6 +68,29 @@ def limits(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None,
     return low, high
 
 
+def open_limits(
+    node: Node, p: m.Parameter, low: Number | None, high: Number | None, problem: Problem
+) -> tuple[Number | None, Number | None]:
+    """What the value must be greater than, and less than."""
+    scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
+    found: dict[str, Number] = {}
+    for key, closed in (("above", low), ("below", high)):
+        if key not in node:
+            continue
+        entry = node[key]
+        if not isinstance(scalar, m.Scalar) or scalar.kind in ("bool", "char"):
+            problem(node.keys[key], f"'{p.name}' is no number, so it has no bounds; remove '{key}'")
+        elif closed is not None:
+            problem(node.keys[key], f"'{p.name}' has this bound twice; write ~ in its place in the range")
+        elif _fits(entry, scalar, f"'{p.name}': {key}", problem):
+            found[key] = entry.value
+    above, below = found.get("above"), found.get("below")
+    least, most = low if above is None else above, high if below is None else below
+    if found and least is not None and most is not None and least >= most:
+        problem(node.keys[min(found)], f"no number lies between the bounds of '{p.name}'; correct them")
+    return above, below
+
+
 def bounds(scalar: m.Scalar) -> tuple[Number, Number]:
     """The smallest and the largest number that a scalar holds.
 
@@ -86,16 +109,16 @@ def bounds(scalar: m.Scalar) -> tuple[Number, Number]:
             return 0, (1 << bits) - 1
 
 
-def reserved(node: Node, p: m.Parameter, problem: Problem) -> int | None:
+def reserved(node: Node, p: m.Parameter, problem: Problem) -> Number | None:
     """The value to send in place of a reserved parameter."""
     found: int | None = node.scalar("reserved")
     if found is None:
         return None
-    if not (isinstance(p.element, m.Scalar) and p.element.kind in ("unsigned", "signed")):
-        problem(node.keys["reserved"], f"the reserved parameter '{p.name}' must be a whole number, or an array of them")
-    else:
-        _fits(node["reserved"], p.element, f"the reserved value of '{p.name}'", problem)
-    return found
+    if not (isinstance(p.element, m.Scalar) and p.element.kind in ("unsigned", "signed", "float")):
+        problem(node.keys["reserved"], f"the reserved parameter '{p.name}' must be a number, or an array of them")
+        return None
+    _fits(node["reserved"], p.element, f"the reserved value of '{p.name}'", problem)
+    return float(found) if p.element.kind == "float" else found
 
 
 def default(node: Node, p: m.Parameter, problem: Problem) -> object:
@@ -175,6 +198,10 @@ class _Default:
             if (low is not None and value < low) or (high is not None and value > high):
                 span = f"[{'~' if low is None else low}, {'~' if high is None else high}]"
                 self.problem(node.position, f"the default of '{p.name}' is {value}, outside its range {span}")
+            if p.above is not None and value <= p.above:
+                self.problem(node.position, f"the default of '{p.name}' is {value}, but must be greater than {p.above}")
+            if p.below is not None and value >= p.below:
+                self.problem(node.position, f"the default of '{p.name}' is {value}, but must be less than {p.below}")
 
 
 def _fits(node: Node, scalar: m.Scalar, what: str, problem: Problem) -> bool:
@@ -189,7 +216,7 @@ def _fits(node: Node, scalar: m.Scalar, what: str, problem: Problem) -> bool:
 
 
 def valid_bits(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], problem: Problem) -> None:
-    """`valid: flags.bit` names a bit of a parameter of the same record; a list names one for each element."""
+    """`valid: flags.bit` names a bit of a parameter of the same record, `valid: flag` a bool; a list, one for each."""
     given = node["valid"]
     entries = list(given) if isinstance(given.value, list) else [given]
     width = len(p.element.elements) if isinstance(p.element, m.Vector) else p.length
@@ -201,10 +228,17 @@ def valid_bits(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], proble
 
 
 def _valid_bit(node: Node, p: m.Parameter, names: dict[str, m.Parameter], problem: Problem) -> None:
-    flags, _, bit = node.value.partition(".")
+    flags, dot, bit = node.value.partition(".")
     other = names.get(flags)
     if other is None:
         problem(node.position, f"there is no parameter '{flags}' beside '{p.name}'{nearest(flags, names)}")
+        return
+    if not dot:
+        if other.element is not m.SCALARS["bool"] or other.length is not None:
+            problem(
+                node.position,
+                f"'{flags}' is not a bool, so it cannot say whether '{p.name}' is valid; name a bool, or a bit: a.b",
+            )
         return
     readable = [other.element, *(v.type for v in other.readings)]
     known = {b.name for t in readable if isinstance(t, m.Bitfield) for b in t.bits}

@@ -86,6 +86,7 @@ class EnumValue:
     value: int
     description: str
     deprecated: bool = False
+    uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
 
@@ -99,6 +100,7 @@ class Enum:
     description: str
     owner: str | None  # the set that defines it, None when it stands in spec/types
     sources: tuple[Source, ...] = ()
+    uncertain: tuple[str, ...] = ()
     kind: Literal["enum"] = "enum"
     position: Position | None = field(default=None, compare=False)
 
@@ -116,6 +118,7 @@ class Bits:
     description: str
     alias: bool  # overlaps other bits on purpose
     enum: Enum | None = None
+    uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
     @property
@@ -138,6 +141,7 @@ class Bitfield:
     description: str
     owner: str | None
     sources: tuple[Source, ...] = ()
+    uncertain: tuple[str, ...] = ()
     kind: Literal["bitfield"] = "bitfield"
     position: Position | None = field(default=None, compare=False)
 
@@ -157,6 +161,7 @@ class Vector:
     scalar: Scalar
     elements: tuple[str, ...]
     description: str
+    uncertain: tuple[str, ...] = ()
     kind: Literal["vector"] = "vector"
 
 
@@ -172,6 +177,7 @@ class Struct:
     description: str
     owner: str | None
     sources: tuple[Source, ...] = ()
+    uncertain: tuple[str, ...] = ()
     kind: Literal["struct"] = "struct"
     position: Position | None = field(default=None, compare=False)
 
@@ -248,15 +254,17 @@ class Parameter:
     operation: Operation = field(compare=False)
     description: str = ""
     units: tuple[str, ...] = ()  # one for all elements, or one for each
-    any_unit: bool = False  # no unit can be named: another value decides it
+    any_unit: bool = False  # no unit can be named: another value decides it, or it is not known
     frame: str | None = None
     minimum: float | int | None = None
     maximum: float | int | None = None
+    above: float | int | None = None  # open bounds: the value is greater than `above`, less than `below`
+    below: float | int | None = None
     default: object = None
-    valid: tuple[str, ...] = ()  # "valid_flags.tow": the bit that vouches for it, or one for each element
+    valid: tuple[str, ...] = ()  # what vouches for it: the bit "valid_flags.tow" or the bool "fix_ok"; one, or each's
     variants: tuple[Variant, ...] = ()
     constant: int | None = None
-    reserved: int | None = None  # the value to send; any value may come
+    reserved: int | float | None = None  # the value to send; any value may come
     counts: str | None = None  # the array that this parameter counts
     tag: str | None = None  # a union's tag
     cases: tuple[Case, ...] = ()
@@ -266,6 +274,7 @@ class Parameter:
     selector: bool = False  # the function selector itself
     deprecated: bool = False
     notes: tuple[str, ...] = ()
+    uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
     @property
@@ -439,12 +448,15 @@ class Field:
     when: tuple[Condition, ...] = ()  # of a response: what in the command selects it
     responses: tuple[str, ...] = ()  # of a command: names of its responses, in the same set
     silent_when: tuple[Condition, ...] = ()  # of a command: it is not acknowledged then
+    sent_by: Literal["host", "device"] = "host"  # of a command: who asks
     definition: str | None = None  # "gnss_1.dop": the field of another set that this one repeats
     max_rate: float | None = None
     timeout: float | None = None
     advanced: bool = False
     deprecated: str | None = None
+    also: tuple[str, ...] = ()  # what others call it
     notes: tuple[str, ...] = ()
+    uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
     @property
@@ -496,6 +508,18 @@ class Field:
 
 
 @dataclass(frozen=True, slots=True)
+class Named:
+    """A descriptor that a source names without a layout: nothing can be made of its data."""
+
+    descriptor: int
+    role: Role
+    name: str
+    title: str
+    sources: tuple[Source, ...]
+    position: Position | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
 class Set:
     number: int
     name: str
@@ -505,6 +529,8 @@ class Set:
     types: tuple[Type, ...]
     fields: tuple[Field, ...]  # by descriptor, commands before responses
     sources: tuple[Source, ...] = ()
+    named: tuple[Named, ...] = ()  # by descriptor, commands before responses
+    uncertain: tuple[str, ...] = ()
     position: Position | None = field(default=None, compare=False)
 
     @property
@@ -654,7 +680,7 @@ class Manual:
     id: str
     title: str
     document: str
-    lengths: Literal["wire", "scalars"]  # how it counts the field lengths that it prints
+    lengths: Literal["wire", "scalars", "none"]  # how it counts the field lengths that it prints
     sections: tuple[str, ...] = ()  # its headings that may be cited; none: any
 
 

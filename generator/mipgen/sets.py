@@ -9,12 +9,14 @@ from . import model as m
 from .layout import Types
 from .nodes import Node
 from .problems import Problems, nearest
-from .vocabulary import sources
+from .vocabulary import sentences, sources
 
 Kind = Literal["command", "data", "shared"]
 
+ROLES: tuple[m.Role, ...] = (m.COMMAND, m.RESPONSE, m.DATA)
+
 #: Keys of a field that suit one role only.
-COMMAND_KEYS = ("functions", "responses", "silent_when", "timeout")
+COMMAND_KEYS = ("functions", "responses", "silent_when", "sent_by", "timeout")
 DATA_KEYS = ("max_rate",)
 
 
@@ -46,7 +48,8 @@ class Sets:
         fields.sort(key=lambda f: (order[f.role], f.descriptor))
         return m.Set(
             number, name, kind, node["title"].value, node["description"].value, self.types.of(name), tuple(fields),
-            sources(node, self.types.vocabulary, self.problems), node.position,
+            sources(node, self.types.vocabulary, self.problems), self.named(node, kind, others),
+            sentences(node, "uncertain"), node.position,
         )  # fmt: skip
 
     def field(self, node: Node, number: int, set_name: str, kind: Kind) -> list[m.Field]:
@@ -77,7 +80,8 @@ class Sets:
             functions=functions,
             max_rate=node.scalar("max_rate"), timeout=node.scalar("timeout"),
             advanced=node.scalar("advanced", False), deprecated=node.scalar("deprecated"),
-            notes=tuple(node["notes"].plain()) if "notes" in node else (), position=node.position,
+            sent_by=node.scalar("sent_by", "host"), also=sentences(node, "also"),
+            notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"), position=node.position,
         )  # fmt: skip
         silent = self.conditions(node.get("silent_when") if role == m.COMMAND else None, command)
         responses, names = [], []
@@ -131,7 +135,8 @@ class Sets:
             ),
             command=command.name,
             when=self.conditions(node.get("when"), command),
-            notes=tuple(node["notes"].plain()) if "notes" in node else (), position=node.position,
+            also=(*(f"{name}_response" for name in command.also if "name" not in node), *sentences(node, "also")),
+            notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"), position=node.position,
         )  # fmt: skip
 
     def conditions(self, node: Node | None, command: m.Field) -> tuple[m.Condition, ...]:
@@ -182,26 +187,62 @@ class Sets:
         if origin is None:
             self.problems.add(of.position, f"unknown set '{of.value}'{nearest(of.value, others)}")
             return []
-        found = []
+        if "fields" not in node["repeats"] and not self.whole(node):
+            self.problems.add(
+                node.keys["repeats"], "say which fields are repeated, by 'fields', or all of them, by their 'sources'"
+            )
         known = {f.name: f for f in origin.own_fields if f.role == m.DATA}
-        for entry in node["repeats"]["fields"]:
+        found: dict[str, m.Field] = {}
+
+        def repeat(field: m.Field, title: str, cited: tuple[m.Source, ...], place: m.Position) -> None:
+            found[field.name] = replace(
+                field,
+                set=number,
+                set_name=set_name,
+                definition=field.full_name,
+                title=title,
+                sources=cited,
+                position=place,
+            )
+
+        for entry in node["repeats"].get("fields") or ():
             name = entry["name"].value
             field = known.get(name)
             if field is None:
                 near = nearest(name, known)
                 self.problems.add(entry["name"].position, f"the set '{of.value}' has no data field '{name}'{near}")
                 continue
-            title = entry.scalar("title", field.title)
+            if name in found:
+                self.problems.add(entry["name"].position, f"'{name}' is listed twice; remove one")
             cited = sources(entry, self.types.vocabulary, self.problems)
+            repeat(field, entry.scalar("title", field.title), cited, entry.position)
+        if self.whole(node):
+            cited = sources(node["repeats"], self.types.vocabulary, self.problems)
+            for name, field in known.items():
+                if name not in found:
+                    repeat(field, field.title, cited, of.position)
+        return list(found.values())
+
+    @staticmethod
+    def whole(node: Node) -> bool:
+        """Does a set repeat all of another? Then it gives the sources of all those that it does not list."""
+        return "repeats" in node and "sources" in node["repeats"]
+
+    def named(self, node: Node, kind: Kind, others: dict[str, m.Set]) -> tuple[m.Named, ...]:
+        """Descriptors without a layout, those of a set that this one repeats as a whole included."""
+        found: list[m.Named] = []
+        for entry in node.get("named") or ():
+            roles: list[m.Role] = [r for r in ROLES if r in entry]
+            if len(roles) != 1 or (roles == [m.DATA]) != (kind != "command"):
+                wanted = "'command: 0x..' or 'response: 0x..'" if kind == "command" else "'data: 0x..'"
+                self.problems.add(entry.position, f"a named descriptor of a {kind} set has {wanted}")
+                continue
             found.append(
-                replace(
-                    field,
-                    set=number,
-                    set_name=set_name,
-                    definition=field.full_name,
-                    title=title,
-                    sources=cited,
-                    position=entry.position,
+                m.Named(
+                    entry[roles[0]].value, roles[0], entry["name"].value, entry["title"].value,
+                    sources(entry, self.types.vocabulary, self.problems), entry.position,
                 )
-            )
-        return found
+            )  # fmt: skip
+        origin = others.get(node["repeats"]["of"].value) if self.whole(node) else None
+        found += origin.named if origin else ()
+        return tuple(sorted(found, key=lambda x: (x.role == m.RESPONSE, x.descriptor)))

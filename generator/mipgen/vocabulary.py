@@ -27,6 +27,11 @@ class Vocabulary:
         return tuple(f for f in self.functions if f.letter in text)
 
 
+def sentences(node: Node, key: str) -> tuple[str, ...]:
+    """A list of sentences: `notes`, or what is `uncertain`."""
+    return tuple(node[key].plain()) if key in node else ()
+
+
 def sources(node: Node, vocabulary: Vocabulary, problems: Problems) -> tuple[m.Source, ...]:
     """The `sources` of a node."""
     found = []

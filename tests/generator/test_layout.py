@@ -208,11 +208,63 @@ def test_references() -> None:
 
 
 def test_sets_are_sorted_and_fields_too() -> None:
-    assert [s.number for s in INVENTED.sets] == [0x01, 0x0C, 0x80, 0x81, 0xFF]
-    assert [s.kind for s in INVENTED.sets] == ["command", "command", "data", "data", "shared"]
+    assert [s.number for s in INVENTED.sets] == [0x01, 0x0C, 0x80, 0x81, 0x82, 0xFF]
+    assert [s.kind for s in INVENTED.sets] == ["command", "command", "data", "data", "data", "shared"]
     for s in INVENTED.sets:
         keys = [(f.role == m.RESPONSE, f.descriptor) for f in s.fields]
         assert keys == sorted(keys)
+
+
+def test_a_set_that_repeats_another_as_a_whole() -> None:
+    origin, copy = INVENTED.set(0x80), INVENTED.set(0x82)
+    assert origin is not None and copy is not None
+    assert [f.name for f in copy.fields] == [f.name for f in origin.fields] and not copy.own_fields
+    assert {f.definition for f in copy.fields} == {f.full_name for f in origin.fields}
+    cited = {f.name: [s.section for s in f.sources] for f in copy.fields}
+    assert cited["accel"] == ["Third acceleration"] and cited["radio"] == ["Copied measurements"]
+    assert [x.name for x in copy.named] == ["shade", "ghost"]
+    more = INVENTED.set(0x81)
+    assert more is not None and [f.name for f in more.fields] == ["accel", "strings", "own"] and not more.named
+
+
+def test_descriptors_that_are_only_named() -> None:
+    tools = INVENTED.set(0x01)
+    assert tools is not None
+    assert [(x.descriptor, x.role, x.name) for x in tools.named] == [
+        (0x20, "command", "farewell"),
+        (0xA0, "response", "farewell_answer"),
+    ]
+    assert INVENTED.candidates(0x01, 0x20) == ()
+
+
+def test_what_is_uncertain_is_kept_apart() -> None:
+    copy, radio, answer = INVENTED.set(0x82), invented("measurements.radio"), invented("tools.hello_response")
+    assert copy is not None and copy.uncertain == ("Which device sends it.",)
+    assert len(radio.uncertain) == 2 and radio.notes == () and answer.uncertain == ("When it comes.",)
+    strength = radio.parameters[1]
+    assert (strength.uncertain, strength.valid, strength.remarks) == (("Its unit.",), ("connected",), ())
+    types = {t.name: t for t in INVENTED.types}
+    mode, flags = types["mode"], types["state_flags"]
+    assert isinstance(mode, m.Enum) and isinstance(flags, m.Bitfield)
+    assert mode.uncertain and [v.uncertain for v in mode.values] == [(), ("How quick.",), ()]
+    assert [b.name for b in flags.bits if b.uncertain] == ["hot"]
+
+
+def test_open_bounds() -> None:
+    _, strength, noise, *_ = invented("measurements.radio").parameters
+    assert (strength.minimum, strength.maximum, strength.above, strength.below) == (None, None, None, 1)
+    assert (noise.minimum, noise.maximum, noise.above, noise.below) == (None, 10, 0, None)
+
+
+def test_a_command_that_the_device_sends() -> None:
+    hello = invented("tools.hello")
+    assert hello.sent_by == "device" and invented("tools.ping").sent_by == "host"
+    assert [p.reserved for p in hello.parameters] == [1.0, 0.0]
+
+
+def test_what_others_call_it() -> None:
+    assert invented("measurements.radio").also == invented("copy.radio").also == ("modem", "rf")
+    assert invented("tools.hello_response").also == ("keep_alive_response", "welcome")
 
 
 def test_candidates() -> None:

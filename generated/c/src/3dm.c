@@ -13,6 +13,24 @@ void mip_3dm_poll_entry_write(struct mip_writer *w, const struct mip_3dm_poll_en
     mip_write_u16(w, &v->reserved, 1);
 }
 
+void mip_3dm_constellation_settings_entry_read(struct mip_reader *r,
+                                               struct mip_3dm_constellation_settings_entry *v) {
+    mip_read_u8(r, &v->constellation_id, 1);
+    mip_read_u8(r, &v->enable, 1);
+    mip_read_u8(r, &v->reserved_channels, 1);
+    mip_read_u8(r, &v->max_channels, 1);
+    mip_read_u16(r, &v->option_flags, 1);
+}
+
+void mip_3dm_constellation_settings_entry_write(
+    struct mip_writer *w, const struct mip_3dm_constellation_settings_entry *v) {
+    mip_write_u8(w, &v->constellation_id, 1);
+    mip_write_u8(w, &v->enable, 1);
+    mip_write_u8(w, &v->reserved_channels, 1);
+    mip_write_u8(w, &v->max_channels, 1);
+    mip_write_u16(w, &v->option_flags, 1);
+}
+
 void mip_3dm_supported_event_info_read(struct mip_reader *r,
                                        struct mip_3dm_supported_event_info *v) {
     mip_read_u8(r, &v->type, 1);
@@ -108,6 +126,62 @@ mip_error mip_3dm_poll_imu_data_encode(const struct mip_3dm_poll_imu_data *value
 struct mip_3dm_poll_imu_data mip_3dm_poll_imu_data_make(
     mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
     struct mip_3dm_poll_imu_data v;
+    memset(&v, 0, sizeof(v));
+    v.suppress_ack = suppress_ack;
+    v.num_descriptors = num_descriptors;
+    mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
+             num_descriptors * sizeof(descriptors[0]));
+    return v;
+}
+
+static void read_poll_gnss_data(struct mip_reader *r, void *value) {
+    struct mip_3dm_poll_gnss_data *v = (struct mip_3dm_poll_gnss_data *)value;
+    mip_read_bool(r, &v->suppress_ack, 1);
+    mip_read_u8(r, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
+        mip_3dm_poll_entry_read(r, &v->descriptors[i]);
+    }
+}
+
+static void write_poll_gnss_data(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_poll_gnss_data *v = (const struct mip_3dm_poll_gnss_data *)value;
+    mip_write_bool(w, &v->suppress_ack, 1);
+    mip_write_u8(w, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
+        mip_3dm_poll_entry_write(w, &v->descriptors[i]);
+    }
+}
+
+static bool silent_poll_gnss_data(const void *value) {
+    const struct mip_3dm_poll_gnss_data *v = (const struct mip_3dm_poll_gnss_data *)value;
+    return v->suppress_ack == 1;
+}
+
+const struct mip_codec mip_3dm_poll_gnss_data_codec = {
+    0x0C,
+    MIP_3DM_POLL_GNSS_DATA_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_poll_gnss_data),
+    0,
+    read_poll_gnss_data,
+    write_poll_gnss_data,
+    silent_poll_gnss_data,
+};
+
+mip_error mip_3dm_poll_gnss_data_decode(struct mip_3dm_poll_gnss_data *value,
+                                        const struct mip_field *field) {
+    return mip_decode_field(field, read_poll_gnss_data, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_poll_gnss_data_encode(const struct mip_3dm_poll_gnss_data *value,
+                                        struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_POLL_GNSS_DATA_DESCRIPTOR, write_poll_gnss_data,
+                            value);
+}
+
+struct mip_3dm_poll_gnss_data mip_3dm_poll_gnss_data_make(
+    mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
+    struct mip_3dm_poll_gnss_data v;
     memset(&v, 0, sizeof(v));
     v.suppress_ack = suppress_ack;
     v.num_descriptors = num_descriptors;
@@ -288,6 +362,63 @@ mip_error mip_3dm_get_imu_data_base_rate_response_encode(
                             write_get_imu_data_base_rate_response, value);
 }
 
+const struct mip_codec mip_3dm_get_gnss_data_base_rate_codec = {
+    0x0C,
+    MIP_3DM_GET_GNSS_DATA_BASE_RATE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_get_gnss_data_base_rate),
+    0,
+    mip_read_nothing,
+    mip_write_nothing,
+    NULL,
+};
+
+mip_error mip_3dm_get_gnss_data_base_rate_decode(struct mip_3dm_get_gnss_data_base_rate *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_get_gnss_data_base_rate_encode(
+    const struct mip_3dm_get_gnss_data_base_rate *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_GNSS_DATA_BASE_RATE_DESCRIPTOR,
+                            mip_write_nothing, value);
+}
+
+static void read_get_gnss_data_base_rate_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_gnss_data_base_rate_response *v =
+        (struct mip_3dm_get_gnss_data_base_rate_response *)value;
+    mip_read_u16(r, &v->rate, 1);
+}
+
+static void write_get_gnss_data_base_rate_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_gnss_data_base_rate_response *v =
+        (const struct mip_3dm_get_gnss_data_base_rate_response *)value;
+    mip_write_u16(w, &v->rate, 1);
+}
+
+const struct mip_codec mip_3dm_get_gnss_data_base_rate_response_codec = {
+    0x0C,
+    MIP_3DM_GET_GNSS_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_get_gnss_data_base_rate_response),
+    0,
+    read_get_gnss_data_base_rate_response,
+    write_get_gnss_data_base_rate_response,
+    NULL,
+};
+
+mip_error mip_3dm_get_gnss_data_base_rate_response_decode(
+    struct mip_3dm_get_gnss_data_base_rate_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_get_gnss_data_base_rate_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_3dm_get_gnss_data_base_rate_response_encode(
+    const struct mip_3dm_get_gnss_data_base_rate_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_GNSS_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
+                            write_get_gnss_data_base_rate_response, value);
+}
+
 /** Parameters that each function requires, by its value. */
 static const uint8_t required_imu_message_format[] = {0, 2, 0, 0, 0, 0};
 
@@ -415,6 +546,135 @@ mip_error mip_3dm_imu_message_format_response_encode(
     const struct mip_3dm_imu_message_format_response *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0C, MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
                             write_imu_message_format_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gnss_message_format[] = {0, 2, 0, 0, 0, 0};
+
+static void read_gnss_message_format(struct mip_reader *r, void *value) {
+    struct mip_3dm_gnss_message_format *v = (struct mip_3dm_gnss_message_format *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gnss_message_format,
+                      sizeof(required_gnss_message_format));
+    mip_read_group(r, 1, 2);
+    mip_read_u8(r, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
+        mip_descriptor_rate_read(r, &v->descriptors[i]);
+    }
+    v->present = mip_read_present(r);
+}
+
+static void write_gnss_message_format(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gnss_message_format *v = (const struct mip_3dm_gnss_message_format *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gnss_message_format,
+                       sizeof(required_gnss_message_format), v->present);
+    mip_write_group(w, 1, 2);
+    mip_write_u8(w, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
+        mip_descriptor_rate_write(w, &v->descriptors[i]);
+    }
+}
+
+const struct mip_codec mip_3dm_gnss_message_format_codec = {
+    0x0C,
+    MIP_3DM_GNSS_MESSAGE_FORMAT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_gnss_message_format),
+    0,
+    read_gnss_message_format,
+    write_gnss_message_format,
+    NULL,
+};
+
+mip_error mip_3dm_gnss_message_format_decode(struct mip_3dm_gnss_message_format *value,
+                                             const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_message_format, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gnss_message_format_encode(const struct mip_3dm_gnss_message_format *value,
+                                             struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_MESSAGE_FORMAT_DESCRIPTOR,
+                            write_gnss_message_format, value);
+}
+
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_write(
+    uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]) {
+    struct mip_3dm_gnss_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.num_descriptors = num_descriptors;
+    mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
+             num_descriptors * sizeof(descriptors[0]));
+    return v;
+}
+
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_read(void) {
+    struct mip_3dm_gnss_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_save(void) {
+    struct mip_3dm_gnss_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_load(void) {
+    struct mip_3dm_gnss_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_default(void) {
+    struct mip_3dm_gnss_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_gnss_message_format_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_gnss_message_format_response *v =
+        (struct mip_3dm_gnss_message_format_response *)value;
+    mip_read_u8(r, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 84, 3); i < n; i++) {
+        mip_descriptor_rate_read(r, &v->descriptors[i]);
+    }
+}
+
+static void write_gnss_message_format_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gnss_message_format_response *v =
+        (const struct mip_3dm_gnss_message_format_response *)value;
+    mip_write_u8(w, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 84); i < n; i++) {
+        mip_descriptor_rate_write(w, &v->descriptors[i]);
+    }
+}
+
+const struct mip_codec mip_3dm_gnss_message_format_response_codec = {
+    0x0C,
+    MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_gnss_message_format_response),
+    0,
+    read_gnss_message_format_response,
+    write_gnss_message_format_response,
+    NULL,
+};
+
+mip_error mip_3dm_gnss_message_format_response_decode(
+    struct mip_3dm_gnss_message_format_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_message_format_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gnss_message_format_response_encode(
+    const struct mip_3dm_gnss_message_format_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
+                            write_gnss_message_format_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -1184,6 +1444,146 @@ mip_error mip_3dm_data_stream_control_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
+static const uint8_t required_constellation_settings[] = {0, 3, 0, 0, 0, 0};
+
+static void read_constellation_settings(struct mip_reader *r, void *value) {
+    struct mip_3dm_constellation_settings *v = (struct mip_3dm_constellation_settings *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_constellation_settings,
+                      sizeof(required_constellation_settings));
+    mip_read_group(r, 1, 1);
+    mip_read_u16(r, &v->max_channels, 1);
+    mip_read_group(r, 2, 3);
+    mip_read_u8(r, &v->config_count, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->config_count, 41, 6); i < n; i++) {
+        mip_3dm_constellation_settings_entry_read(r, &v->settings[i]);
+    }
+    v->present = mip_read_present(r);
+}
+
+static void write_constellation_settings(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_constellation_settings *v =
+        (const struct mip_3dm_constellation_settings *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_constellation_settings,
+                       sizeof(required_constellation_settings), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u16(w, &v->max_channels, 1);
+    mip_write_group(w, 2, 3);
+    mip_write_u8(w, &v->config_count, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->config_count, 41); i < n; i++) {
+        mip_3dm_constellation_settings_entry_write(w, &v->settings[i]);
+    }
+}
+
+const struct mip_codec mip_3dm_constellation_settings_codec = {
+    0x0C,
+    MIP_3DM_CONSTELLATION_SETTINGS_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_constellation_settings),
+    0,
+    read_constellation_settings,
+    write_constellation_settings,
+    NULL,
+};
+
+mip_error mip_3dm_constellation_settings_decode(struct mip_3dm_constellation_settings *value,
+                                                const struct mip_field *field) {
+    return mip_decode_field(field, read_constellation_settings, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_constellation_settings_encode(const struct mip_3dm_constellation_settings *value,
+                                                struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_CONSTELLATION_SETTINGS_DESCRIPTOR,
+                            write_constellation_settings, value);
+}
+
+struct mip_3dm_constellation_settings mip_3dm_constellation_settings_write(
+    uint16_t max_channels, uint8_t config_count,
+    const struct mip_3dm_constellation_settings_entry settings[]) {
+    struct mip_3dm_constellation_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.max_channels = max_channels;
+    v.config_count = config_count;
+    mip_copy(v.settings, sizeof(v.settings), settings, config_count * sizeof(settings[0]));
+    return v;
+}
+
+struct mip_3dm_constellation_settings mip_3dm_constellation_settings_read(void) {
+    struct mip_3dm_constellation_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_constellation_settings mip_3dm_constellation_settings_save(void) {
+    struct mip_3dm_constellation_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_constellation_settings mip_3dm_constellation_settings_load(void) {
+    struct mip_3dm_constellation_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_constellation_settings mip_3dm_constellation_settings_default(void) {
+    struct mip_3dm_constellation_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_constellation_settings_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_constellation_settings_response *v =
+        (struct mip_3dm_constellation_settings_response *)value;
+    mip_read_u16(r, &v->max_channels_available, 1);
+    mip_read_u16(r, &v->max_channels_use, 1);
+    mip_read_u8(r, &v->config_count, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->config_count, 41, 6); i < n; i++) {
+        mip_3dm_constellation_settings_entry_read(r, &v->settings[i]);
+    }
+}
+
+static void write_constellation_settings_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_constellation_settings_response *v =
+        (const struct mip_3dm_constellation_settings_response *)value;
+    mip_write_u16(w, &v->max_channels_available, 1);
+    mip_write_u16(w, &v->max_channels_use, 1);
+    mip_write_u8(w, &v->config_count, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->config_count, 41); i < n; i++) {
+        mip_3dm_constellation_settings_entry_write(w, &v->settings[i]);
+    }
+}
+
+const struct mip_codec mip_3dm_constellation_settings_response_codec = {
+    0x0C,
+    MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_constellation_settings_response),
+    0,
+    read_constellation_settings_response,
+    write_constellation_settings_response,
+    NULL,
+};
+
+mip_error mip_3dm_constellation_settings_response_decode(
+    struct mip_3dm_constellation_settings_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_constellation_settings_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_3dm_constellation_settings_response_encode(
+    const struct mip_3dm_constellation_settings_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_DESCRIPTOR,
+                            write_constellation_settings_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
 static const uint8_t required_gnss_sbas_settings[] = {0, 4, 0, 0, 0, 0};
 
 static void read_gnss_sbas_settings(struct mip_reader *r, void *value) {
@@ -1317,6 +1717,238 @@ mip_error mip_3dm_gnss_sbas_settings_response_encode(
     const struct mip_3dm_gnss_sbas_settings_response *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_DESCRIPTOR,
                             write_gnss_sbas_settings_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gnss_assisted_fix[] = {0, 2, 0, 0, 0, 0};
+
+static void read_gnss_assisted_fix(struct mip_reader *r, void *value) {
+    struct mip_3dm_gnss_assisted_fix *v = (struct mip_3dm_gnss_assisted_fix *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gnss_assisted_fix,
+                      sizeof(required_gnss_assisted_fix));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->option, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_u8(r, &v->flags, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_gnss_assisted_fix(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gnss_assisted_fix *v = (const struct mip_3dm_gnss_assisted_fix *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gnss_assisted_fix,
+                       sizeof(required_gnss_assisted_fix), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->option, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_u8(w, &v->flags, 1);
+}
+
+const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {
+    0x0C,
+    MIP_3DM_GNSS_ASSISTED_FIX_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_gnss_assisted_fix),
+    0,
+    read_gnss_assisted_fix,
+    write_gnss_assisted_fix,
+    NULL,
+};
+
+mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_assisted_fix *value,
+                                           const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_assisted_fix, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gnss_assisted_fix_encode(const struct mip_3dm_gnss_assisted_fix *value,
+                                           struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_ASSISTED_FIX_DESCRIPTOR,
+                            write_gnss_assisted_fix, value);
+}
+
+struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_write(
+    mip_3dm_assisted_fix_option option) {
+    struct mip_3dm_gnss_assisted_fix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.option = option;
+    v.flags = 255;
+    return v;
+}
+
+struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_read(void) {
+    struct mip_3dm_gnss_assisted_fix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_save(void) {
+    struct mip_3dm_gnss_assisted_fix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_load(void) {
+    struct mip_3dm_gnss_assisted_fix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_default(void) {
+    struct mip_3dm_gnss_assisted_fix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_gnss_assisted_fix_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_gnss_assisted_fix_response *v =
+        (struct mip_3dm_gnss_assisted_fix_response *)value;
+    mip_read_u8(r, &v->option, 1);
+    mip_read_u8(r, &v->flags, 1);
+}
+
+static void write_gnss_assisted_fix_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gnss_assisted_fix_response *v =
+        (const struct mip_3dm_gnss_assisted_fix_response *)value;
+    mip_write_u8(w, &v->option, 1);
+    mip_write_u8(w, &v->flags, 1);
+}
+
+const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec = {
+    0x0C,
+    MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_gnss_assisted_fix_response),
+    0,
+    read_gnss_assisted_fix_response,
+    write_gnss_assisted_fix_response,
+    NULL,
+};
+
+mip_error mip_3dm_gnss_assisted_fix_response_decode(
+    struct mip_3dm_gnss_assisted_fix_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_assisted_fix_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gnss_assisted_fix_response_encode(
+    const struct mip_3dm_gnss_assisted_fix_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_DESCRIPTOR,
+                            write_gnss_assisted_fix_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gnss_time_assistance[] = {0, 3, 0};
+
+static void read_gnss_time_assistance(struct mip_reader *r, void *value) {
+    struct mip_3dm_gnss_time_assistance *v = (struct mip_3dm_gnss_time_assistance *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gnss_time_assistance,
+                      sizeof(required_gnss_time_assistance));
+    mip_read_group(r, 1, 1);
+    mip_read_double(r, &v->tow, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_float(r, &v->accuracy, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_gnss_time_assistance(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gnss_time_assistance *v =
+        (const struct mip_3dm_gnss_time_assistance *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gnss_time_assistance,
+                       sizeof(required_gnss_time_assistance), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_double(w, &v->tow, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_float(w, &v->accuracy, 1);
+}
+
+const struct mip_codec mip_3dm_gnss_time_assistance_codec = {
+    0x0C,
+    MIP_3DM_GNSS_TIME_ASSISTANCE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_gnss_time_assistance),
+    0,
+    read_gnss_time_assistance,
+    write_gnss_time_assistance,
+    NULL,
+};
+
+mip_error mip_3dm_gnss_time_assistance_decode(struct mip_3dm_gnss_time_assistance *value,
+                                              const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_time_assistance, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gnss_time_assistance_encode(const struct mip_3dm_gnss_time_assistance *value,
+                                              struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_TIME_ASSISTANCE_DESCRIPTOR,
+                            write_gnss_time_assistance, value);
+}
+
+struct mip_3dm_gnss_time_assistance mip_3dm_gnss_time_assistance_write(double tow,
+                                                                       uint16_t week_number,
+                                                                       float accuracy) {
+    struct mip_3dm_gnss_time_assistance v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.tow = tow;
+    v.week_number = week_number;
+    v.accuracy = accuracy;
+    return v;
+}
+
+struct mip_3dm_gnss_time_assistance mip_3dm_gnss_time_assistance_read(void) {
+    struct mip_3dm_gnss_time_assistance v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+static void read_gnss_time_assistance_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_gnss_time_assistance_response *v =
+        (struct mip_3dm_gnss_time_assistance_response *)value;
+    mip_read_double(r, &v->tow, 1);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_float(r, &v->accuracy, 1);
+}
+
+static void write_gnss_time_assistance_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gnss_time_assistance_response *v =
+        (const struct mip_3dm_gnss_time_assistance_response *)value;
+    mip_write_double(w, &v->tow, 1);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_float(w, &v->accuracy, 1);
+}
+
+const struct mip_codec mip_3dm_gnss_time_assistance_response_codec = {
+    0x0C,
+    MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_gnss_time_assistance_response),
+    0,
+    read_gnss_time_assistance_response,
+    write_gnss_time_assistance_response,
+    NULL,
+};
+
+mip_error mip_3dm_gnss_time_assistance_response_decode(
+    struct mip_3dm_gnss_time_assistance_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_time_assistance_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gnss_time_assistance_response_encode(
+    const struct mip_3dm_gnss_time_assistance_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_DESCRIPTOR,
+                            write_gnss_time_assistance_response, value);
 }
 
 /** Parameters that each function requires, by its value. */

@@ -137,6 +137,123 @@ mip_error mip_filter_run_navigation_filter_encode(
 }
 
 /** Parameters that each function requires, by its value. */
+static const uint8_t required_vehicle_dynamics_mode[] = {0, 1, 0, 0, 0, 0};
+
+static void read_vehicle_dynamics_mode(struct mip_reader *r, void *value) {
+    struct mip_filter_vehicle_dynamics_mode *v = (struct mip_filter_vehicle_dynamics_mode *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_vehicle_dynamics_mode,
+                      sizeof(required_vehicle_dynamics_mode));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->mode, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_vehicle_dynamics_mode(struct mip_writer *w, const void *value) {
+    const struct mip_filter_vehicle_dynamics_mode *v =
+        (const struct mip_filter_vehicle_dynamics_mode *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_vehicle_dynamics_mode,
+                       sizeof(required_vehicle_dynamics_mode), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->mode, 1);
+}
+
+const struct mip_codec mip_filter_vehicle_dynamics_mode_codec = {
+    0x0D,
+    MIP_FILTER_VEHICLE_DYNAMICS_MODE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_vehicle_dynamics_mode),
+    0,
+    read_vehicle_dynamics_mode,
+    write_vehicle_dynamics_mode,
+    NULL,
+};
+
+mip_error mip_filter_vehicle_dynamics_mode_decode(struct mip_filter_vehicle_dynamics_mode *value,
+                                                  const struct mip_field *field) {
+    return mip_decode_field(field, read_vehicle_dynamics_mode, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_vehicle_dynamics_mode_encode(
+    const struct mip_filter_vehicle_dynamics_mode *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_VEHICLE_DYNAMICS_MODE_DESCRIPTOR,
+                            write_vehicle_dynamics_mode, value);
+}
+
+struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_write(
+    mip_filter_dynamics_mode mode) {
+    struct mip_filter_vehicle_dynamics_mode v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.mode = mode;
+    return v;
+}
+
+struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_read(void) {
+    struct mip_filter_vehicle_dynamics_mode v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_save(void) {
+    struct mip_filter_vehicle_dynamics_mode v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_load(void) {
+    struct mip_filter_vehicle_dynamics_mode v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_default(void) {
+    struct mip_filter_vehicle_dynamics_mode v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_vehicle_dynamics_mode_response(struct mip_reader *r, void *value) {
+    struct mip_filter_vehicle_dynamics_mode_response *v =
+        (struct mip_filter_vehicle_dynamics_mode_response *)value;
+    mip_read_u8(r, &v->mode, 1);
+}
+
+static void write_vehicle_dynamics_mode_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_vehicle_dynamics_mode_response *v =
+        (const struct mip_filter_vehicle_dynamics_mode_response *)value;
+    mip_write_u8(w, &v->mode, 1);
+}
+
+const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec = {
+    0x0D,
+    MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_vehicle_dynamics_mode_response),
+    0,
+    read_vehicle_dynamics_mode_response,
+    write_vehicle_dynamics_mode_response,
+    NULL,
+};
+
+mip_error mip_filter_vehicle_dynamics_mode_response_decode(
+    struct mip_filter_vehicle_dynamics_mode_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_vehicle_dynamics_mode_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_vehicle_dynamics_mode_response_encode(
+    const struct mip_filter_vehicle_dynamics_mode_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_DESCRIPTOR,
+                            write_vehicle_dynamics_mode_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
 static const uint8_t required_sensor_to_vehicle_frame_transformation[] = {0, 3, 0, 0, 0, 0};
 
 static void read_sensor_to_vehicle_frame_transformation(struct mip_reader *r, void *value) {
@@ -279,6 +396,124 @@ mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_encode(
     return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_DESCRIPTOR,
                             write_sensor_to_vehicle_frame_transformation_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_sensor_to_vehicle_offset[] = {0, 1, 0, 0, 0, 0};
+
+static void read_sensor_to_vehicle_offset(struct mip_reader *r, void *value) {
+    struct mip_filter_sensor_to_vehicle_offset *v =
+        (struct mip_filter_sensor_to_vehicle_offset *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_sensor_to_vehicle_offset,
+                      sizeof(required_sensor_to_vehicle_offset));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->offset, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_sensor_to_vehicle_offset(struct mip_writer *w, const void *value) {
+    const struct mip_filter_sensor_to_vehicle_offset *v =
+        (const struct mip_filter_sensor_to_vehicle_offset *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_sensor_to_vehicle_offset,
+                       sizeof(required_sensor_to_vehicle_offset), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->offset, 3);
+}
+
+const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec = {
+    0x0D,
+    MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_sensor_to_vehicle_offset),
+    0,
+    read_sensor_to_vehicle_offset,
+    write_sensor_to_vehicle_offset,
+    NULL,
+};
+
+mip_error mip_filter_sensor_to_vehicle_offset_decode(
+    struct mip_filter_sensor_to_vehicle_offset *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_offset, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_sensor_to_vehicle_offset_encode(
+    const struct mip_filter_sensor_to_vehicle_offset *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_DESCRIPTOR,
+                            write_sensor_to_vehicle_offset, value);
+}
+
+struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_write(
+    const float offset[3]) {
+    struct mip_filter_sensor_to_vehicle_offset v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.offset, offset, sizeof(v.offset));
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_read(void) {
+    struct mip_filter_sensor_to_vehicle_offset v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_save(void) {
+    struct mip_filter_sensor_to_vehicle_offset v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_load(void) {
+    struct mip_filter_sensor_to_vehicle_offset v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_default(void) {
+    struct mip_filter_sensor_to_vehicle_offset v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_sensor_to_vehicle_offset_response(struct mip_reader *r, void *value) {
+    struct mip_filter_sensor_to_vehicle_offset_response *v =
+        (struct mip_filter_sensor_to_vehicle_offset_response *)value;
+    mip_read_float(r, v->offset, 3);
+}
+
+static void write_sensor_to_vehicle_offset_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_sensor_to_vehicle_offset_response *v =
+        (const struct mip_filter_sensor_to_vehicle_offset_response *)value;
+    mip_write_float(w, v->offset, 3);
+}
+
+const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec = {
+    0x0D,
+    MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_sensor_to_vehicle_offset_response),
+    0,
+    read_sensor_to_vehicle_offset_response,
+    write_sensor_to_vehicle_offset_response,
+    NULL,
+};
+
+mip_error mip_filter_sensor_to_vehicle_offset_response_decode(
+    struct mip_filter_sensor_to_vehicle_offset_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_offset_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
+    const struct mip_filter_sensor_to_vehicle_offset_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_DESCRIPTOR,
+                            write_sensor_to_vehicle_offset_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -637,6 +872,70 @@ mip_error mip_filter_gnss_aiding_source_control_response_encode(
     return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
                             write_gnss_aiding_source_control_response, value);
+}
+
+static void read_external_gnss_update(struct mip_reader *r, void *value) {
+    struct mip_filter_external_gnss_update *v = (struct mip_filter_external_gnss_update *)value;
+    mip_read_double(r, &v->tow, 1);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_double(r, &v->latitude, 1);
+    mip_read_double(r, &v->longitude, 1);
+    mip_read_double(r, &v->height, 1);
+    mip_read_float(r, v->velocity, 3);
+    mip_read_float(r, v->position_uncertainty, 3);
+    mip_read_float(r, v->velocity_uncertainty, 3);
+}
+
+static void write_external_gnss_update(struct mip_writer *w, const void *value) {
+    const struct mip_filter_external_gnss_update *v =
+        (const struct mip_filter_external_gnss_update *)value;
+    mip_write_double(w, &v->tow, 1);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_double(w, &v->latitude, 1);
+    mip_write_double(w, &v->longitude, 1);
+    mip_write_double(w, &v->height, 1);
+    mip_write_float(w, v->velocity, 3);
+    mip_write_float(w, v->position_uncertainty, 3);
+    mip_write_float(w, v->velocity_uncertainty, 3);
+}
+
+const struct mip_codec mip_filter_external_gnss_update_codec = {
+    0x0D,
+    MIP_FILTER_EXTERNAL_GNSS_UPDATE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_external_gnss_update),
+    0,
+    read_external_gnss_update,
+    write_external_gnss_update,
+    NULL,
+};
+
+mip_error mip_filter_external_gnss_update_decode(struct mip_filter_external_gnss_update *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, read_external_gnss_update, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_external_gnss_update_encode(
+    const struct mip_filter_external_gnss_update *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_EXTERNAL_GNSS_UPDATE_DESCRIPTOR,
+                            write_external_gnss_update, value);
+}
+
+struct mip_filter_external_gnss_update mip_filter_external_gnss_update_make(
+    double tow, uint16_t week_number, double latitude, double longitude, double height,
+    const float velocity[3], const float position_uncertainty[3],
+    const float velocity_uncertainty[3]) {
+    struct mip_filter_external_gnss_update v;
+    memset(&v, 0, sizeof(v));
+    v.tow = tow;
+    v.week_number = week_number;
+    v.latitude = latitude;
+    v.longitude = longitude;
+    v.height = height;
+    memcpy(v.velocity, velocity, sizeof(v.velocity));
+    memcpy(v.position_uncertainty, position_uncertainty, sizeof(v.position_uncertainty));
+    memcpy(v.velocity_uncertainty, velocity_uncertainty, sizeof(v.velocity_uncertainty));
+    return v;
 }
 
 static void read_external_heading_update(struct mip_reader *r, void *value) {
@@ -1453,6 +1752,123 @@ mip_error mip_filter_gyroscope_bias_model_parameters_response_encode(
                             write_gyroscope_bias_model_parameters_response, value);
 }
 
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_auto_zupt[] = {0, 2, 0, 0, 0, 0};
+
+static void read_auto_zupt(struct mip_reader *r, void *value) {
+    struct mip_filter_auto_zupt *v = (struct mip_filter_auto_zupt *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_auto_zupt, sizeof(required_auto_zupt));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->enable, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, &v->threshold, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_auto_zupt(struct mip_writer *w, const void *value) {
+    const struct mip_filter_auto_zupt *v = (const struct mip_filter_auto_zupt *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_auto_zupt, sizeof(required_auto_zupt), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->enable, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, &v->threshold, 1);
+}
+
+const struct mip_codec mip_filter_auto_zupt_codec = {
+    0x0D,
+    MIP_FILTER_AUTO_ZUPT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_auto_zupt),
+    0,
+    read_auto_zupt,
+    write_auto_zupt,
+    NULL,
+};
+
+mip_error mip_filter_auto_zupt_decode(struct mip_filter_auto_zupt *value,
+                                      const struct mip_field *field) {
+    return mip_decode_field(field, read_auto_zupt, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_auto_zupt_encode(const struct mip_filter_auto_zupt *value,
+                                      struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_AUTO_ZUPT_DESCRIPTOR, write_auto_zupt, value);
+}
+
+struct mip_filter_auto_zupt mip_filter_auto_zupt_write(uint8_t enable, float threshold) {
+    struct mip_filter_auto_zupt v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.enable = enable;
+    v.threshold = threshold;
+    return v;
+}
+
+struct mip_filter_auto_zupt mip_filter_auto_zupt_read(void) {
+    struct mip_filter_auto_zupt v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_auto_zupt mip_filter_auto_zupt_save(void) {
+    struct mip_filter_auto_zupt v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_auto_zupt mip_filter_auto_zupt_load(void) {
+    struct mip_filter_auto_zupt v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_auto_zupt mip_filter_auto_zupt_default(void) {
+    struct mip_filter_auto_zupt v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_auto_zupt_response(struct mip_reader *r, void *value) {
+    struct mip_filter_auto_zupt_response *v = (struct mip_filter_auto_zupt_response *)value;
+    mip_read_u8(r, &v->enable, 1);
+    mip_read_float(r, &v->threshold, 1);
+}
+
+static void write_auto_zupt_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_auto_zupt_response *v =
+        (const struct mip_filter_auto_zupt_response *)value;
+    mip_write_u8(w, &v->enable, 1);
+    mip_write_float(w, &v->threshold, 1);
+}
+
+const struct mip_codec mip_filter_auto_zupt_response_codec = {
+    0x0D,
+    MIP_FILTER_AUTO_ZUPT_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_auto_zupt_response),
+    0,
+    read_auto_zupt_response,
+    write_auto_zupt_response,
+    NULL,
+};
+
+mip_error mip_filter_auto_zupt_response_decode(struct mip_filter_auto_zupt_response *value,
+                                               const struct mip_field *field) {
+    return mip_decode_field(field, read_auto_zupt_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_auto_zupt_response_encode(const struct mip_filter_auto_zupt_response *value,
+                                               struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_AUTO_ZUPT_RESPONSE_DESCRIPTOR,
+                            write_auto_zupt_response, value);
+}
+
 static void read_external_heading_update_with_time(struct mip_reader *r, void *value) {
     struct mip_filter_external_heading_update_with_time *v =
         (struct mip_filter_external_heading_update_with_time *)value;
@@ -1695,6 +2111,13 @@ struct mip_filter_tare_orientation mip_filter_tare_orientation_write(mip_filter_
     return v;
 }
 
+struct mip_filter_tare_orientation mip_filter_tare_orientation_read(void) {
+    struct mip_filter_tare_orientation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
 struct mip_filter_tare_orientation mip_filter_tare_orientation_save(void) {
     struct mip_filter_tare_orientation v;
     memset(&v, 0, sizeof(v));
@@ -1714,6 +2137,62 @@ struct mip_filter_tare_orientation mip_filter_tare_orientation_default(void) {
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
     return v;
+}
+
+static void read_tare_orientation_response(struct mip_reader *r, void *value) {
+    struct mip_filter_tare_orientation_response *v =
+        (struct mip_filter_tare_orientation_response *)value;
+    mip_read_u8(r, &v->axes, 1);
+}
+
+static void write_tare_orientation_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_tare_orientation_response *v =
+        (const struct mip_filter_tare_orientation_response *)value;
+    mip_write_u8(w, &v->axes, 1);
+}
+
+const struct mip_codec mip_filter_tare_orientation_response_codec = {
+    0x0D,
+    MIP_FILTER_TARE_ORIENTATION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_tare_orientation_response),
+    0,
+    read_tare_orientation_response,
+    write_tare_orientation_response,
+    NULL,
+};
+
+mip_error mip_filter_tare_orientation_response_decode(
+    struct mip_filter_tare_orientation_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_tare_orientation_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_tare_orientation_response_encode(
+    const struct mip_filter_tare_orientation_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_TARE_ORIENTATION_RESPONSE_DESCRIPTOR,
+                            write_tare_orientation_response, value);
+}
+
+const struct mip_codec mip_filter_commanded_zupt_codec = {
+    0x0D,
+    MIP_FILTER_COMMANDED_ZUPT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_commanded_zupt),
+    0,
+    mip_read_nothing,
+    mip_write_nothing,
+    NULL,
+};
+
+mip_error mip_filter_commanded_zupt_decode(struct mip_filter_commanded_zupt *value,
+                                           const struct mip_field *field) {
+    return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_commanded_zupt_encode(const struct mip_filter_commanded_zupt *value,
+                                           struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_COMMANDED_ZUPT_DESCRIPTOR, mip_write_nothing,
+                            value);
 }
 
 const struct mip_codec mip_filter_commanded_zero_angular_rate_update_codec = {
@@ -1879,6 +2358,53 @@ mip_error mip_filter_set_reference_position_response_encode(
                             write_set_reference_position_response, value);
 }
 
+static void read_mag_capture_auto_cal(struct mip_reader *r, void *value) {
+    struct mip_filter_mag_capture_auto_cal *v = (struct mip_filter_mag_capture_auto_cal *)value;
+    mip_read_u8(r, &v->function, 1);
+}
+
+static void write_mag_capture_auto_cal(struct mip_writer *w, const void *value) {
+    const struct mip_filter_mag_capture_auto_cal *v =
+        (const struct mip_filter_mag_capture_auto_cal *)value;
+    mip_write_u8(w, &v->function, 1);
+}
+
+const struct mip_codec mip_filter_mag_capture_auto_cal_codec = {
+    0x0D,
+    MIP_FILTER_MAG_CAPTURE_AUTO_CAL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_mag_capture_auto_cal),
+    0,
+    read_mag_capture_auto_cal,
+    write_mag_capture_auto_cal,
+    NULL,
+};
+
+mip_error mip_filter_mag_capture_auto_cal_decode(struct mip_filter_mag_capture_auto_cal *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_capture_auto_cal, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_mag_capture_auto_cal_encode(
+    const struct mip_filter_mag_capture_auto_cal *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAG_CAPTURE_AUTO_CAL_DESCRIPTOR,
+                            write_mag_capture_auto_cal, value);
+}
+
+struct mip_filter_mag_capture_auto_cal mip_filter_mag_capture_auto_cal_write(void) {
+    struct mip_filter_mag_capture_auto_cal v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    return v;
+}
+
+struct mip_filter_mag_capture_auto_cal mip_filter_mag_capture_auto_cal_save(void) {
+    struct mip_filter_mag_capture_auto_cal v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
 /** Parameters that each function requires, by its value. */
 static const uint8_t required_gravity_noise_standard_deviation[] = {0, 1, 0, 0, 0, 0};
 
@@ -2007,6 +2533,357 @@ mip_error mip_filter_gravity_noise_standard_deviation_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
+static const uint8_t required_pressure_altitude_noise[] = {0, 1, 0, 0, 0, 0};
+
+static void read_pressure_altitude_noise(struct mip_reader *r, void *value) {
+    struct mip_filter_pressure_altitude_noise *v =
+        (struct mip_filter_pressure_altitude_noise *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_pressure_altitude_noise,
+                      sizeof(required_pressure_altitude_noise));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, &v->noise, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_pressure_altitude_noise(struct mip_writer *w, const void *value) {
+    const struct mip_filter_pressure_altitude_noise *v =
+        (const struct mip_filter_pressure_altitude_noise *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_pressure_altitude_noise,
+                       sizeof(required_pressure_altitude_noise), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, &v->noise, 1);
+}
+
+const struct mip_codec mip_filter_pressure_altitude_noise_codec = {
+    0x0D,
+    MIP_FILTER_PRESSURE_ALTITUDE_NOISE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_pressure_altitude_noise),
+    0,
+    read_pressure_altitude_noise,
+    write_pressure_altitude_noise,
+    NULL,
+};
+
+mip_error mip_filter_pressure_altitude_noise_decode(
+    struct mip_filter_pressure_altitude_noise *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_pressure_altitude_noise, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_pressure_altitude_noise_encode(
+    const struct mip_filter_pressure_altitude_noise *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_PRESSURE_ALTITUDE_NOISE_DESCRIPTOR,
+                            write_pressure_altitude_noise, value);
+}
+
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_write(float noise) {
+    struct mip_filter_pressure_altitude_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.noise = noise;
+    return v;
+}
+
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_read(void) {
+    struct mip_filter_pressure_altitude_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_save(void) {
+    struct mip_filter_pressure_altitude_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_load(void) {
+    struct mip_filter_pressure_altitude_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_default(void) {
+    struct mip_filter_pressure_altitude_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_pressure_altitude_noise_response(struct mip_reader *r, void *value) {
+    struct mip_filter_pressure_altitude_noise_response *v =
+        (struct mip_filter_pressure_altitude_noise_response *)value;
+    mip_read_float(r, &v->noise, 1);
+}
+
+static void write_pressure_altitude_noise_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_pressure_altitude_noise_response *v =
+        (const struct mip_filter_pressure_altitude_noise_response *)value;
+    mip_write_float(w, &v->noise, 1);
+}
+
+const struct mip_codec mip_filter_pressure_altitude_noise_response_codec = {
+    0x0D,
+    MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_pressure_altitude_noise_response),
+    0,
+    read_pressure_altitude_noise_response,
+    write_pressure_altitude_noise_response,
+    NULL,
+};
+
+mip_error mip_filter_pressure_altitude_noise_response_decode(
+    struct mip_filter_pressure_altitude_noise_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_pressure_altitude_noise_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_pressure_altitude_noise_response_encode(
+    const struct mip_filter_pressure_altitude_noise_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_DESCRIPTOR,
+                            write_pressure_altitude_noise_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_hard_iron_offset_noise[] = {0, 1, 0, 0, 0, 0};
+
+static void read_hard_iron_offset_noise(struct mip_reader *r, void *value) {
+    struct mip_filter_hard_iron_offset_noise *v = (struct mip_filter_hard_iron_offset_noise *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_hard_iron_offset_noise,
+                      sizeof(required_hard_iron_offset_noise));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->noise, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_hard_iron_offset_noise(struct mip_writer *w, const void *value) {
+    const struct mip_filter_hard_iron_offset_noise *v =
+        (const struct mip_filter_hard_iron_offset_noise *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_hard_iron_offset_noise,
+                       sizeof(required_hard_iron_offset_noise), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->noise, 3);
+}
+
+const struct mip_codec mip_filter_hard_iron_offset_noise_codec = {
+    0x0D,
+    MIP_FILTER_HARD_IRON_OFFSET_NOISE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_hard_iron_offset_noise),
+    0,
+    read_hard_iron_offset_noise,
+    write_hard_iron_offset_noise,
+    NULL,
+};
+
+mip_error mip_filter_hard_iron_offset_noise_decode(struct mip_filter_hard_iron_offset_noise *value,
+                                                   const struct mip_field *field) {
+    return mip_decode_field(field, read_hard_iron_offset_noise, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_hard_iron_offset_noise_encode(
+    const struct mip_filter_hard_iron_offset_noise *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_HARD_IRON_OFFSET_NOISE_DESCRIPTOR,
+                            write_hard_iron_offset_noise, value);
+}
+
+struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_write(
+    const float noise[3]) {
+    struct mip_filter_hard_iron_offset_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.noise, noise, sizeof(v.noise));
+    return v;
+}
+
+struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_read(void) {
+    struct mip_filter_hard_iron_offset_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_save(void) {
+    struct mip_filter_hard_iron_offset_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_load(void) {
+    struct mip_filter_hard_iron_offset_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_default(void) {
+    struct mip_filter_hard_iron_offset_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_hard_iron_offset_noise_response(struct mip_reader *r, void *value) {
+    struct mip_filter_hard_iron_offset_noise_response *v =
+        (struct mip_filter_hard_iron_offset_noise_response *)value;
+    mip_read_float(r, v->noise, 3);
+}
+
+static void write_hard_iron_offset_noise_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_hard_iron_offset_noise_response *v =
+        (const struct mip_filter_hard_iron_offset_noise_response *)value;
+    mip_write_float(w, v->noise, 3);
+}
+
+const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec = {
+    0x0D,
+    MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_hard_iron_offset_noise_response),
+    0,
+    read_hard_iron_offset_noise_response,
+    write_hard_iron_offset_noise_response,
+    NULL,
+};
+
+mip_error mip_filter_hard_iron_offset_noise_response_decode(
+    struct mip_filter_hard_iron_offset_noise_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_hard_iron_offset_noise_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_hard_iron_offset_noise_response_encode(
+    const struct mip_filter_hard_iron_offset_noise_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_DESCRIPTOR,
+                            write_hard_iron_offset_noise_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_soft_iron_matrix_noise[] = {0, 1, 0, 0, 0, 0};
+
+static void read_soft_iron_matrix_noise(struct mip_reader *r, void *value) {
+    struct mip_filter_soft_iron_matrix_noise *v = (struct mip_filter_soft_iron_matrix_noise *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_soft_iron_matrix_noise,
+                      sizeof(required_soft_iron_matrix_noise));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->noise, 9);
+    v->present = mip_read_present(r);
+}
+
+static void write_soft_iron_matrix_noise(struct mip_writer *w, const void *value) {
+    const struct mip_filter_soft_iron_matrix_noise *v =
+        (const struct mip_filter_soft_iron_matrix_noise *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_soft_iron_matrix_noise,
+                       sizeof(required_soft_iron_matrix_noise), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->noise, 9);
+}
+
+const struct mip_codec mip_filter_soft_iron_matrix_noise_codec = {
+    0x0D,
+    MIP_FILTER_SOFT_IRON_MATRIX_NOISE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_soft_iron_matrix_noise),
+    0,
+    read_soft_iron_matrix_noise,
+    write_soft_iron_matrix_noise,
+    NULL,
+};
+
+mip_error mip_filter_soft_iron_matrix_noise_decode(struct mip_filter_soft_iron_matrix_noise *value,
+                                                   const struct mip_field *field) {
+    return mip_decode_field(field, read_soft_iron_matrix_noise, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_soft_iron_matrix_noise_encode(
+    const struct mip_filter_soft_iron_matrix_noise *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SOFT_IRON_MATRIX_NOISE_DESCRIPTOR,
+                            write_soft_iron_matrix_noise, value);
+}
+
+struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_write(
+    const float noise[9]) {
+    struct mip_filter_soft_iron_matrix_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.noise, noise, sizeof(v.noise));
+    return v;
+}
+
+struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_read(void) {
+    struct mip_filter_soft_iron_matrix_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_save(void) {
+    struct mip_filter_soft_iron_matrix_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_load(void) {
+    struct mip_filter_soft_iron_matrix_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_default(void) {
+    struct mip_filter_soft_iron_matrix_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_soft_iron_matrix_noise_response(struct mip_reader *r, void *value) {
+    struct mip_filter_soft_iron_matrix_noise_response *v =
+        (struct mip_filter_soft_iron_matrix_noise_response *)value;
+    mip_read_float(r, v->noise, 9);
+}
+
+static void write_soft_iron_matrix_noise_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_soft_iron_matrix_noise_response *v =
+        (const struct mip_filter_soft_iron_matrix_noise_response *)value;
+    mip_write_float(w, v->noise, 9);
+}
+
+const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec = {
+    0x0D,
+    MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_soft_iron_matrix_noise_response),
+    0,
+    read_soft_iron_matrix_noise_response,
+    write_soft_iron_matrix_noise_response,
+    NULL,
+};
+
+mip_error mip_filter_soft_iron_matrix_noise_response_decode(
+    struct mip_filter_soft_iron_matrix_noise_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_soft_iron_matrix_noise_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_soft_iron_matrix_noise_response_encode(
+    const struct mip_filter_soft_iron_matrix_noise_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_DESCRIPTOR,
+                            write_soft_iron_matrix_noise_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
 static const uint8_t required_enable_disable_measurements[] = {0, 1, 0, 0, 0, 0};
 
 static void read_enable_disable_measurements(struct mip_reader *r, void *value) {
@@ -2127,6 +3004,116 @@ mip_error mip_filter_enable_disable_measurements_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
+static const uint8_t required_mag_noise[] = {0, 1, 0, 0, 0, 0};
+
+static void read_mag_noise(struct mip_reader *r, void *value) {
+    struct mip_filter_mag_noise *v = (struct mip_filter_mag_noise *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_mag_noise, sizeof(required_mag_noise));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->noise, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_mag_noise(struct mip_writer *w, const void *value) {
+    const struct mip_filter_mag_noise *v = (const struct mip_filter_mag_noise *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_mag_noise, sizeof(required_mag_noise), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->noise, 3);
+}
+
+const struct mip_codec mip_filter_mag_noise_codec = {
+    0x0D,
+    MIP_FILTER_MAG_NOISE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_mag_noise),
+    0,
+    read_mag_noise,
+    write_mag_noise,
+    NULL,
+};
+
+mip_error mip_filter_mag_noise_decode(struct mip_filter_mag_noise *value,
+                                      const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_noise, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_mag_noise_encode(const struct mip_filter_mag_noise *value,
+                                      struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAG_NOISE_DESCRIPTOR, write_mag_noise, value);
+}
+
+struct mip_filter_mag_noise mip_filter_mag_noise_write(const float noise[3]) {
+    struct mip_filter_mag_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.noise, noise, sizeof(v.noise));
+    return v;
+}
+
+struct mip_filter_mag_noise mip_filter_mag_noise_read(void) {
+    struct mip_filter_mag_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_mag_noise mip_filter_mag_noise_save(void) {
+    struct mip_filter_mag_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_mag_noise mip_filter_mag_noise_load(void) {
+    struct mip_filter_mag_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_mag_noise mip_filter_mag_noise_default(void) {
+    struct mip_filter_mag_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_mag_noise_response(struct mip_reader *r, void *value) {
+    struct mip_filter_mag_noise_response *v = (struct mip_filter_mag_noise_response *)value;
+    mip_read_float(r, v->noise, 3);
+}
+
+static void write_mag_noise_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_mag_noise_response *v =
+        (const struct mip_filter_mag_noise_response *)value;
+    mip_write_float(w, v->noise, 3);
+}
+
+const struct mip_codec mip_filter_mag_noise_response_codec = {
+    0x0D,
+    MIP_FILTER_MAG_NOISE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_mag_noise_response),
+    0,
+    read_mag_noise_response,
+    write_mag_noise_response,
+    NULL,
+};
+
+mip_error mip_filter_mag_noise_response_decode(struct mip_filter_mag_noise_response *value,
+                                               const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_noise_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_mag_noise_response_encode(const struct mip_filter_mag_noise_response *value,
+                                               struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAG_NOISE_RESPONSE_DESCRIPTOR,
+                            write_mag_noise_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
 static const uint8_t required_magnetic_field_declination_source_control[] = {0, 2, 0, 0, 0, 0};
 
 static void read_magnetic_field_declination_source_control(struct mip_reader *r, void *value) {
@@ -2182,7 +3169,7 @@ mip_error mip_filter_magnetic_field_declination_source_control_encode(
 }
 
 struct mip_filter_magnetic_field_declination_source_control
-mip_filter_magnetic_field_declination_source_control_write(mip_filter_declination_source source,
+mip_filter_magnetic_field_declination_source_control_write(mip_filter_mag_parameter_source source,
                                                            float declination) {
     struct mip_filter_magnetic_field_declination_source_control v;
     memset(&v, 0, sizeof(v));
@@ -2436,6 +3423,460 @@ mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_encod
 }
 
 /** Parameters that each function requires, by its value. */
+static const uint8_t required_mag_magnitude_error_adaptive_measurement[] = {0, 7, 0, 0, 0, 0};
+
+static void read_mag_magnitude_error_adaptive_measurement(struct mip_reader *r, void *value) {
+    struct mip_filter_mag_magnitude_error_adaptive_measurement *v =
+        (struct mip_filter_mag_magnitude_error_adaptive_measurement *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_mag_magnitude_error_adaptive_measurement,
+                      sizeof(required_mag_magnitude_error_adaptive_measurement));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->adaptive_measurement, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, &v->frequency, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_float(r, &v->low_limit, 1);
+    mip_read_group(r, 4, 4);
+    mip_read_float(r, &v->high_limit, 1);
+    mip_read_group(r, 5, 5);
+    mip_read_float(r, &v->low_limit_uncertainty, 1);
+    mip_read_group(r, 6, 6);
+    mip_read_float(r, &v->high_limit_uncertainty, 1);
+    mip_read_group(r, 7, 7);
+    mip_read_float(r, &v->minimum_uncertainty, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_mag_magnitude_error_adaptive_measurement(struct mip_writer *w,
+                                                           const void *value) {
+    const struct mip_filter_mag_magnitude_error_adaptive_measurement *v =
+        (const struct mip_filter_mag_magnitude_error_adaptive_measurement *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_mag_magnitude_error_adaptive_measurement,
+                       sizeof(required_mag_magnitude_error_adaptive_measurement), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->adaptive_measurement, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, &v->frequency, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_float(w, &v->low_limit, 1);
+    mip_write_group(w, 4, 4);
+    mip_write_float(w, &v->high_limit, 1);
+    mip_write_group(w, 5, 5);
+    mip_write_float(w, &v->low_limit_uncertainty, 1);
+    mip_write_group(w, 6, 6);
+    mip_write_float(w, &v->high_limit_uncertainty, 1);
+    mip_write_group(w, 7, 7);
+    mip_write_float(w, &v->minimum_uncertainty, 1);
+}
+
+const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_codec = {
+    0x0D,
+    MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement),
+    0,
+    read_mag_magnitude_error_adaptive_measurement,
+    write_mag_magnitude_error_adaptive_measurement,
+    NULL,
+};
+
+mip_error mip_filter_mag_magnitude_error_adaptive_measurement_decode(
+    struct mip_filter_mag_magnitude_error_adaptive_measurement *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_magnitude_error_adaptive_measurement, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_mag_magnitude_error_adaptive_measurement_encode(
+    const struct mip_filter_mag_magnitude_error_adaptive_measurement *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
+                            write_mag_magnitude_error_adaptive_measurement, value);
+}
+
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_write(
+    mip_filter_adaptive_measurement_selector adaptive_measurement, float frequency, float low_limit,
+    float high_limit, float low_limit_uncertainty, float high_limit_uncertainty,
+    float minimum_uncertainty) {
+    struct mip_filter_mag_magnitude_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.adaptive_measurement = adaptive_measurement;
+    v.frequency = frequency;
+    v.low_limit = low_limit;
+    v.high_limit = high_limit;
+    v.low_limit_uncertainty = low_limit_uncertainty;
+    v.high_limit_uncertainty = high_limit_uncertainty;
+    v.minimum_uncertainty = minimum_uncertainty;
+    return v;
+}
+
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_read(void) {
+    struct mip_filter_mag_magnitude_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_save(void) {
+    struct mip_filter_mag_magnitude_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_load(void) {
+    struct mip_filter_mag_magnitude_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_default(void) {
+    struct mip_filter_mag_magnitude_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_mag_magnitude_error_adaptive_measurement_response(struct mip_reader *r,
+                                                                   void *value) {
+    struct mip_filter_mag_magnitude_error_adaptive_measurement_response *v =
+        (struct mip_filter_mag_magnitude_error_adaptive_measurement_response *)value;
+    mip_read_u8(r, &v->adaptive_measurement, 1);
+    mip_read_float(r, &v->frequency, 1);
+    mip_read_float(r, &v->low_limit, 1);
+    mip_read_float(r, &v->high_limit, 1);
+    mip_read_float(r, &v->low_limit_uncertainty, 1);
+    mip_read_float(r, &v->high_limit_uncertainty, 1);
+    mip_read_float(r, &v->minimum_uncertainty, 1);
+}
+
+static void write_mag_magnitude_error_adaptive_measurement_response(struct mip_writer *w,
+                                                                    const void *value) {
+    const struct mip_filter_mag_magnitude_error_adaptive_measurement_response *v =
+        (const struct mip_filter_mag_magnitude_error_adaptive_measurement_response *)value;
+    mip_write_u8(w, &v->adaptive_measurement, 1);
+    mip_write_float(w, &v->frequency, 1);
+    mip_write_float(w, &v->low_limit, 1);
+    mip_write_float(w, &v->high_limit, 1);
+    mip_write_float(w, &v->low_limit_uncertainty, 1);
+    mip_write_float(w, &v->high_limit_uncertainty, 1);
+    mip_write_float(w, &v->minimum_uncertainty, 1);
+}
+
+const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_response_codec = {
+    0x0D,
+    MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement_response),
+    0,
+    read_mag_magnitude_error_adaptive_measurement_response,
+    write_mag_magnitude_error_adaptive_measurement_response,
+    NULL,
+};
+
+mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_decode(
+    struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_magnitude_error_adaptive_measurement_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_encode(
+    const struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
+                            write_mag_magnitude_error_adaptive_measurement_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_mag_dip_angle_error_adaptive_measurement[] = {0, 5, 0, 0, 0, 0};
+
+static void read_mag_dip_angle_error_adaptive_measurement(struct mip_reader *r, void *value) {
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement *v =
+        (struct mip_filter_mag_dip_angle_error_adaptive_measurement *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_mag_dip_angle_error_adaptive_measurement,
+                      sizeof(required_mag_dip_angle_error_adaptive_measurement));
+    mip_read_group(r, 1, 1);
+    mip_read_bool(r, &v->enable, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, &v->frequency, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_float(r, &v->high_limit, 1);
+    mip_read_group(r, 4, 4);
+    mip_read_float(r, &v->high_limit_uncertainty, 1);
+    mip_read_group(r, 5, 5);
+    mip_read_float(r, &v->minimum_uncertainty, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_mag_dip_angle_error_adaptive_measurement(struct mip_writer *w,
+                                                           const void *value) {
+    const struct mip_filter_mag_dip_angle_error_adaptive_measurement *v =
+        (const struct mip_filter_mag_dip_angle_error_adaptive_measurement *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_mag_dip_angle_error_adaptive_measurement,
+                       sizeof(required_mag_dip_angle_error_adaptive_measurement), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_bool(w, &v->enable, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, &v->frequency, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_float(w, &v->high_limit, 1);
+    mip_write_group(w, 4, 4);
+    mip_write_float(w, &v->high_limit_uncertainty, 1);
+    mip_write_group(w, 5, 5);
+    mip_write_float(w, &v->minimum_uncertainty, 1);
+}
+
+const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_codec = {
+    0x0D,
+    MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement),
+    0,
+    read_mag_dip_angle_error_adaptive_measurement,
+    write_mag_dip_angle_error_adaptive_measurement,
+    NULL,
+};
+
+mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_decode(
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_dip_angle_error_adaptive_measurement, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_encode(
+    const struct mip_filter_mag_dip_angle_error_adaptive_measurement *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
+                            write_mag_dip_angle_error_adaptive_measurement, value);
+}
+
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_write(mip_bool enable, float frequency,
+                                                          float high_limit,
+                                                          float high_limit_uncertainty,
+                                                          float minimum_uncertainty) {
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.enable = enable;
+    v.frequency = frequency;
+    v.high_limit = high_limit;
+    v.high_limit_uncertainty = high_limit_uncertainty;
+    v.minimum_uncertainty = minimum_uncertainty;
+    return v;
+}
+
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_read(void) {
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_save(void) {
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_load(void) {
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_default(void) {
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_mag_dip_angle_error_adaptive_measurement_response(struct mip_reader *r,
+                                                                   void *value) {
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *v =
+        (struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *)value;
+    mip_read_bool(r, &v->enable, 1);
+    mip_read_float(r, &v->frequency, 1);
+    mip_read_float(r, &v->high_limit, 1);
+    mip_read_float(r, &v->high_limit_uncertainty, 1);
+    mip_read_float(r, &v->minimum_uncertainty, 1);
+}
+
+static void write_mag_dip_angle_error_adaptive_measurement_response(struct mip_writer *w,
+                                                                    const void *value) {
+    const struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *v =
+        (const struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *)value;
+    mip_write_bool(w, &v->enable, 1);
+    mip_write_float(w, &v->frequency, 1);
+    mip_write_float(w, &v->high_limit, 1);
+    mip_write_float(w, &v->high_limit_uncertainty, 1);
+    mip_write_float(w, &v->minimum_uncertainty, 1);
+}
+
+const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec = {
+    0x0D,
+    MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response),
+    0,
+    read_mag_dip_angle_error_adaptive_measurement_response,
+    write_mag_dip_angle_error_adaptive_measurement_response,
+    NULL,
+};
+
+mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_decode(
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_dip_angle_error_adaptive_measurement_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_encode(
+    const struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
+                            write_mag_dip_angle_error_adaptive_measurement_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_altitude_aiding[] = {0, 1, 0, 0, 0, 0};
+
+static void read_altitude_aiding(struct mip_reader *r, void *value) {
+    struct mip_filter_altitude_aiding *v = (struct mip_filter_altitude_aiding *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_altitude_aiding, sizeof(required_altitude_aiding));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->selector, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_altitude_aiding(struct mip_writer *w, const void *value) {
+    const struct mip_filter_altitude_aiding *v = (const struct mip_filter_altitude_aiding *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_altitude_aiding, sizeof(required_altitude_aiding),
+                       v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->selector, 1);
+}
+
+const struct mip_codec mip_filter_altitude_aiding_codec = {
+    0x0D,
+    MIP_FILTER_ALTITUDE_AIDING_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_altitude_aiding),
+    0,
+    read_altitude_aiding,
+    write_altitude_aiding,
+    NULL,
+};
+
+mip_error mip_filter_altitude_aiding_decode(struct mip_filter_altitude_aiding *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_altitude_aiding, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_altitude_aiding_encode(const struct mip_filter_altitude_aiding *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ALTITUDE_AIDING_DESCRIPTOR,
+                            write_altitude_aiding, value);
+}
+
+struct mip_filter_altitude_aiding mip_filter_altitude_aiding_write(
+    mip_filter_altitude_aiding_source selector) {
+    struct mip_filter_altitude_aiding v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.selector = selector;
+    return v;
+}
+
+struct mip_filter_altitude_aiding mip_filter_altitude_aiding_read(void) {
+    struct mip_filter_altitude_aiding v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_altitude_aiding mip_filter_altitude_aiding_save(void) {
+    struct mip_filter_altitude_aiding v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_altitude_aiding mip_filter_altitude_aiding_load(void) {
+    struct mip_filter_altitude_aiding v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_altitude_aiding mip_filter_altitude_aiding_default(void) {
+    struct mip_filter_altitude_aiding v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_altitude_aiding_response(struct mip_reader *r, void *value) {
+    struct mip_filter_altitude_aiding_response *v =
+        (struct mip_filter_altitude_aiding_response *)value;
+    mip_read_u8(r, &v->selector, 1);
+}
+
+static void write_altitude_aiding_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_altitude_aiding_response *v =
+        (const struct mip_filter_altitude_aiding_response *)value;
+    mip_write_u8(w, &v->selector, 1);
+}
+
+const struct mip_codec mip_filter_altitude_aiding_response_codec = {
+    0x0D,
+    MIP_FILTER_ALTITUDE_AIDING_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_altitude_aiding_response),
+    0,
+    read_altitude_aiding_response,
+    write_altitude_aiding_response,
+    NULL,
+};
+
+mip_error mip_filter_altitude_aiding_response_decode(
+    struct mip_filter_altitude_aiding_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_altitude_aiding_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_altitude_aiding_response_encode(
+    const struct mip_filter_altitude_aiding_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ALTITUDE_AIDING_RESPONSE_DESCRIPTOR,
+                            write_altitude_aiding_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
 static const uint8_t required_pitch_roll_aiding_control[] = {0, 1, 0, 0, 0, 0};
 
 static void read_pitch_roll_aiding_control(struct mip_reader *r, void *value) {
@@ -2552,6 +3993,511 @@ mip_error mip_filter_pitch_roll_aiding_control_response_encode(
     struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0D, MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_RESPONSE_DESCRIPTOR,
                             write_pitch_roll_aiding_control_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_inclination_source[] = {0, 2, 0, 0, 0, 0};
+
+static void read_inclination_source(struct mip_reader *r, void *value) {
+    struct mip_filter_inclination_source *v = (struct mip_filter_inclination_source *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_inclination_source,
+                      sizeof(required_inclination_source));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->source, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, &v->inclination, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_inclination_source(struct mip_writer *w, const void *value) {
+    const struct mip_filter_inclination_source *v =
+        (const struct mip_filter_inclination_source *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_inclination_source,
+                       sizeof(required_inclination_source), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->source, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, &v->inclination, 1);
+}
+
+const struct mip_codec mip_filter_inclination_source_codec = {
+    0x0D,
+    MIP_FILTER_INCLINATION_SOURCE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_inclination_source),
+    0,
+    read_inclination_source,
+    write_inclination_source,
+    NULL,
+};
+
+mip_error mip_filter_inclination_source_decode(struct mip_filter_inclination_source *value,
+                                               const struct mip_field *field) {
+    return mip_decode_field(field, read_inclination_source, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_inclination_source_encode(const struct mip_filter_inclination_source *value,
+                                               struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_INCLINATION_SOURCE_DESCRIPTOR,
+                            write_inclination_source, value);
+}
+
+struct mip_filter_inclination_source mip_filter_inclination_source_write(
+    mip_filter_mag_parameter_source source, float inclination) {
+    struct mip_filter_inclination_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.source = source;
+    v.inclination = inclination;
+    return v;
+}
+
+struct mip_filter_inclination_source mip_filter_inclination_source_read(void) {
+    struct mip_filter_inclination_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_inclination_source mip_filter_inclination_source_save(void) {
+    struct mip_filter_inclination_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_inclination_source mip_filter_inclination_source_load(void) {
+    struct mip_filter_inclination_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_inclination_source mip_filter_inclination_source_default(void) {
+    struct mip_filter_inclination_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_inclination_source_response(struct mip_reader *r, void *value) {
+    struct mip_filter_inclination_source_response *v =
+        (struct mip_filter_inclination_source_response *)value;
+    mip_read_u8(r, &v->source, 1);
+    mip_read_float(r, &v->inclination, 1);
+}
+
+static void write_inclination_source_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_inclination_source_response *v =
+        (const struct mip_filter_inclination_source_response *)value;
+    mip_write_u8(w, &v->source, 1);
+    mip_write_float(w, &v->inclination, 1);
+}
+
+const struct mip_codec mip_filter_inclination_source_response_codec = {
+    0x0D,
+    MIP_FILTER_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_inclination_source_response),
+    0,
+    read_inclination_source_response,
+    write_inclination_source_response,
+    NULL,
+};
+
+mip_error mip_filter_inclination_source_response_decode(
+    struct mip_filter_inclination_source_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_inclination_source_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_inclination_source_response_encode(
+    const struct mip_filter_inclination_source_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR,
+                            write_inclination_source_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_mag_field_magnitude_source[] = {0, 2, 0, 0, 0, 0};
+
+static void read_mag_field_magnitude_source(struct mip_reader *r, void *value) {
+    struct mip_filter_mag_field_magnitude_source *v =
+        (struct mip_filter_mag_field_magnitude_source *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_mag_field_magnitude_source,
+                      sizeof(required_mag_field_magnitude_source));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->source, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, &v->magnitude, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_mag_field_magnitude_source(struct mip_writer *w, const void *value) {
+    const struct mip_filter_mag_field_magnitude_source *v =
+        (const struct mip_filter_mag_field_magnitude_source *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_mag_field_magnitude_source,
+                       sizeof(required_mag_field_magnitude_source), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->source, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, &v->magnitude, 1);
+}
+
+const struct mip_codec mip_filter_mag_field_magnitude_source_codec = {
+    0x0D,
+    MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_mag_field_magnitude_source),
+    0,
+    read_mag_field_magnitude_source,
+    write_mag_field_magnitude_source,
+    NULL,
+};
+
+mip_error mip_filter_mag_field_magnitude_source_decode(
+    struct mip_filter_mag_field_magnitude_source *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_field_magnitude_source, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_mag_field_magnitude_source_encode(
+    const struct mip_filter_mag_field_magnitude_source *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_DESCRIPTOR,
+                            write_mag_field_magnitude_source, value);
+}
+
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_write(
+    mip_filter_mag_parameter_source source, float magnitude) {
+    struct mip_filter_mag_field_magnitude_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.source = source;
+    v.magnitude = magnitude;
+    return v;
+}
+
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_read(void) {
+    struct mip_filter_mag_field_magnitude_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_save(void) {
+    struct mip_filter_mag_field_magnitude_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_load(void) {
+    struct mip_filter_mag_field_magnitude_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_default(void) {
+    struct mip_filter_mag_field_magnitude_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_mag_field_magnitude_source_response(struct mip_reader *r, void *value) {
+    struct mip_filter_mag_field_magnitude_source_response *v =
+        (struct mip_filter_mag_field_magnitude_source_response *)value;
+    mip_read_u8(r, &v->source, 1);
+    mip_read_float(r, &v->magnitude, 1);
+}
+
+static void write_mag_field_magnitude_source_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_mag_field_magnitude_source_response *v =
+        (const struct mip_filter_mag_field_magnitude_source_response *)value;
+    mip_write_u8(w, &v->source, 1);
+    mip_write_float(w, &v->magnitude, 1);
+}
+
+const struct mip_codec mip_filter_mag_field_magnitude_source_response_codec = {
+    0x0D,
+    MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_mag_field_magnitude_source_response),
+    0,
+    read_mag_field_magnitude_source_response,
+    write_mag_field_magnitude_source_response,
+    NULL,
+};
+
+mip_error mip_filter_mag_field_magnitude_source_response_decode(
+    struct mip_filter_mag_field_magnitude_source_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_field_magnitude_source_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_mag_field_magnitude_source_response_encode(
+    const struct mip_filter_mag_field_magnitude_source_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR,
+                            write_mag_field_magnitude_source_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_sensor_to_vehicle_rotation_dcm[] = {0, 1, 0, 0, 0, 0};
+
+static void read_sensor_to_vehicle_rotation_dcm(struct mip_reader *r, void *value) {
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *v =
+        (struct mip_filter_sensor_to_vehicle_rotation_dcm *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_sensor_to_vehicle_rotation_dcm,
+                      sizeof(required_sensor_to_vehicle_rotation_dcm));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->dcm, 9);
+    v->present = mip_read_present(r);
+}
+
+static void write_sensor_to_vehicle_rotation_dcm(struct mip_writer *w, const void *value) {
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm *v =
+        (const struct mip_filter_sensor_to_vehicle_rotation_dcm *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_sensor_to_vehicle_rotation_dcm,
+                       sizeof(required_sensor_to_vehicle_rotation_dcm), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->dcm, 9);
+}
+
+const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec = {
+    0x0D,
+    MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm),
+    0,
+    read_sensor_to_vehicle_rotation_dcm,
+    write_sensor_to_vehicle_rotation_dcm,
+    NULL,
+};
+
+mip_error mip_filter_sensor_to_vehicle_rotation_dcm_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_rotation_dcm, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_sensor_to_vehicle_rotation_dcm_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_DESCRIPTOR,
+                            write_sensor_to_vehicle_rotation_dcm, value);
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_dcm mip_filter_sensor_to_vehicle_rotation_dcm_write(
+    const float dcm[9]) {
+    struct mip_filter_sensor_to_vehicle_rotation_dcm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.dcm, dcm, sizeof(v.dcm));
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_read(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_dcm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_save(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_dcm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_load(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_dcm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_default(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_dcm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_sensor_to_vehicle_rotation_dcm_response(struct mip_reader *r, void *value) {
+    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *v =
+        (struct mip_filter_sensor_to_vehicle_rotation_dcm_response *)value;
+    mip_read_float(r, v->dcm, 9);
+}
+
+static void write_sensor_to_vehicle_rotation_dcm_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *v =
+        (const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *)value;
+    mip_write_float(w, v->dcm, 9);
+}
+
+const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec = {
+    0x0D,
+    MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm_response),
+    0,
+    read_sensor_to_vehicle_rotation_dcm_response,
+    write_sensor_to_vehicle_rotation_dcm_response,
+    NULL,
+};
+
+mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_rotation_dcm_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_DESCRIPTOR,
+                            write_sensor_to_vehicle_rotation_dcm_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_sensor_to_vehicle_rotation_quaternion[] = {0, 1, 0, 0, 0, 0};
+
+static void read_sensor_to_vehicle_rotation_quaternion(struct mip_reader *r, void *value) {
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion *v =
+        (struct mip_filter_sensor_to_vehicle_rotation_quaternion *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_sensor_to_vehicle_rotation_quaternion,
+                      sizeof(required_sensor_to_vehicle_rotation_quaternion));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->quat, 4);
+    v->present = mip_read_present(r);
+}
+
+static void write_sensor_to_vehicle_rotation_quaternion(struct mip_writer *w, const void *value) {
+    const struct mip_filter_sensor_to_vehicle_rotation_quaternion *v =
+        (const struct mip_filter_sensor_to_vehicle_rotation_quaternion *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_sensor_to_vehicle_rotation_quaternion,
+                       sizeof(required_sensor_to_vehicle_rotation_quaternion), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->quat, 4);
+}
+
+const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_codec = {
+    0x0D,
+    MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion),
+    0,
+    read_sensor_to_vehicle_rotation_quaternion,
+    write_sensor_to_vehicle_rotation_quaternion,
+    NULL,
+};
+
+mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_rotation_quaternion, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_quaternion *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_DESCRIPTOR,
+                            write_sensor_to_vehicle_rotation_quaternion, value);
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_write(const float quat[4]) {
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.quat, quat, sizeof(v.quat));
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_read(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_save(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_load(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_default(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_sensor_to_vehicle_rotation_quaternion_response(struct mip_reader *r, void *value) {
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *v =
+        (struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *)value;
+    mip_read_float(r, v->quat, 4);
+}
+
+static void write_sensor_to_vehicle_rotation_quaternion_response(struct mip_writer *w,
+                                                                 const void *value) {
+    const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *v =
+        (const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *)value;
+    mip_write_float(w, v->quat, 4);
+}
+
+const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec = {
+    0x0D,
+    MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response),
+    0,
+    read_sensor_to_vehicle_rotation_quaternion_response,
+    write_sensor_to_vehicle_rotation_quaternion_response,
+    NULL,
+};
+
+mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_rotation_quaternion_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_DESCRIPTOR,
+                            write_sensor_to_vehicle_rotation_quaternion_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -2687,6 +4633,138 @@ mip_error mip_filter_aiding_measurement_control_response_encode(
     return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_AIDING_MEASUREMENT_CONTROL_RESPONSE_DESCRIPTOR,
                             write_aiding_measurement_control_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_kinematic_constraint[] = {0, 3, 0, 0, 0, 0};
+
+static void read_kinematic_constraint(struct mip_reader *r, void *value) {
+    struct mip_filter_kinematic_constraint *v = (struct mip_filter_kinematic_constraint *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_kinematic_constraint,
+                      sizeof(required_kinematic_constraint));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->accel_constraint, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_u8(r, &v->velocity_constraint, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_u8(r, &v->angular_constraint, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_kinematic_constraint(struct mip_writer *w, const void *value) {
+    const struct mip_filter_kinematic_constraint *v =
+        (const struct mip_filter_kinematic_constraint *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_kinematic_constraint,
+                       sizeof(required_kinematic_constraint), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->accel_constraint, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_u8(w, &v->velocity_constraint, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_u8(w, &v->angular_constraint, 1);
+}
+
+const struct mip_codec mip_filter_kinematic_constraint_codec = {
+    0x0D,
+    MIP_FILTER_KINEMATIC_CONSTRAINT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_kinematic_constraint),
+    0,
+    read_kinematic_constraint,
+    write_kinematic_constraint,
+    NULL,
+};
+
+mip_error mip_filter_kinematic_constraint_decode(struct mip_filter_kinematic_constraint *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, read_kinematic_constraint, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_kinematic_constraint_encode(
+    const struct mip_filter_kinematic_constraint *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_KINEMATIC_CONSTRAINT_DESCRIPTOR,
+                            write_kinematic_constraint, value);
+}
+
+struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_write(
+    mip_filter_accel_constraint accel_constraint,
+    mip_filter_velocity_constraint velocity_constraint,
+    mip_filter_angular_constraint angular_constraint) {
+    struct mip_filter_kinematic_constraint v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.accel_constraint = accel_constraint;
+    v.velocity_constraint = velocity_constraint;
+    v.angular_constraint = angular_constraint;
+    return v;
+}
+
+struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_read(void) {
+    struct mip_filter_kinematic_constraint v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_save(void) {
+    struct mip_filter_kinematic_constraint v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_load(void) {
+    struct mip_filter_kinematic_constraint v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_default(void) {
+    struct mip_filter_kinematic_constraint v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_kinematic_constraint_response(struct mip_reader *r, void *value) {
+    struct mip_filter_kinematic_constraint_response *v =
+        (struct mip_filter_kinematic_constraint_response *)value;
+    mip_read_u8(r, &v->accel_constraint, 1);
+    mip_read_u8(r, &v->velocity_constraint, 1);
+    mip_read_u8(r, &v->angular_constraint, 1);
+}
+
+static void write_kinematic_constraint_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_kinematic_constraint_response *v =
+        (const struct mip_filter_kinematic_constraint_response *)value;
+    mip_write_u8(w, &v->accel_constraint, 1);
+    mip_write_u8(w, &v->velocity_constraint, 1);
+    mip_write_u8(w, &v->angular_constraint, 1);
+}
+
+const struct mip_codec mip_filter_kinematic_constraint_response_codec = {
+    0x0D,
+    MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_kinematic_constraint_response),
+    0,
+    read_kinematic_constraint_response,
+    write_kinematic_constraint_response,
+    NULL,
+};
+
+mip_error mip_filter_kinematic_constraint_response_decode(
+    struct mip_filter_kinematic_constraint_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_kinematic_constraint_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_kinematic_constraint_response_encode(
+    const struct mip_filter_kinematic_constraint_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_DESCRIPTOR,
+                            write_kinematic_constraint_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -3408,6 +5486,56 @@ mip_error mip_filter_reference_point_lever_arm_response_encode(
                             write_reference_point_lever_arm_response, value);
 }
 
+static void read_speed_measurement(struct mip_reader *r, void *value) {
+    struct mip_filter_speed_measurement *v = (struct mip_filter_speed_measurement *)value;
+    mip_read_u8(r, &v->source, 1);
+    mip_read_float(r, &v->tow, 1);
+    mip_read_float(r, &v->speed, 1);
+    mip_read_float(r, &v->speed_uncertainty, 1);
+}
+
+static void write_speed_measurement(struct mip_writer *w, const void *value) {
+    const struct mip_filter_speed_measurement *v =
+        (const struct mip_filter_speed_measurement *)value;
+    mip_write_u8(w, &v->source, 1);
+    mip_write_float(w, &v->tow, 1);
+    mip_write_float(w, &v->speed, 1);
+    mip_write_float(w, &v->speed_uncertainty, 1);
+}
+
+const struct mip_codec mip_filter_speed_measurement_codec = {
+    0x0D,
+    MIP_FILTER_SPEED_MEASUREMENT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_speed_measurement),
+    0,
+    read_speed_measurement,
+    write_speed_measurement,
+    NULL,
+};
+
+mip_error mip_filter_speed_measurement_decode(struct mip_filter_speed_measurement *value,
+                                              const struct mip_field *field) {
+    return mip_decode_field(field, read_speed_measurement, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_speed_measurement_encode(const struct mip_filter_speed_measurement *value,
+                                              struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SPEED_MEASUREMENT_DESCRIPTOR,
+                            write_speed_measurement, value);
+}
+
+struct mip_filter_speed_measurement mip_filter_speed_measurement_make(float tow, float speed,
+                                                                      float speed_uncertainty) {
+    struct mip_filter_speed_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.source = 1;
+    v.tow = tow;
+    v.speed = speed;
+    v.speed_uncertainty = speed_uncertainty;
+    return v;
+}
+
 /** Parameters that each function requires, by its value. */
 static const uint8_t required_measurement_speed_lever_arm[] = {0, 2, 1, 1, 1, 1};
 
@@ -3537,6 +5665,133 @@ mip_error mip_filter_measurement_speed_lever_arm_response_encode(
     return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR,
                             write_measurement_speed_lever_arm_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_vertical_gyro_constraint_control[] = {0, 1, 0, 0, 0, 0};
+
+static void read_vertical_gyro_constraint_control(struct mip_reader *r, void *value) {
+    struct mip_filter_vertical_gyro_constraint_control *v =
+        (struct mip_filter_vertical_gyro_constraint_control *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_vertical_gyro_constraint_control,
+                      sizeof(required_vertical_gyro_constraint_control));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->enable, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_vertical_gyro_constraint_control(struct mip_writer *w, const void *value) {
+    const struct mip_filter_vertical_gyro_constraint_control *v =
+        (const struct mip_filter_vertical_gyro_constraint_control *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_vertical_gyro_constraint_control,
+                       sizeof(required_vertical_gyro_constraint_control), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->enable, 1);
+}
+
+const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec = {
+    0x0D,
+    MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_vertical_gyro_constraint_control),
+    0,
+    read_vertical_gyro_constraint_control,
+    write_vertical_gyro_constraint_control,
+    NULL,
+};
+
+mip_error mip_filter_vertical_gyro_constraint_control_decode(
+    struct mip_filter_vertical_gyro_constraint_control *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_vertical_gyro_constraint_control, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_vertical_gyro_constraint_control_encode(
+    const struct mip_filter_vertical_gyro_constraint_control *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_DESCRIPTOR,
+                            write_vertical_gyro_constraint_control, value);
+}
+
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_write(uint8_t enable) {
+    struct mip_filter_vertical_gyro_constraint_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.enable = enable;
+    return v;
+}
+
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_read(void) {
+    struct mip_filter_vertical_gyro_constraint_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_save(void) {
+    struct mip_filter_vertical_gyro_constraint_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_load(void) {
+    struct mip_filter_vertical_gyro_constraint_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_default(void) {
+    struct mip_filter_vertical_gyro_constraint_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_vertical_gyro_constraint_control_response(struct mip_reader *r, void *value) {
+    struct mip_filter_vertical_gyro_constraint_control_response *v =
+        (struct mip_filter_vertical_gyro_constraint_control_response *)value;
+    mip_read_u8(r, &v->enable, 1);
+}
+
+static void write_vertical_gyro_constraint_control_response(struct mip_writer *w,
+                                                            const void *value) {
+    const struct mip_filter_vertical_gyro_constraint_control_response *v =
+        (const struct mip_filter_vertical_gyro_constraint_control_response *)value;
+    mip_write_u8(w, &v->enable, 1);
+}
+
+const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_codec = {
+    0x0D,
+    MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_vertical_gyro_constraint_control_response),
+    0,
+    read_vertical_gyro_constraint_control_response,
+    write_vertical_gyro_constraint_control_response,
+    NULL,
+};
+
+mip_error mip_filter_vertical_gyro_constraint_control_response_decode(
+    struct mip_filter_vertical_gyro_constraint_control_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_vertical_gyro_constraint_control_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_vertical_gyro_constraint_control_response_encode(
+    const struct mip_filter_vertical_gyro_constraint_control_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR,
+                            write_vertical_gyro_constraint_control_response, value);
 }
 
 /** Parameters that each function requires, by its value. */

@@ -786,6 +786,223 @@ mip_error mip_filter_data_magnetic_model_encode(const struct mip_filter_data_mag
                             write_magnetic_model, value);
 }
 
+static void read_gyro_scale_factor(struct mip_reader *r, void *value) {
+    struct mip_filter_data_gyro_scale_factor *v = (struct mip_filter_data_gyro_scale_factor *)value;
+    mip_read_float(r, v->scale_factor, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_gyro_scale_factor(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_gyro_scale_factor *v =
+        (const struct mip_filter_data_gyro_scale_factor *)value;
+    mip_write_float(w, v->scale_factor, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_gyro_scale_factor_codec = {
+    0x82,
+    MIP_FILTER_DATA_GYRO_SCALE_FACTOR_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_gyro_scale_factor),
+    0,
+    read_gyro_scale_factor,
+    write_gyro_scale_factor,
+    NULL,
+};
+
+mip_error mip_filter_data_gyro_scale_factor_decode(struct mip_filter_data_gyro_scale_factor *value,
+                                                   const struct mip_field *field) {
+    return mip_decode_field(field, read_gyro_scale_factor, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_gyro_scale_factor_encode(
+    const struct mip_filter_data_gyro_scale_factor *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_GYRO_SCALE_FACTOR_DESCRIPTOR,
+                            write_gyro_scale_factor, value);
+}
+
+static void read_accel_scale_factor(struct mip_reader *r, void *value) {
+    struct mip_filter_data_accel_scale_factor *v =
+        (struct mip_filter_data_accel_scale_factor *)value;
+    mip_read_float(r, v->scale_factor, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_accel_scale_factor(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_accel_scale_factor *v =
+        (const struct mip_filter_data_accel_scale_factor *)value;
+    mip_write_float(w, v->scale_factor, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_accel_scale_factor_codec = {
+    0x82,
+    MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_accel_scale_factor),
+    0,
+    read_accel_scale_factor,
+    write_accel_scale_factor,
+    NULL,
+};
+
+mip_error mip_filter_data_accel_scale_factor_decode(
+    struct mip_filter_data_accel_scale_factor *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_accel_scale_factor, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_accel_scale_factor_encode(
+    const struct mip_filter_data_accel_scale_factor *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_DESCRIPTOR,
+                            write_accel_scale_factor, value);
+}
+
+static void read_gyro_scale_factor_uncertainty(struct mip_reader *r, void *value) {
+    struct mip_filter_data_gyro_scale_factor_uncertainty *v =
+        (struct mip_filter_data_gyro_scale_factor_uncertainty *)value;
+    mip_read_float(r, v->scale_factor_uncertainty, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_gyro_scale_factor_uncertainty(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_gyro_scale_factor_uncertainty *v =
+        (const struct mip_filter_data_gyro_scale_factor_uncertainty *)value;
+    mip_write_float(w, v->scale_factor_uncertainty, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_gyro_scale_factor_uncertainty_codec = {
+    0x82,
+    MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_gyro_scale_factor_uncertainty),
+    0,
+    read_gyro_scale_factor_uncertainty,
+    write_gyro_scale_factor_uncertainty,
+    NULL,
+};
+
+mip_error mip_filter_data_gyro_scale_factor_uncertainty_decode(
+    struct mip_filter_data_gyro_scale_factor_uncertainty *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gyro_scale_factor_uncertainty, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode(
+    const struct mip_filter_data_gyro_scale_factor_uncertainty *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR,
+                            write_gyro_scale_factor_uncertainty, value);
+}
+
+static void read_accel_scale_factor_uncertainty(struct mip_reader *r, void *value) {
+    struct mip_filter_data_accel_scale_factor_uncertainty *v =
+        (struct mip_filter_data_accel_scale_factor_uncertainty *)value;
+    mip_read_float(r, v->scale_factor_uncertainty, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_accel_scale_factor_uncertainty(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_accel_scale_factor_uncertainty *v =
+        (const struct mip_filter_data_accel_scale_factor_uncertainty *)value;
+    mip_write_float(w, v->scale_factor_uncertainty, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_accel_scale_factor_uncertainty_codec = {
+    0x82,
+    MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_accel_scale_factor_uncertainty),
+    0,
+    read_accel_scale_factor_uncertainty,
+    write_accel_scale_factor_uncertainty,
+    NULL,
+};
+
+mip_error mip_filter_data_accel_scale_factor_uncertainty_decode(
+    struct mip_filter_data_accel_scale_factor_uncertainty *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_accel_scale_factor_uncertainty, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_data_accel_scale_factor_uncertainty_encode(
+    const struct mip_filter_data_accel_scale_factor_uncertainty *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82,
+                            MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR,
+                            write_accel_scale_factor_uncertainty, value);
+}
+
+static void read_mag_bias(struct mip_reader *r, void *value) {
+    struct mip_filter_data_mag_bias *v = (struct mip_filter_data_mag_bias *)value;
+    mip_read_float(r, v->bias, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_mag_bias(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_mag_bias *v = (const struct mip_filter_data_mag_bias *)value;
+    mip_write_float(w, v->bias, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_mag_bias_codec = {
+    0x82,
+    MIP_FILTER_DATA_MAG_BIAS_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_mag_bias),
+    0,
+    read_mag_bias,
+    write_mag_bias,
+    NULL,
+};
+
+mip_error mip_filter_data_mag_bias_decode(struct mip_filter_data_mag_bias *value,
+                                          const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_bias, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_mag_bias_encode(const struct mip_filter_data_mag_bias *value,
+                                          struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_MAG_BIAS_DESCRIPTOR, write_mag_bias,
+                            value);
+}
+
+static void read_mag_bias_uncertainty(struct mip_reader *r, void *value) {
+    struct mip_filter_data_mag_bias_uncertainty *v =
+        (struct mip_filter_data_mag_bias_uncertainty *)value;
+    mip_read_float(r, v->bias_uncertainty, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_mag_bias_uncertainty(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_mag_bias_uncertainty *v =
+        (const struct mip_filter_data_mag_bias_uncertainty *)value;
+    mip_write_float(w, v->bias_uncertainty, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec = {
+    0x82,
+    MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_mag_bias_uncertainty),
+    0,
+    read_mag_bias_uncertainty,
+    write_mag_bias_uncertainty,
+    NULL,
+};
+
+mip_error mip_filter_data_mag_bias_uncertainty_decode(
+    struct mip_filter_data_mag_bias_uncertainty *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_bias_uncertainty, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_mag_bias_uncertainty_encode(
+    const struct mip_filter_data_mag_bias_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY_DESCRIPTOR,
+                            write_mag_bias_uncertainty, value);
+}
+
 static void read_compensated_acceleration(struct mip_reader *r, void *value) {
     struct mip_filter_data_compensated_acceleration *v =
         (struct mip_filter_data_compensated_acceleration *)value;
@@ -822,6 +1039,50 @@ mip_error mip_filter_data_compensated_acceleration_encode(
                             write_compensated_acceleration, value);
 }
 
+static void read_standard_atmosphere(struct mip_reader *r, void *value) {
+    struct mip_filter_data_standard_atmosphere *v =
+        (struct mip_filter_data_standard_atmosphere *)value;
+    mip_read_float(r, &v->geometric_altitude, 1);
+    mip_read_float(r, &v->geopotential_altitude, 1);
+    mip_read_float(r, &v->standard_temperature, 1);
+    mip_read_float(r, &v->standard_pressure, 1);
+    mip_read_float(r, &v->standard_density, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_standard_atmosphere(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_standard_atmosphere *v =
+        (const struct mip_filter_data_standard_atmosphere *)value;
+    mip_write_float(w, &v->geometric_altitude, 1);
+    mip_write_float(w, &v->geopotential_altitude, 1);
+    mip_write_float(w, &v->standard_temperature, 1);
+    mip_write_float(w, &v->standard_pressure, 1);
+    mip_write_float(w, &v->standard_density, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_standard_atmosphere_codec = {
+    0x82,
+    MIP_FILTER_DATA_STANDARD_ATMOSPHERE_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_standard_atmosphere),
+    0,
+    read_standard_atmosphere,
+    write_standard_atmosphere,
+    NULL,
+};
+
+mip_error mip_filter_data_standard_atmosphere_decode(
+    struct mip_filter_data_standard_atmosphere *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_standard_atmosphere, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_standard_atmosphere_encode(
+    const struct mip_filter_data_standard_atmosphere *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_STANDARD_ATMOSPHERE_DESCRIPTOR,
+                            write_standard_atmosphere, value);
+}
+
 static void read_pressure_altitude(struct mip_reader *r, void *value) {
     struct mip_filter_data_pressure_altitude *v = (struct mip_filter_data_pressure_altitude *)value;
     mip_read_float(r, &v->pressure_altitude, 1);
@@ -855,6 +1116,408 @@ mip_error mip_filter_data_pressure_altitude_encode(
     const struct mip_filter_data_pressure_altitude *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_PRESSURE_ALTITUDE_DESCRIPTOR,
                             write_pressure_altitude, value);
+}
+
+static void read_density_altitude(struct mip_reader *r, void *value) {
+    struct mip_filter_data_density_altitude *v = (struct mip_filter_data_density_altitude *)value;
+    mip_read_float(r, &v->density_altitude, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_density_altitude(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_density_altitude *v =
+        (const struct mip_filter_data_density_altitude *)value;
+    mip_write_float(w, &v->density_altitude, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_density_altitude_codec = {
+    0x82,
+    MIP_FILTER_DATA_DENSITY_ALTITUDE_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_density_altitude),
+    0,
+    read_density_altitude,
+    write_density_altitude,
+    NULL,
+};
+
+mip_error mip_filter_data_density_altitude_decode(struct mip_filter_data_density_altitude *value,
+                                                  const struct mip_field *field) {
+    return mip_decode_field(field, read_density_altitude, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_density_altitude_encode(
+    const struct mip_filter_data_density_altitude *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_DENSITY_ALTITUDE_DESCRIPTOR,
+                            write_density_altitude, value);
+}
+
+static void read_mag_offset(struct mip_reader *r, void *value) {
+    struct mip_filter_data_mag_offset *v = (struct mip_filter_data_mag_offset *)value;
+    mip_read_float(r, v->hard_iron, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_mag_offset(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_mag_offset *v = (const struct mip_filter_data_mag_offset *)value;
+    mip_write_float(w, v->hard_iron, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_mag_offset_codec = {
+    0x82,
+    MIP_FILTER_DATA_MAG_OFFSET_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_mag_offset),
+    0,
+    read_mag_offset,
+    write_mag_offset,
+    NULL,
+};
+
+mip_error mip_filter_data_mag_offset_decode(struct mip_filter_data_mag_offset *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_offset, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_mag_offset_encode(const struct mip_filter_data_mag_offset *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_MAG_OFFSET_DESCRIPTOR, write_mag_offset,
+                            value);
+}
+
+static void read_mag_matrix(struct mip_reader *r, void *value) {
+    struct mip_filter_data_mag_matrix *v = (struct mip_filter_data_mag_matrix *)value;
+    mip_read_float(r, v->soft_iron, 9);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_mag_matrix(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_mag_matrix *v = (const struct mip_filter_data_mag_matrix *)value;
+    mip_write_float(w, v->soft_iron, 9);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_mag_matrix_codec = {
+    0x82,
+    MIP_FILTER_DATA_MAG_MATRIX_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_mag_matrix),
+    0,
+    read_mag_matrix,
+    write_mag_matrix,
+    NULL,
+};
+
+mip_error mip_filter_data_mag_matrix_decode(struct mip_filter_data_mag_matrix *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_matrix, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_mag_matrix_encode(const struct mip_filter_data_mag_matrix *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_MAG_MATRIX_DESCRIPTOR, write_mag_matrix,
+                            value);
+}
+
+static void read_mag_offset_uncertainty(struct mip_reader *r, void *value) {
+    struct mip_filter_data_mag_offset_uncertainty *v =
+        (struct mip_filter_data_mag_offset_uncertainty *)value;
+    mip_read_float(r, v->hard_iron_uncertainty, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_mag_offset_uncertainty(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_mag_offset_uncertainty *v =
+        (const struct mip_filter_data_mag_offset_uncertainty *)value;
+    mip_write_float(w, v->hard_iron_uncertainty, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_mag_offset_uncertainty_codec = {
+    0x82,
+    MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_mag_offset_uncertainty),
+    0,
+    read_mag_offset_uncertainty,
+    write_mag_offset_uncertainty,
+    NULL,
+};
+
+mip_error mip_filter_data_mag_offset_uncertainty_decode(
+    struct mip_filter_data_mag_offset_uncertainty *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_offset_uncertainty, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_mag_offset_uncertainty_encode(
+    const struct mip_filter_data_mag_offset_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY_DESCRIPTOR,
+                            write_mag_offset_uncertainty, value);
+}
+
+static void read_mag_matrix_uncertainty(struct mip_reader *r, void *value) {
+    struct mip_filter_data_mag_matrix_uncertainty *v =
+        (struct mip_filter_data_mag_matrix_uncertainty *)value;
+    mip_read_float(r, v->soft_iron_uncertainty, 9);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_mag_matrix_uncertainty(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_mag_matrix_uncertainty *v =
+        (const struct mip_filter_data_mag_matrix_uncertainty *)value;
+    mip_write_float(w, v->soft_iron_uncertainty, 9);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_mag_matrix_uncertainty_codec = {
+    0x82,
+    MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_mag_matrix_uncertainty),
+    0,
+    read_mag_matrix_uncertainty,
+    write_mag_matrix_uncertainty,
+    NULL,
+};
+
+mip_error mip_filter_data_mag_matrix_uncertainty_decode(
+    struct mip_filter_data_mag_matrix_uncertainty *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_matrix_uncertainty, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_mag_matrix_uncertainty_encode(
+    const struct mip_filter_data_mag_matrix_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY_DESCRIPTOR,
+                            write_mag_matrix_uncertainty, value);
+}
+
+static void read_mag_covariance_matrix(struct mip_reader *r, void *value) {
+    struct mip_filter_data_mag_covariance_matrix *v =
+        (struct mip_filter_data_mag_covariance_matrix *)value;
+    mip_read_float(r, v->covariance, 9);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_mag_covariance_matrix(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_mag_covariance_matrix *v =
+        (const struct mip_filter_data_mag_covariance_matrix *)value;
+    mip_write_float(w, v->covariance, 9);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_mag_covariance_matrix_codec = {
+    0x82,
+    MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_mag_covariance_matrix),
+    0,
+    read_mag_covariance_matrix,
+    write_mag_covariance_matrix,
+    NULL,
+};
+
+mip_error mip_filter_data_mag_covariance_matrix_decode(
+    struct mip_filter_data_mag_covariance_matrix *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_covariance_matrix, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_mag_covariance_matrix_encode(
+    const struct mip_filter_data_mag_covariance_matrix *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX_DESCRIPTOR,
+                            write_mag_covariance_matrix, value);
+}
+
+static void read_mag_residual_vector(struct mip_reader *r, void *value) {
+    struct mip_filter_data_mag_residual_vector *v =
+        (struct mip_filter_data_mag_residual_vector *)value;
+    mip_read_float(r, v->residual, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_mag_residual_vector(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_mag_residual_vector *v =
+        (const struct mip_filter_data_mag_residual_vector *)value;
+    mip_write_float(w, v->residual, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_mag_residual_vector_codec = {
+    0x82,
+    MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_mag_residual_vector),
+    0,
+    read_mag_residual_vector,
+    write_mag_residual_vector,
+    NULL,
+};
+
+mip_error mip_filter_data_mag_residual_vector_decode(
+    struct mip_filter_data_mag_residual_vector *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_residual_vector, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_mag_residual_vector_encode(
+    const struct mip_filter_data_mag_residual_vector *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR_DESCRIPTOR,
+                            write_mag_residual_vector, value);
+}
+
+static void read_antenna_offset_correction(struct mip_reader *r, void *value) {
+    struct mip_filter_data_antenna_offset_correction *v =
+        (struct mip_filter_data_antenna_offset_correction *)value;
+    mip_read_float(r, v->offset, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_antenna_offset_correction(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_antenna_offset_correction *v =
+        (const struct mip_filter_data_antenna_offset_correction *)value;
+    mip_write_float(w, v->offset, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_antenna_offset_correction_codec = {
+    0x82,
+    MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_antenna_offset_correction),
+    0,
+    read_antenna_offset_correction,
+    write_antenna_offset_correction,
+    NULL,
+};
+
+mip_error mip_filter_data_antenna_offset_correction_decode(
+    struct mip_filter_data_antenna_offset_correction *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_antenna_offset_correction, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_antenna_offset_correction_encode(
+    const struct mip_filter_data_antenna_offset_correction *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR,
+                            write_antenna_offset_correction, value);
+}
+
+static void read_antenna_offset_correction_uncertainty(struct mip_reader *r, void *value) {
+    struct mip_filter_data_antenna_offset_correction_uncertainty *v =
+        (struct mip_filter_data_antenna_offset_correction_uncertainty *)value;
+    mip_read_float(r, v->offset_uncertainty, 3);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_antenna_offset_correction_uncertainty(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_antenna_offset_correction_uncertainty *v =
+        (const struct mip_filter_data_antenna_offset_correction_uncertainty *)value;
+    mip_write_float(w, v->offset_uncertainty, 3);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_codec = {
+    0x82,
+    MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_antenna_offset_correction_uncertainty),
+    0,
+    read_antenna_offset_correction_uncertainty,
+    write_antenna_offset_correction_uncertainty,
+    NULL,
+};
+
+mip_error mip_filter_data_antenna_offset_correction_uncertainty_decode(
+    struct mip_filter_data_antenna_offset_correction_uncertainty *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_antenna_offset_correction_uncertainty, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_antenna_offset_correction_uncertainty_encode(
+    const struct mip_filter_data_antenna_offset_correction_uncertainty *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82,
+                            MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR,
+                            write_antenna_offset_correction_uncertainty, value);
+}
+
+static void read_clock_correction(struct mip_reader *r, void *value) {
+    struct mip_filter_data_clock_correction *v = (struct mip_filter_data_clock_correction *)value;
+    mip_read_u8(r, &v->receiver_id, 1);
+    mip_read_float(r, &v->bias, 1);
+    mip_read_float(r, &v->bias_drift, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_clock_correction(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_clock_correction *v =
+        (const struct mip_filter_data_clock_correction *)value;
+    mip_write_u8(w, &v->receiver_id, 1);
+    mip_write_float(w, &v->bias, 1);
+    mip_write_float(w, &v->bias_drift, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_clock_correction_codec = {
+    0x82,
+    MIP_FILTER_DATA_CLOCK_CORRECTION_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_clock_correction),
+    0,
+    read_clock_correction,
+    write_clock_correction,
+    NULL,
+};
+
+mip_error mip_filter_data_clock_correction_decode(struct mip_filter_data_clock_correction *value,
+                                                  const struct mip_field *field) {
+    return mip_decode_field(field, read_clock_correction, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_clock_correction_encode(
+    const struct mip_filter_data_clock_correction *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_CLOCK_CORRECTION_DESCRIPTOR,
+                            write_clock_correction, value);
+}
+
+static void read_clock_correction_uncertainty(struct mip_reader *r, void *value) {
+    struct mip_filter_data_clock_correction_uncertainty *v =
+        (struct mip_filter_data_clock_correction_uncertainty *)value;
+    mip_read_u8(r, &v->receiver_id, 1);
+    mip_read_float(r, &v->bias_uncertainty, 1);
+    mip_read_float(r, &v->bias_drift_uncertainty, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_clock_correction_uncertainty(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_clock_correction_uncertainty *v =
+        (const struct mip_filter_data_clock_correction_uncertainty *)value;
+    mip_write_u8(w, &v->receiver_id, 1);
+    mip_write_float(w, &v->bias_uncertainty, 1);
+    mip_write_float(w, &v->bias_drift_uncertainty, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_filter_data_clock_correction_uncertainty_codec = {
+    0x82,
+    MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_clock_correction_uncertainty),
+    0,
+    read_clock_correction_uncertainty,
+    write_clock_correction_uncertainty,
+    NULL,
+};
+
+mip_error mip_filter_data_clock_correction_uncertainty_decode(
+    struct mip_filter_data_clock_correction_uncertainty *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_clock_correction_uncertainty, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_clock_correction_uncertainty_encode(
+    const struct mip_filter_data_clock_correction_uncertainty *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY_DESCRIPTOR,
+                            write_clock_correction_uncertainty, value);
 }
 
 static void read_multi_antenna_offset_correction(struct mip_reader *r, void *value) {
@@ -1157,6 +1820,82 @@ mip_error mip_filter_data_gnss_position_aiding_status_encode(
     const struct mip_filter_data_gnss_position_aiding_status *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS_DESCRIPTOR,
                             write_gnss_position_aiding_status, value);
+}
+
+static void read_gnss_attitude_aiding_status(struct mip_reader *r, void *value) {
+    struct mip_filter_data_gnss_attitude_aiding_status *v =
+        (struct mip_filter_data_gnss_attitude_aiding_status *)value;
+    mip_read_float(r, &v->tow, 1);
+    mip_read_u16(r, &v->status, 1);
+    mip_read_u8(r, v->reserved, 8);
+}
+
+static void write_gnss_attitude_aiding_status(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_gnss_attitude_aiding_status *v =
+        (const struct mip_filter_data_gnss_attitude_aiding_status *)value;
+    mip_write_float(w, &v->tow, 1);
+    mip_write_u16(w, &v->status, 1);
+    mip_write_u8(w, v->reserved, 8);
+}
+
+const struct mip_codec mip_filter_data_gnss_attitude_aiding_status_codec = {
+    0x82,
+    MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_gnss_attitude_aiding_status),
+    0,
+    read_gnss_attitude_aiding_status,
+    write_gnss_attitude_aiding_status,
+    NULL,
+};
+
+mip_error mip_filter_data_gnss_attitude_aiding_status_decode(
+    struct mip_filter_data_gnss_attitude_aiding_status *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_attitude_aiding_status, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_gnss_attitude_aiding_status_encode(
+    const struct mip_filter_data_gnss_attitude_aiding_status *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS_DESCRIPTOR,
+                            write_gnss_attitude_aiding_status, value);
+}
+
+static void read_heading_aiding_status(struct mip_reader *r, void *value) {
+    struct mip_filter_data_heading_aiding_status *v =
+        (struct mip_filter_data_heading_aiding_status *)value;
+    mip_read_float(r, &v->tow, 1);
+    mip_read_u8(r, &v->type, 1);
+    mip_read_float(r, v->reserved, 2);
+}
+
+static void write_heading_aiding_status(struct mip_writer *w, const void *value) {
+    const struct mip_filter_data_heading_aiding_status *v =
+        (const struct mip_filter_data_heading_aiding_status *)value;
+    mip_write_float(w, &v->tow, 1);
+    mip_write_u8(w, &v->type, 1);
+    mip_write_float(w, v->reserved, 2);
+}
+
+const struct mip_codec mip_filter_data_heading_aiding_status_codec = {
+    0x82,
+    MIP_FILTER_DATA_HEADING_AIDING_STATUS_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_filter_data_heading_aiding_status),
+    0,
+    read_heading_aiding_status,
+    write_heading_aiding_status,
+    NULL,
+};
+
+mip_error mip_filter_data_heading_aiding_status_decode(
+    struct mip_filter_data_heading_aiding_status *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_heading_aiding_status, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_data_heading_aiding_status_encode(
+    const struct mip_filter_data_heading_aiding_status *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x82, MIP_FILTER_DATA_HEADING_AIDING_STATUS_DESCRIPTOR,
+                            write_heading_aiding_status, value);
 }
 
 static void read_aiding_measurement_summary(struct mip_reader *r, void *value) {

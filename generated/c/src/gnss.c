@@ -223,6 +223,128 @@ mip_error mip_gnss_signal_configuration_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
+static const uint8_t required_rtk_dongle_configuration[] = {0, 2, 0, 0, 0, 0};
+
+static void read_rtk_dongle_configuration(struct mip_reader *r, void *value) {
+    struct mip_gnss_rtk_dongle_configuration *v = (struct mip_gnss_rtk_dongle_configuration *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_rtk_dongle_configuration,
+                      sizeof(required_rtk_dongle_configuration));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->enable, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_u8(r, v->reserved, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_rtk_dongle_configuration(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_rtk_dongle_configuration *v =
+        (const struct mip_gnss_rtk_dongle_configuration *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_rtk_dongle_configuration,
+                       sizeof(required_rtk_dongle_configuration), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->enable, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_u8(w, v->reserved, 3);
+}
+
+const struct mip_codec mip_gnss_rtk_dongle_configuration_codec = {
+    0x0E,
+    MIP_GNSS_RTK_DONGLE_CONFIGURATION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_gnss_rtk_dongle_configuration),
+    0,
+    read_rtk_dongle_configuration,
+    write_rtk_dongle_configuration,
+    NULL,
+};
+
+mip_error mip_gnss_rtk_dongle_configuration_decode(struct mip_gnss_rtk_dongle_configuration *value,
+                                                   const struct mip_field *field) {
+    return mip_decode_field(field, read_rtk_dongle_configuration, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_rtk_dongle_configuration_encode(
+    const struct mip_gnss_rtk_dongle_configuration *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0E, MIP_GNSS_RTK_DONGLE_CONFIGURATION_DESCRIPTOR,
+                            write_rtk_dongle_configuration, value);
+}
+
+struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_write(uint8_t enable) {
+    struct mip_gnss_rtk_dongle_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.enable = enable;
+    return v;
+}
+
+struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_read(void) {
+    struct mip_gnss_rtk_dongle_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_save(void) {
+    struct mip_gnss_rtk_dongle_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_load(void) {
+    struct mip_gnss_rtk_dongle_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_default(void) {
+    struct mip_gnss_rtk_dongle_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_rtk_dongle_configuration_response(struct mip_reader *r, void *value) {
+    struct mip_gnss_rtk_dongle_configuration_response *v =
+        (struct mip_gnss_rtk_dongle_configuration_response *)value;
+    mip_read_u8(r, &v->enable, 1);
+    mip_read_u8(r, v->reserved, 3);
+}
+
+static void write_rtk_dongle_configuration_response(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_rtk_dongle_configuration_response *v =
+        (const struct mip_gnss_rtk_dongle_configuration_response *)value;
+    mip_write_u8(w, &v->enable, 1);
+    mip_write_u8(w, v->reserved, 3);
+}
+
+const struct mip_codec mip_gnss_rtk_dongle_configuration_response_codec = {
+    0x0E,
+    MIP_GNSS_RTK_DONGLE_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_gnss_rtk_dongle_configuration_response),
+    0,
+    read_rtk_dongle_configuration_response,
+    write_rtk_dongle_configuration_response,
+    NULL,
+};
+
+mip_error mip_gnss_rtk_dongle_configuration_response_decode(
+    struct mip_gnss_rtk_dongle_configuration_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_rtk_dongle_configuration_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_gnss_rtk_dongle_configuration_response_encode(
+    const struct mip_gnss_rtk_dongle_configuration_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0E, MIP_GNSS_RTK_DONGLE_CONFIGURATION_RESPONSE_DESCRIPTOR,
+                            write_rtk_dongle_configuration_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
 static const uint8_t required_spartn_configuration[] = {0, 8, 0, 0, 0, 0};
 
 static void read_spartn_configuration(struct mip_reader *r, void *value) {

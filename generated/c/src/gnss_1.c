@@ -289,6 +289,44 @@ mip_error mip_gnss_1_gps_time_encode(const struct mip_gnss_1_gps_time *value,
     return mip_encode_field(builder, 0x91, MIP_GNSS_1_GPS_TIME_DESCRIPTOR, write_gps_time, value);
 }
 
+static void read_clock_info(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_clock_info *v = (struct mip_gnss_1_clock_info *)value;
+    mip_read_double(r, &v->bias, 1);
+    mip_read_double(r, &v->drift, 1);
+    mip_read_double(r, &v->accuracy_estimate, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_clock_info(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_clock_info *v = (const struct mip_gnss_1_clock_info *)value;
+    mip_write_double(w, &v->bias, 1);
+    mip_write_double(w, &v->drift, 1);
+    mip_write_double(w, &v->accuracy_estimate, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_clock_info_codec = {
+    0x91,
+    MIP_GNSS_1_CLOCK_INFO_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_clock_info),
+    0,
+    read_clock_info,
+    write_clock_info,
+    NULL,
+};
+
+mip_error mip_gnss_1_clock_info_decode(struct mip_gnss_1_clock_info *value,
+                                       const struct mip_field *field) {
+    return mip_decode_field(field, read_clock_info, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_clock_info_encode(const struct mip_gnss_1_clock_info *value,
+                                       struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_CLOCK_INFO_DESCRIPTOR, write_clock_info,
+                            value);
+}
+
 static void read_fix_info(struct mip_reader *r, void *value) {
     struct mip_gnss_1_fix_info *v = (struct mip_gnss_1_fix_info *)value;
     mip_read_u8(r, &v->fix_type, 1);
@@ -324,6 +362,49 @@ mip_error mip_gnss_1_fix_info_decode(struct mip_gnss_1_fix_info *value,
 mip_error mip_gnss_1_fix_info_encode(const struct mip_gnss_1_fix_info *value,
                                      struct mip_builder *builder) {
     return mip_encode_field(builder, 0x91, MIP_GNSS_1_FIX_INFO_DESCRIPTOR, write_fix_info, value);
+}
+
+static void read_sv_info(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_sv_info *v = (struct mip_gnss_1_sv_info *)value;
+    mip_read_u8(r, &v->channel, 1);
+    mip_read_u8(r, &v->satellite_id, 1);
+    mip_read_u16(r, &v->carrier_noise_ratio, 1);
+    mip_read_s16(r, &v->azimuth, 1);
+    mip_read_s16(r, &v->elevation, 1);
+    mip_read_u16(r, &v->sv_flags, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_sv_info(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_sv_info *v = (const struct mip_gnss_1_sv_info *)value;
+    mip_write_u8(w, &v->channel, 1);
+    mip_write_u8(w, &v->satellite_id, 1);
+    mip_write_u16(w, &v->carrier_noise_ratio, 1);
+    mip_write_s16(w, &v->azimuth, 1);
+    mip_write_s16(w, &v->elevation, 1);
+    mip_write_u16(w, &v->sv_flags, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_sv_info_codec = {
+    0x91,
+    MIP_GNSS_1_SV_INFO_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_sv_info),
+    0,
+    read_sv_info,
+    write_sv_info,
+    NULL,
+};
+
+mip_error mip_gnss_1_sv_info_decode(struct mip_gnss_1_sv_info *value,
+                                    const struct mip_field *field) {
+    return mip_decode_field(field, read_sv_info, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_sv_info_encode(const struct mip_gnss_1_sv_info *value,
+                                    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_SV_INFO_DESCRIPTOR, write_sv_info, value);
 }
 
 static void read_gnss_hardware_status(struct mip_reader *r, void *value) {
@@ -363,6 +444,85 @@ mip_error mip_gnss_1_gnss_hardware_status_encode(
     const struct mip_gnss_1_gnss_hardware_status *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x91, MIP_GNSS_1_GNSS_HARDWARE_STATUS_DESCRIPTOR,
                             write_gnss_hardware_status, value);
+}
+
+static void read_dgps_info(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_dgps_info *v = (struct mip_gnss_1_dgps_info *)value;
+    mip_read_float(r, &v->age, 1);
+    mip_read_s16(r, &v->base_station_id, 1);
+    mip_read_s16(r, &v->base_station_status, 1);
+    mip_read_u16(r, &v->num_channels, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_dgps_info(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_dgps_info *v = (const struct mip_gnss_1_dgps_info *)value;
+    mip_write_float(w, &v->age, 1);
+    mip_write_s16(w, &v->base_station_id, 1);
+    mip_write_s16(w, &v->base_station_status, 1);
+    mip_write_u16(w, &v->num_channels, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_dgps_info_codec = {
+    0x91,
+    MIP_GNSS_1_DGPS_INFO_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_dgps_info),
+    0,
+    read_dgps_info,
+    write_dgps_info,
+    NULL,
+};
+
+mip_error mip_gnss_1_dgps_info_decode(struct mip_gnss_1_dgps_info *value,
+                                      const struct mip_field *field) {
+    return mip_decode_field(field, read_dgps_info, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_dgps_info_encode(const struct mip_gnss_1_dgps_info *value,
+                                      struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_DGPS_INFO_DESCRIPTOR, write_dgps_info, value);
+}
+
+static void read_dgps_channel(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_dgps_channel *v = (struct mip_gnss_1_dgps_channel *)value;
+    mip_read_u8(r, &v->satellite_id, 1);
+    mip_read_float(r, &v->age, 1);
+    mip_read_float(r, &v->range_correction, 1);
+    mip_read_float(r, &v->range_rate_correction, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_dgps_channel(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_dgps_channel *v = (const struct mip_gnss_1_dgps_channel *)value;
+    mip_write_u8(w, &v->satellite_id, 1);
+    mip_write_float(w, &v->age, 1);
+    mip_write_float(w, &v->range_correction, 1);
+    mip_write_float(w, &v->range_rate_correction, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_dgps_channel_codec = {
+    0x91,
+    MIP_GNSS_1_DGPS_CHANNEL_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_dgps_channel),
+    0,
+    read_dgps_channel,
+    write_dgps_channel,
+    NULL,
+};
+
+mip_error mip_gnss_1_dgps_channel_decode(struct mip_gnss_1_dgps_channel *value,
+                                         const struct mip_field *field) {
+    return mip_decode_field(field, read_dgps_channel, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_dgps_channel_encode(const struct mip_gnss_1_dgps_channel *value,
+                                         struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_DGPS_CHANNEL_DESCRIPTOR, write_dgps_channel,
+                            value);
 }
 
 static void read_clock_info_2(struct mip_reader *r, void *value) {
@@ -482,6 +642,97 @@ mip_error mip_gnss_1_sbas_info_encode(const struct mip_gnss_1_sbas_info *value,
     return mip_encode_field(builder, 0x91, MIP_GNSS_1_SBAS_INFO_DESCRIPTOR, write_sbas_info, value);
 }
 
+static void read_sbas_correction(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_sbas_correction *v = (struct mip_gnss_1_sbas_correction *)value;
+    mip_read_u8(r, &v->index, 1);
+    mip_read_u8(r, &v->count, 1);
+    mip_read_double(r, &v->tow, 1);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_u8(r, &v->gnss_id, 1);
+    mip_read_u8(r, &v->satellite_id, 1);
+    mip_read_u8(r, &v->udrei, 1);
+    mip_read_float(r, &v->pseudorange_correction, 1);
+    mip_read_float(r, &v->iono_correction, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_sbas_correction(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_sbas_correction *v = (const struct mip_gnss_1_sbas_correction *)value;
+    mip_write_u8(w, &v->index, 1);
+    mip_write_u8(w, &v->count, 1);
+    mip_write_double(w, &v->tow, 1);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_u8(w, &v->gnss_id, 1);
+    mip_write_u8(w, &v->satellite_id, 1);
+    mip_write_u8(w, &v->udrei, 1);
+    mip_write_float(w, &v->pseudorange_correction, 1);
+    mip_write_float(w, &v->iono_correction, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_sbas_correction_codec = {
+    0x91,
+    MIP_GNSS_1_SBAS_CORRECTION_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_sbas_correction),
+    0,
+    read_sbas_correction,
+    write_sbas_correction,
+    NULL,
+};
+
+mip_error mip_gnss_1_sbas_correction_decode(struct mip_gnss_1_sbas_correction *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_sbas_correction, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_sbas_correction_encode(const struct mip_gnss_1_sbas_correction *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_SBAS_CORRECTION_DESCRIPTOR,
+                            write_sbas_correction, value);
+}
+
+static void read_rf_error_detection(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_rf_error_detection *v = (struct mip_gnss_1_rf_error_detection *)value;
+    mip_read_u8(r, &v->rf_band, 1);
+    mip_read_u8(r, &v->jamming_state, 1);
+    mip_read_u8(r, &v->spoofing_state, 1);
+    mip_read_u8(r, v->reserved, 4);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_rf_error_detection(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_rf_error_detection *v =
+        (const struct mip_gnss_1_rf_error_detection *)value;
+    mip_write_u8(w, &v->rf_band, 1);
+    mip_write_u8(w, &v->jamming_state, 1);
+    mip_write_u8(w, &v->spoofing_state, 1);
+    mip_write_u8(w, v->reserved, 4);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_rf_error_detection_codec = {
+    0x91,
+    MIP_GNSS_1_RF_ERROR_DETECTION_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_rf_error_detection),
+    0,
+    read_rf_error_detection,
+    write_rf_error_detection,
+    NULL,
+};
+
+mip_error mip_gnss_1_rf_error_detection_decode(struct mip_gnss_1_rf_error_detection *value,
+                                               const struct mip_field *field) {
+    return mip_decode_field(field, read_rf_error_detection, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_rf_error_detection_encode(const struct mip_gnss_1_rf_error_detection *value,
+                                               struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_RF_ERROR_DETECTION_DESCRIPTOR,
+                            write_rf_error_detection, value);
+}
+
 static void read_satellite_status(struct mip_reader *r, void *value) {
     struct mip_gnss_1_satellite_status *v = (struct mip_gnss_1_satellite_status *)value;
     mip_read_u8(r, &v->index, 1);
@@ -595,6 +846,102 @@ mip_error mip_gnss_1_raw_decode(struct mip_gnss_1_raw *value, const struct mip_f
 
 mip_error mip_gnss_1_raw_encode(const struct mip_gnss_1_raw *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x91, MIP_GNSS_1_RAW_DESCRIPTOR, write_raw, value);
+}
+
+static void read_base_station_info(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_base_station_info *v = (struct mip_gnss_1_base_station_info *)value;
+    mip_read_double(r, &v->time_of_week, 1);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_double(r, v->ecef_pos, 3);
+    mip_read_float(r, &v->height, 1);
+    mip_read_u16(r, &v->station_id, 1);
+    mip_read_u16(r, &v->indicators, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_base_station_info(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_base_station_info *v =
+        (const struct mip_gnss_1_base_station_info *)value;
+    mip_write_double(w, &v->time_of_week, 1);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_double(w, v->ecef_pos, 3);
+    mip_write_float(w, &v->height, 1);
+    mip_write_u16(w, &v->station_id, 1);
+    mip_write_u16(w, &v->indicators, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_base_station_info_codec = {
+    0x91,
+    MIP_GNSS_1_BASE_STATION_INFO_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_base_station_info),
+    0,
+    read_base_station_info,
+    write_base_station_info,
+    NULL,
+};
+
+mip_error mip_gnss_1_base_station_info_decode(struct mip_gnss_1_base_station_info *value,
+                                              const struct mip_field *field) {
+    return mip_decode_field(field, read_base_station_info, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_base_station_info_encode(const struct mip_gnss_1_base_station_info *value,
+                                              struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_BASE_STATION_INFO_DESCRIPTOR,
+                            write_base_station_info, value);
+}
+
+static void read_rtk_corrections_status(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_rtk_corrections_status *v = (struct mip_gnss_1_rtk_corrections_status *)value;
+    mip_read_double(r, &v->time_of_week, 1);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_u16(r, &v->epoch_status, 1);
+    mip_read_u32(r, &v->dongle_status, 1);
+    mip_read_float(r, &v->gps_correction_latency, 1);
+    mip_read_float(r, &v->glonass_correction_latency, 1);
+    mip_read_float(r, &v->galileo_correction_latency, 1);
+    mip_read_float(r, &v->beidou_correction_latency, 1);
+    mip_read_u32(r, v->reserved, 4);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_rtk_corrections_status(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_rtk_corrections_status *v =
+        (const struct mip_gnss_1_rtk_corrections_status *)value;
+    mip_write_double(w, &v->time_of_week, 1);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_u16(w, &v->epoch_status, 1);
+    mip_write_u32(w, &v->dongle_status, 1);
+    mip_write_float(w, &v->gps_correction_latency, 1);
+    mip_write_float(w, &v->glonass_correction_latency, 1);
+    mip_write_float(w, &v->galileo_correction_latency, 1);
+    mip_write_float(w, &v->beidou_correction_latency, 1);
+    mip_write_u32(w, v->reserved, 4);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_rtk_corrections_status_codec = {
+    0x91,
+    MIP_GNSS_1_RTK_CORRECTIONS_STATUS_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_rtk_corrections_status),
+    0,
+    read_rtk_corrections_status,
+    write_rtk_corrections_status,
+    NULL,
+};
+
+mip_error mip_gnss_1_rtk_corrections_status_decode(struct mip_gnss_1_rtk_corrections_status *value,
+                                                   const struct mip_field *field) {
+    return mip_decode_field(field, read_rtk_corrections_status, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_rtk_corrections_status_encode(
+    const struct mip_gnss_1_rtk_corrections_status *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_RTK_CORRECTIONS_STATUS_DESCRIPTOR,
+                            write_rtk_corrections_status, value);
 }
 
 static void read_gps_ephemeris(struct mip_reader *r, void *value) {
@@ -971,4 +1318,130 @@ mip_error mip_gnss_1_beidou_ephemeris_encode(const struct mip_gnss_1_beidou_ephe
                                              struct mip_builder *builder) {
     return mip_encode_field(builder, 0x91, MIP_GNSS_1_BEIDOU_EPHEMERIS_DESCRIPTOR,
                             write_beidou_ephemeris, value);
+}
+
+static void read_gps_iono_correction(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_gps_iono_correction *v = (struct mip_gnss_1_gps_iono_correction *)value;
+    mip_read_double(r, &v->tow, 1);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_double(r, v->alpha, 4);
+    mip_read_double(r, v->beta, 4);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_gps_iono_correction(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_gps_iono_correction *v =
+        (const struct mip_gnss_1_gps_iono_correction *)value;
+    mip_write_double(w, &v->tow, 1);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_double(w, v->alpha, 4);
+    mip_write_double(w, v->beta, 4);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_gps_iono_correction_codec = {
+    0x91,
+    MIP_GNSS_1_GPS_IONO_CORRECTION_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_gps_iono_correction),
+    0,
+    read_gps_iono_correction,
+    write_gps_iono_correction,
+    NULL,
+};
+
+mip_error mip_gnss_1_gps_iono_correction_decode(struct mip_gnss_1_gps_iono_correction *value,
+                                                const struct mip_field *field) {
+    return mip_decode_field(field, read_gps_iono_correction, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_gps_iono_correction_encode(const struct mip_gnss_1_gps_iono_correction *value,
+                                                struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_GPS_IONO_CORRECTION_DESCRIPTOR,
+                            write_gps_iono_correction, value);
+}
+
+static void read_galileo_iono_correction(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_galileo_iono_correction *v =
+        (struct mip_gnss_1_galileo_iono_correction *)value;
+    mip_read_double(r, &v->tow, 1);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_double(r, v->alpha, 3);
+    mip_read_u8(r, &v->disturbance_flags, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_galileo_iono_correction(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_galileo_iono_correction *v =
+        (const struct mip_gnss_1_galileo_iono_correction *)value;
+    mip_write_double(w, &v->tow, 1);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_double(w, v->alpha, 3);
+    mip_write_u8(w, &v->disturbance_flags, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_galileo_iono_correction_codec = {
+    0x91,
+    MIP_GNSS_1_GALILEO_IONO_CORRECTION_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_galileo_iono_correction),
+    0,
+    read_galileo_iono_correction,
+    write_galileo_iono_correction,
+    NULL,
+};
+
+mip_error mip_gnss_1_galileo_iono_correction_decode(
+    struct mip_gnss_1_galileo_iono_correction *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_galileo_iono_correction, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_galileo_iono_correction_encode(
+    const struct mip_gnss_1_galileo_iono_correction *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_GALILEO_IONO_CORRECTION_DESCRIPTOR,
+                            write_galileo_iono_correction, value);
+}
+
+static void read_beidou_iono_correction(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_beidou_iono_correction *v = (struct mip_gnss_1_beidou_iono_correction *)value;
+    mip_read_double(r, &v->tow, 1);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_double(r, v->alpha, 4);
+    mip_read_double(r, v->beta, 4);
+    mip_read_double(r, v->alpha_correction, 9);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_beidou_iono_correction(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_beidou_iono_correction *v =
+        (const struct mip_gnss_1_beidou_iono_correction *)value;
+    mip_write_double(w, &v->tow, 1);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_double(w, v->alpha, 4);
+    mip_write_double(w, v->beta, 4);
+    mip_write_double(w, v->alpha_correction, 9);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_beidou_iono_correction_codec = {
+    0x91,
+    MIP_GNSS_1_BEIDOU_IONO_CORRECTION_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_beidou_iono_correction),
+    0,
+    read_beidou_iono_correction,
+    write_beidou_iono_correction,
+    NULL,
+};
+
+mip_error mip_gnss_1_beidou_iono_correction_decode(struct mip_gnss_1_beidou_iono_correction *value,
+                                                   const struct mip_field *field) {
+    return mip_decode_field(field, read_beidou_iono_correction, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_beidou_iono_correction_encode(
+    const struct mip_gnss_1_beidou_iono_correction *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_BEIDOU_IONO_CORRECTION_DESCRIPTOR,
+                            write_beidou_iono_correction, value);
 }

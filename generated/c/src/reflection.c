@@ -6,14 +6,17 @@
 #include "mip/3dm.h"
 #include "mip/filter.h"
 #include "mip/gnss.h"
+#include "mip/rtk.h"
 #include "mip/aiding.h"
 #include "mip/system.h"
 #include "mip/sensor.h"
+#include "mip/gnss_data.h"
 #include "mip/filter_data.h"
 #include "mip/gnss_1.h"
 #include "mip/gnss_2.h"
 #include "mip/gnss_corrections.h"
 #include "mip/gnss_external.h"
+#include "mip/gnss_external_2.h"
 #include "mip/system_data.h"
 #include "mip/shared.h"
 
@@ -353,6 +356,37 @@ static const struct mip_named_value values_nmea_talker_id[] = {
 static const struct mip_names names_nmea_talker_id = {
     "nmea_talker_id", values_nmea_talker_id, NULL, 5, 1};
 
+static const struct mip_named_bits bits_rtk_status_flags[] = {
+    {"modem_state", 0, 4, NULL},
+    {"connection_type", 4, 4, NULL},
+    {"rssi", 8, 8, NULL},
+    {"signal_quality", 16, 4, NULL},
+    {"tower_change_indicator", 20, 4, NULL},
+    {"nmea_timeout", 24, 1, NULL},
+    {"server_timeout", 25, 1, NULL},
+    {"corrections_timeout", 26, 1, NULL},
+    {"device_out_of_range", 27, 1, NULL},
+    {"corrections_unavailable", 28, 1, NULL},
+    {"version", 30, 2, NULL},
+};
+static const struct mip_names names_rtk_status_flags = {
+    "rtk_status_flags", NULL, bits_rtk_status_flags, 11, 4};
+
+static const struct mip_named_bits bits_rtk_status_flags_legacy[] = {
+    {"controller_state", 0, 3, NULL},
+    {"platform_state", 3, 5, NULL},
+    {"controller_status_code", 8, 3, NULL},
+    {"platform_status_code", 11, 3, NULL},
+    {"reset_code", 14, 2, NULL},
+    {"signal_quality", 16, 4, NULL},
+    {"rssi", 20, 6, NULL},
+    {"rsrp", 26, 2, NULL},
+    {"rsrq", 28, 2, NULL},
+    {"sinr", 30, 2, NULL},
+};
+static const struct mip_names names_rtk_status_flags_legacy = {
+    "rtk_status_flags_legacy", NULL, bits_rtk_status_flags_legacy, 10, 4};
+
 static const struct mip_named_value values_ack_code[] = {
     {"ok", 0},
     {"unknown_command", 1},
@@ -407,6 +441,23 @@ static const struct mip_named_value values_3dm_legacy_data_stream[] = {
 static const struct mip_names names_3dm_legacy_data_stream = {
     "3dm.legacy_data_stream", values_3dm_legacy_data_stream, NULL, 4, 1};
 
+static const struct mip_named_value values_3dm_constellation_id[] = {
+    {"gps", 0},
+    {"sbas", 1},
+    {"galileo", 2},
+    {"beidou", 3},
+    {"qzss", 5},
+    {"glonass", 6},
+};
+static const struct mip_names names_3dm_constellation_id = {
+    "3dm.constellation_id", values_3dm_constellation_id, NULL, 6, 1};
+
+static const struct mip_named_bits bits_3dm_constellation_options[] = {
+    {"l1saif", 0, 1, NULL},
+};
+static const struct mip_names names_3dm_constellation_options = {
+    "3dm.constellation_options", NULL, bits_3dm_constellation_options, 1, 2};
+
 static const struct mip_named_bits bits_3dm_sbas_options[] = {
     {"enable_ranging", 0, 1, NULL},
     {"enable_corrections", 1, 1, NULL},
@@ -414,6 +465,13 @@ static const struct mip_named_bits bits_3dm_sbas_options[] = {
 };
 static const struct mip_names names_3dm_sbas_options = {
     "3dm.sbas_options", NULL, bits_3dm_sbas_options, 3, 2};
+
+static const struct mip_named_value values_3dm_assisted_fix_option[] = {
+    {"none", 0},
+    {"enabled", 1},
+};
+static const struct mip_names names_3dm_assisted_fix_option = {
+    "3dm.assisted_fix_option", values_3dm_assisted_fix_option, NULL, 2, 1};
 
 static const struct mip_named_value values_3dm_pps_source[] = {
     {"disabled", 0},
@@ -455,6 +513,15 @@ static const struct mip_named_value values_3dm_device_status_selector[] = {
 };
 static const struct mip_names names_3dm_device_status_selector = {
     "3dm.device_status_selector", values_3dm_device_status_selector, NULL, 2, 1};
+
+static const struct mip_named_value values_filter_dynamics_mode[] = {
+    {"portable", 1},
+    {"automotive", 2},
+    {"airborne", 3},
+    {"airborne_high_g", 4},
+};
+static const struct mip_names names_filter_dynamics_mode = {
+    "filter.dynamics_mode", values_filter_dynamics_mode, NULL, 4, 1};
 
 static const struct mip_named_bits bits_filter_estimated_states[] = {
     {"gyro_bias", 0, 1, NULL},
@@ -500,13 +567,13 @@ static const struct mip_named_bits bits_filter_measurement_flags[] = {
 static const struct mip_names names_filter_measurement_flags = {
     "filter.measurement_flags", NULL, bits_filter_measurement_flags, 2, 2};
 
-static const struct mip_named_value values_filter_declination_source[] = {
+static const struct mip_named_value values_filter_mag_parameter_source[] = {
     {"none", 1},
     {"wmm", 2},
     {"manual", 3},
 };
-static const struct mip_names names_filter_declination_source = {
-    "filter.declination_source", values_filter_declination_source, NULL, 3, 1};
+static const struct mip_names names_filter_mag_parameter_source = {
+    "filter.mag_parameter_source", values_filter_mag_parameter_source, NULL, 3, 1};
 
 static const struct mip_named_value values_filter_adaptive_measurement_selector[] = {
     {"disabled", 0},
@@ -516,6 +583,13 @@ static const struct mip_named_value values_filter_adaptive_measurement_selector[
 static const struct mip_names names_filter_adaptive_measurement_selector = {
     "filter.adaptive_measurement_selector", values_filter_adaptive_measurement_selector, NULL, 3,
     1};
+
+static const struct mip_named_value values_filter_altitude_aiding_source[] = {
+    {"none", 0},
+    {"pressure", 1},
+};
+static const struct mip_names names_filter_altitude_aiding_source = {
+    "filter.altitude_aiding_source", values_filter_altitude_aiding_source, NULL, 2, 1};
 
 static const struct mip_named_value values_filter_pitch_roll_aiding_source[] = {
     {"none", 0},
@@ -538,6 +612,28 @@ static const struct mip_named_value values_filter_aiding_source[] = {
 };
 static const struct mip_names names_filter_aiding_source = {
     "filter.aiding_source", values_filter_aiding_source, NULL, 10, 2};
+
+static const struct mip_named_value values_filter_accel_constraint[] = {
+    {"none", 0},
+    {"zero_accel", 1},
+};
+static const struct mip_names names_filter_accel_constraint = {
+    "filter.accel_constraint", values_filter_accel_constraint, NULL, 2, 1};
+
+static const struct mip_named_value values_filter_velocity_constraint[] = {
+    {"none", 0},
+    {"zero_velocity", 1},
+    {"wheeled_vehicle", 2},
+};
+static const struct mip_names names_filter_velocity_constraint = {
+    "filter.velocity_constraint", values_filter_velocity_constraint, NULL, 3, 1};
+
+static const struct mip_named_value values_filter_angular_constraint[] = {
+    {"none", 0},
+    {"zero_angular_rate", 1},
+};
+static const struct mip_names names_filter_angular_constraint = {
+    "filter.angular_constraint", values_filter_angular_constraint, NULL, 2, 1};
 
 static const struct mip_named_value values_filter_initial_condition_source[] = {
     {"auto_pos_vel_att", 0},
@@ -625,6 +721,35 @@ static const struct mip_named_value values_gnss_spartn_connection[] = {
 static const struct mip_names names_gnss_spartn_connection = {
     "gnss.spartn_connection", values_gnss_spartn_connection, NULL, 3, 1};
 
+static const struct mip_named_value values_rtk_connected_device[] = {
+    {"generic", 0},
+    {"gq7", 1},
+};
+static const struct mip_names names_rtk_connected_device = {
+    "rtk.connected_device", values_rtk_connected_device, NULL, 2, 1};
+
+static const struct mip_named_bits bits_rtk_service_flags[] = {
+    {"throttle", 0, 1, NULL},
+    {"corrections_unavailable", 1, 1, NULL},
+};
+static const struct mip_names names_rtk_service_flags = {
+    "rtk.service_flags", NULL, bits_rtk_service_flags, 2, 1};
+
+static const struct mip_named_value values_rtk_storage_medium[] = {
+    {"external_flash", 0},
+    {"sd", 1},
+};
+static const struct mip_names names_rtk_storage_medium = {
+    "rtk.storage_medium", values_rtk_storage_medium, NULL, 2, 1};
+
+static const struct mip_named_value values_rtk_led_action[] = {
+    {"none", 0},
+    {"flash", 1},
+    {"pulsate", 2},
+};
+static const struct mip_names names_rtk_led_action = {
+    "rtk.led_action", values_rtk_led_action, NULL, 3, 1};
+
 static const struct mip_named_value values_aiding_frame_format[] = {
     {"euler", 1},
     {"quaternion", 2},
@@ -663,6 +788,27 @@ static const struct mip_named_bits bits_aiding_llh_axis_flags[] = {
 };
 static const struct mip_names names_aiding_llh_axis_flags = {
     "aiding.llh_axis_flags", NULL, bits_aiding_llh_axis_flags, 3, 2};
+
+static const struct mip_named_value values_system_comms_interface[] = {
+    {"all", 0},
+    {"main", 1},
+    {"uart_1", 17},
+    {"uart_2", 18},
+    {"uart_3", 19},
+    {"usb_1", 33},
+    {"usb_2", 34},
+};
+static const struct mip_names names_system_comms_interface = {
+    "system.comms_interface", values_system_comms_interface, NULL, 7, 1};
+
+static const struct mip_named_bits bits_system_comms_protocols[] = {
+    {"mip", 0, 1, NULL},
+    {"nmea", 8, 1, NULL},
+    {"rtcm", 9, 1, NULL},
+    {"spartn", 24, 1, NULL},
+};
+static const struct mip_names names_system_comms_protocols = {
+    "system.comms_protocols", NULL, bits_system_comms_protocols, 4, 4};
 
 static const struct mip_named_value values_system_protocol_mode[] = {
     {"standard", 1},
@@ -804,6 +950,13 @@ static const struct mip_named_bits bits_filter_data_gnss_aiding_status[] = {
 static const struct mip_names names_filter_data_gnss_aiding_status = {
     "filter_data.gnss_aiding_status", NULL, bits_filter_data_gnss_aiding_status, 16, 2};
 
+static const struct mip_named_value values_filter_data_heading_aiding_type[] = {
+    {"dual_antenna", 1},
+    {"external_message", 2},
+};
+static const struct mip_names names_filter_data_heading_aiding_type = {
+    "filter_data.heading_aiding_type", values_filter_data_heading_aiding_type, NULL, 2, 1};
+
 static const struct mip_named_value values_filter_data_aiding_measurement_type[] = {
     {"gnss", 1},
     {"dual_antenna", 2},
@@ -921,6 +1074,15 @@ static const struct mip_named_bits bits_gnss_1_gps_time_flags[] = {
 static const struct mip_names names_gnss_1_gps_time_flags = {
     "gnss_1.gps_time_flags", NULL, bits_gnss_1_gps_time_flags, 3, 2};
 
+static const struct mip_named_bits bits_gnss_1_clock_info_flags[] = {
+    {"bias", 0, 1, NULL},
+    {"drift", 1, 1, NULL},
+    {"accuracy_estimate", 2, 1, NULL},
+    {"flags", 0, 3, NULL},
+};
+static const struct mip_names names_gnss_1_clock_info_flags = {
+    "gnss_1.clock_info_flags", NULL, bits_gnss_1_clock_info_flags, 4, 2};
+
 static const struct mip_named_bits bits_gnss_1_fix_flags[] = {
     {"sbas_used", 0, 1, NULL},
     {"dgnss_used", 1, 1, NULL},
@@ -936,6 +1098,25 @@ static const struct mip_named_bits bits_gnss_1_fix_info_flags[] = {
 };
 static const struct mip_names names_gnss_1_fix_info_flags = {
     "gnss_1.fix_info_flags", NULL, bits_gnss_1_fix_info_flags, 4, 2};
+
+static const struct mip_named_bits bits_gnss_1_sv_flags[] = {
+    {"used_for_navigation", 0, 1, NULL},
+    {"healthy", 1, 1, NULL},
+};
+static const struct mip_names names_gnss_1_sv_flags = {
+    "gnss_1.sv_flags", NULL, bits_gnss_1_sv_flags, 2, 2};
+
+static const struct mip_named_bits bits_gnss_1_sv_info_flags[] = {
+    {"channel", 0, 1, NULL},
+    {"satellite_id", 1, 1, NULL},
+    {"carrier_noise_ratio", 2, 1, NULL},
+    {"azimuth", 3, 1, NULL},
+    {"elevation", 4, 1, NULL},
+    {"sv_flags", 5, 1, NULL},
+    {"flags", 0, 6, NULL},
+};
+static const struct mip_names names_gnss_1_sv_info_flags = {
+    "gnss_1.sv_info_flags", NULL, bits_gnss_1_sv_info_flags, 7, 2};
 
 static const struct mip_named_value values_gnss_1_receiver_state[] = {
     {"off", 0},
@@ -971,6 +1152,26 @@ static const struct mip_named_bits bits_gnss_1_gnss_hardware_status_flags[] = {
 };
 static const struct mip_names names_gnss_1_gnss_hardware_status_flags = {
     "gnss_1.gnss_hardware_status_flags", NULL, bits_gnss_1_gnss_hardware_status_flags, 4, 2};
+
+static const struct mip_named_bits bits_gnss_1_dgps_info_flags[] = {
+    {"age", 0, 1, NULL},
+    {"base_station_id", 1, 1, NULL},
+    {"base_station_status", 2, 1, NULL},
+    {"num_channels", 3, 1, NULL},
+    {"flags", 0, 4, NULL},
+};
+static const struct mip_names names_gnss_1_dgps_info_flags = {
+    "gnss_1.dgps_info_flags", NULL, bits_gnss_1_dgps_info_flags, 5, 2};
+
+static const struct mip_named_bits bits_gnss_1_dgps_channel_flags[] = {
+    {"satellite_id", 0, 1, NULL},
+    {"age", 1, 1, NULL},
+    {"range_correction", 2, 1, NULL},
+    {"range_rate_correction", 3, 1, NULL},
+    {"flags", 0, 4, NULL},
+};
+static const struct mip_names names_gnss_1_dgps_channel_flags = {
+    "gnss_1.dgps_channel_flags", NULL, bits_gnss_1_dgps_channel_flags, 5, 2};
 
 static const struct mip_named_bits bits_gnss_1_clock_info_2_flags[] = {
     {"bias", 0, 1, NULL},
@@ -1019,6 +1220,51 @@ static const struct mip_named_bits bits_gnss_1_sbas_info_flags[] = {
 static const struct mip_names names_gnss_1_sbas_info_flags = {
     "gnss_1.sbas_info_flags", NULL, bits_gnss_1_sbas_info_flags, 7, 2};
 
+static const struct mip_named_bits bits_gnss_1_sbas_correction_flags[] = {
+    {"udrei", 0, 1, NULL},
+    {"pseudorange_correction", 1, 1, NULL},
+    {"iono_correction", 2, 1, NULL},
+    {"flags", 0, 3, NULL},
+};
+static const struct mip_names names_gnss_1_sbas_correction_flags = {
+    "gnss_1.sbas_correction_flags", NULL, bits_gnss_1_sbas_correction_flags, 4, 2};
+
+static const struct mip_named_value values_gnss_1_rf_band[] = {
+    {"unknown", 0},
+    {"l1", 1},
+    {"l2", 2},
+    {"l5", 5},
+};
+static const struct mip_names names_gnss_1_rf_band = {
+    "gnss_1.rf_band", values_gnss_1_rf_band, NULL, 4, 1};
+
+static const struct mip_named_value values_gnss_1_jamming_state[] = {
+    {"unknown", 0},
+    {"none", 1},
+    {"partial", 2},
+    {"significant", 3},
+};
+static const struct mip_names names_gnss_1_jamming_state = {
+    "gnss_1.jamming_state", values_gnss_1_jamming_state, NULL, 4, 1};
+
+static const struct mip_named_value values_gnss_1_spoofing_state[] = {
+    {"unknown", 0},
+    {"none", 1},
+    {"partial", 2},
+    {"significant", 3},
+};
+static const struct mip_names names_gnss_1_spoofing_state = {
+    "gnss_1.spoofing_state", values_gnss_1_spoofing_state, NULL, 4, 1};
+
+static const struct mip_named_bits bits_gnss_1_rf_error_detection_flags[] = {
+    {"rf_band", 0, 1, NULL},
+    {"jamming_state", 1, 1, NULL},
+    {"spoofing_state", 2, 1, NULL},
+    {"flags", 0, 3, NULL},
+};
+static const struct mip_names names_gnss_1_rf_error_detection_flags = {
+    "gnss_1.rf_error_detection_flags", NULL, bits_gnss_1_rf_error_detection_flags, 4, 2};
+
 static const struct mip_named_bits bits_gnss_1_satellite_status_flags[] = {
     {"tow", 0, 1, NULL},
     {"week_number", 1, 1, NULL},
@@ -1065,6 +1311,60 @@ static const struct mip_named_bits bits_gnss_1_raw_flags[] = {
 static const struct mip_names names_gnss_1_raw_flags = {
     "gnss_1.raw_flags", NULL, bits_gnss_1_raw_flags, 17, 2};
 
+static const struct mip_named_bits bits_gnss_1_base_station_indicators[] = {
+    {"gps", 0, 1, NULL},
+    {"glonass", 1, 1, NULL},
+    {"galileo", 2, 1, NULL},
+    {"beidou", 3, 1, NULL},
+    {"ref_station", 4, 1, NULL},
+    {"single_receiver", 5, 1, NULL},
+    {"quarter_cycle_bit1", 6, 1, NULL},
+    {"quarter_cycle_bit2", 7, 1, NULL},
+    {"quarter_cycle_bits", 6, 2, NULL},
+};
+static const struct mip_names names_gnss_1_base_station_indicators = {
+    "gnss_1.base_station_indicators", NULL, bits_gnss_1_base_station_indicators, 9, 2};
+
+static const struct mip_named_bits bits_gnss_1_base_station_info_flags[] = {
+    {"tow", 0, 1, NULL},
+    {"week_number", 1, 1, NULL},
+    {"ecef_position", 2, 1, NULL},
+    {"height", 3, 1, NULL},
+    {"station_id", 4, 1, NULL},
+    {"indicators", 5, 1, NULL},
+    {"flags", 0, 6, NULL},
+};
+static const struct mip_names names_gnss_1_base_station_info_flags = {
+    "gnss_1.base_station_info_flags", NULL, bits_gnss_1_base_station_info_flags, 7, 2};
+
+static const struct mip_named_bits bits_gnss_1_rtk_epoch_status[] = {
+    {"antenna_location_received", 0, 1, NULL},
+    {"antenna_description_received", 1, 1, NULL},
+    {"gps_received", 2, 1, NULL},
+    {"glonass_received", 3, 1, NULL},
+    {"galileo_received", 4, 1, NULL},
+    {"beidou_received", 5, 1, NULL},
+    {"using_gps_msm_messages", 6, 1, NULL},
+    {"using_glonass_msm_messages", 7, 1, NULL},
+    {"dongle_status_read_failed", 8, 1, NULL},
+};
+static const struct mip_names names_gnss_1_rtk_epoch_status = {
+    "gnss_1.rtk_epoch_status", NULL, bits_gnss_1_rtk_epoch_status, 9, 2};
+
+static const struct mip_named_bits bits_gnss_1_rtk_corrections_status_flags[] = {
+    {"tow", 0, 1, NULL},
+    {"week_number", 1, 1, NULL},
+    {"epoch_status", 2, 1, NULL},
+    {"dongle_status", 3, 1, NULL},
+    {"gps_latency", 4, 1, NULL},
+    {"glonass_latency", 5, 1, NULL},
+    {"galileo_latency", 6, 1, NULL},
+    {"beidou_latency", 7, 1, NULL},
+    {"flags", 0, 8, NULL},
+};
+static const struct mip_names names_gnss_1_rtk_corrections_status_flags = {
+    "gnss_1.rtk_corrections_status_flags", NULL, bits_gnss_1_rtk_corrections_status_flags, 9, 2};
+
 static const struct mip_named_bits bits_gnss_1_ephemeris_flags[] = {
     {"ephemeris", 0, 1, NULL},
     {"modern_data", 1, 1, NULL},
@@ -1088,62 +1388,36 @@ static const struct mip_named_bits bits_gnss_1_glonass_ephemeris_flags[] = {
 static const struct mip_names names_gnss_1_glonass_ephemeris_flags = {
     "gnss_1.glonass_ephemeris_flags", NULL, bits_gnss_1_glonass_ephemeris_flags, 2, 2};
 
-static const struct mip_named_bits bits_gnss_corrections_base_station_indicators[] = {
-    {"gps", 0, 1, NULL},
-    {"glonass", 1, 1, NULL},
-    {"galileo", 2, 1, NULL},
-    {"beidou", 3, 1, NULL},
-    {"ref_station", 4, 1, NULL},
-    {"single_receiver", 5, 1, NULL},
-    {"quarter_cycle_bit1", 6, 1, NULL},
-    {"quarter_cycle_bit2", 7, 1, NULL},
-    {"quarter_cycle_bits", 6, 2, NULL},
-};
-static const struct mip_names names_gnss_corrections_base_station_indicators = {
-    "gnss_corrections.base_station_indicators", NULL, bits_gnss_corrections_base_station_indicators,
-    9, 2};
-
-static const struct mip_named_bits bits_gnss_corrections_base_station_info_flags[] = {
+static const struct mip_named_bits bits_gnss_1_gps_iono_correction_flags[] = {
     {"tow", 0, 1, NULL},
     {"week_number", 1, 1, NULL},
-    {"ecef_position", 2, 1, NULL},
-    {"height", 3, 1, NULL},
-    {"station_id", 4, 1, NULL},
-    {"indicators", 5, 1, NULL},
-    {"flags", 0, 6, NULL},
+    {"alpha", 2, 1, NULL},
+    {"beta", 3, 1, NULL},
+    {"flags", 0, 4, NULL},
 };
-static const struct mip_names names_gnss_corrections_base_station_info_flags = {
-    "gnss_corrections.base_station_info_flags", NULL, bits_gnss_corrections_base_station_info_flags,
-    7, 2};
+static const struct mip_names names_gnss_1_gps_iono_correction_flags = {
+    "gnss_1.gps_iono_correction_flags", NULL, bits_gnss_1_gps_iono_correction_flags, 5, 2};
 
-static const struct mip_named_bits bits_gnss_corrections_rtk_epoch_status[] = {
-    {"antenna_location_received", 0, 1, NULL},
-    {"antenna_description_received", 1, 1, NULL},
-    {"gps_received", 2, 1, NULL},
-    {"glonass_received", 3, 1, NULL},
-    {"galileo_received", 4, 1, NULL},
-    {"beidou_received", 5, 1, NULL},
-    {"using_gps_msm_messages", 6, 1, NULL},
-    {"using_glonass_msm_messages", 7, 1, NULL},
-    {"dongle_status_read_failed", 8, 1, NULL},
-};
-static const struct mip_names names_gnss_corrections_rtk_epoch_status = {
-    "gnss_corrections.rtk_epoch_status", NULL, bits_gnss_corrections_rtk_epoch_status, 9, 2};
-
-static const struct mip_named_bits bits_gnss_corrections_rtk_corrections_status_flags[] = {
+static const struct mip_named_bits bits_gnss_1_galileo_iono_correction_flags[] = {
     {"tow", 0, 1, NULL},
     {"week_number", 1, 1, NULL},
-    {"epoch_status", 2, 1, NULL},
-    {"dongle_status", 3, 1, NULL},
-    {"gps_latency", 4, 1, NULL},
-    {"glonass_latency", 5, 1, NULL},
-    {"galileo_latency", 6, 1, NULL},
-    {"beidou_latency", 7, 1, NULL},
-    {"flags", 0, 8, NULL},
+    {"alpha", 2, 1, NULL},
+    {"disturbance_flags", 3, 1, NULL},
+    {"flags", 0, 4, NULL},
 };
-static const struct mip_names names_gnss_corrections_rtk_corrections_status_flags = {
-    "gnss_corrections.rtk_corrections_status_flags", NULL,
-    bits_gnss_corrections_rtk_corrections_status_flags, 9, 2};
+static const struct mip_names names_gnss_1_galileo_iono_correction_flags = {
+    "gnss_1.galileo_iono_correction_flags", NULL, bits_gnss_1_galileo_iono_correction_flags, 5, 2};
+
+static const struct mip_named_bits bits_gnss_1_beidou_iono_correction_flags[] = {
+    {"tow", 0, 1, NULL},
+    {"week_number", 1, 1, NULL},
+    {"alpha", 2, 1, NULL},
+    {"beta", 3, 1, NULL},
+    {"alpha_correction", 4, 1, NULL},
+    {"flags", 0, 5, NULL},
+};
+static const struct mip_names names_gnss_1_beidou_iono_correction_flags = {
+    "gnss_1.beidou_iono_correction_flags", NULL, bits_gnss_1_beidou_iono_correction_flags, 6, 2};
 
 static const struct mip_named_bits bits_system_data_gpio_pin_states[] = {
     {"pin_1", 0, 1, NULL},
@@ -1199,28 +1473,38 @@ const struct mip_names *const mip_all_names[] = {
     &names_gpio_pin_mode,
     &names_nmea_message_id,
     &names_nmea_talker_id,
+    &names_rtk_status_flags,
+    &names_rtk_status_flags_legacy,
     &names_ack_code,
     &names_sensor_gps_timestamp_flags,
     &names_gx5_sensor_gps_timestamp_flags,
     &names_base_gps_time_field,
     &names_3dm_factory_streaming_action,
     &names_3dm_legacy_data_stream,
+    &names_3dm_constellation_id,
+    &names_3dm_constellation_options,
     &names_3dm_sbas_options,
+    &names_3dm_assisted_fix_option,
     &names_3dm_pps_source,
     &names_3dm_supported_events_query,
     &names_3dm_odometer_mode,
     &names_3dm_sensor_range_type,
     &names_3dm_device_status_selector,
+    &names_filter_dynamics_mode,
     &names_filter_estimated_states,
     &names_filter_gnss_aiding_source,
     &names_filter_heading_type,
     &names_filter_heading_update_source,
     &names_filter_tare_axes,
     &names_filter_measurement_flags,
-    &names_filter_declination_source,
+    &names_filter_mag_parameter_source,
     &names_filter_adaptive_measurement_selector,
+    &names_filter_altitude_aiding_source,
     &names_filter_pitch_roll_aiding_source,
     &names_filter_aiding_source,
+    &names_filter_accel_constraint,
+    &names_filter_velocity_constraint,
+    &names_filter_angular_constraint,
     &names_filter_initial_condition_source,
     &names_filter_heading_alignment,
     &names_filter_reference_frame,
@@ -1232,11 +1516,17 @@ const struct mip_names *const mip_all_names[] = {
     &names_gnss_galileo_signals,
     &names_gnss_beidou_signals,
     &names_gnss_spartn_connection,
+    &names_rtk_connected_device,
+    &names_rtk_service_flags,
+    &names_rtk_storage_medium,
+    &names_rtk_led_action,
     &names_aiding_frame_format,
     &names_aiding_echo_mode,
     &names_aiding_timebase,
     &names_aiding_axis_flags,
     &names_aiding_llh_axis_flags,
+    &names_system_comms_interface,
+    &names_system_comms_protocols,
     &names_system_protocol_mode,
     &names_sensor_overrange_flags,
     &names_sensor_odometer_flags,
@@ -1250,6 +1540,7 @@ const struct mip_names *const mip_all_names[] = {
     &names_filter_data_cv7_status_flags,
     &names_filter_data_heading_source_flags,
     &names_filter_data_gnss_aiding_status,
+    &names_filter_data_heading_aiding_type,
     &names_filter_data_aiding_measurement_type,
     &names_filter_data_aiding_measurement_indicator,
     &names_filter_data_dual_antenna_fix_type,
@@ -1261,27 +1552,40 @@ const struct mip_names *const mip_all_names[] = {
     &names_gnss_1_dop_flags,
     &names_gnss_1_utc_time_flags,
     &names_gnss_1_gps_time_flags,
+    &names_gnss_1_clock_info_flags,
     &names_gnss_1_fix_flags,
     &names_gnss_1_fix_info_flags,
+    &names_gnss_1_sv_flags,
+    &names_gnss_1_sv_info_flags,
     &names_gnss_1_receiver_state,
     &names_gnss_1_antenna_state,
     &names_gnss_1_antenna_power,
     &names_gnss_1_gnss_hardware_status_flags,
+    &names_gnss_1_dgps_info_flags,
+    &names_gnss_1_dgps_channel_flags,
     &names_gnss_1_clock_info_2_flags,
     &names_gnss_1_gps_leap_seconds_flags,
     &names_gnss_1_sbas_system,
     &names_gnss_1_sbas_status,
     &names_gnss_1_sbas_info_flags,
+    &names_gnss_1_sbas_correction_flags,
+    &names_gnss_1_rf_band,
+    &names_gnss_1_jamming_state,
+    &names_gnss_1_spoofing_state,
+    &names_gnss_1_rf_error_detection_flags,
     &names_gnss_1_satellite_status_flags,
     &names_gnss_1_signal_quality,
     &names_gnss_1_raw_flags,
+    &names_gnss_1_base_station_indicators,
+    &names_gnss_1_base_station_info_flags,
+    &names_gnss_1_rtk_epoch_status,
+    &names_gnss_1_rtk_corrections_status_flags,
     &names_gnss_1_ephemeris_flags,
     &names_gnss_1_glonass_satellite_type,
     &names_gnss_1_glonass_ephemeris_flags,
-    &names_gnss_corrections_base_station_indicators,
-    &names_gnss_corrections_base_station_info_flags,
-    &names_gnss_corrections_rtk_epoch_status,
-    &names_gnss_corrections_rtk_corrections_status_flags,
+    &names_gnss_1_gps_iono_correction_flags,
+    &names_gnss_1_galileo_iono_correction_flags,
+    &names_gnss_1_beidou_iono_correction_flags,
     &names_system_data_gpio_pin_states,
     &names_shared_gps_timestamp_flags,
     &names_shared_external_timestamp_flags,
@@ -1427,6 +1731,25 @@ static const struct mip_parameter parameters_3dm_poll_entry[] = {
 };
 static const struct mip_record record_3dm_poll_entry = {
     parameters_3dm_poll_entry, 2, sizeof(struct mip_3dm_poll_entry)};
+
+static const struct mip_parameter parameters_3dm_constellation_settings_entry[] = {
+    {"constellation_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_constellation_settings_entry, constellation_id), 0,
+     &names_3dm_constellation_id, NULL, NULL, NULL, 0},
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_constellation_settings_entry, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"reserved_channels", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_constellation_settings_entry, reserved_channels), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"max_channels", "1", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_constellation_settings_entry, max_channels), 0, NULL, NULL, NULL, NULL, 0},
+    {"option_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_constellation_settings_entry, option_flags), 0,
+     &names_3dm_constellation_options, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_constellation_settings_entry = {
+    parameters_3dm_constellation_settings_entry, 5,
+    sizeof(struct mip_3dm_constellation_settings_entry)};
 
 static const struct mip_parameter parameters_3dm_supported_event_info[] = {
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1647,6 +1970,18 @@ static const struct mip_parameter parameters_3dm_poll_imu_data[] = {
 static const struct mip_record record_3dm_poll_imu_data = {
     parameters_3dm_poll_imu_data, 3, sizeof(struct mip_3dm_poll_imu_data)};
 
+static const struct mip_parameter parameters_3dm_poll_gnss_data[] = {
+    {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_poll_gnss_data, suppress_ack), 0, NULL, NULL, NULL, NULL, 0},
+    {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 0, 0,
+     ONE(struct mip_3dm_poll_gnss_data, num_descriptors), 0, NULL, NULL, NULL, NULL, 0},
+    {"descriptors", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 83, 1, 1, 0, 0,
+     MANY(struct mip_3dm_poll_gnss_data, descriptors), 0, NULL, NULL, &record_3dm_poll_entry, NULL,
+     0},
+};
+static const struct mip_record record_3dm_poll_gnss_data = {
+    parameters_3dm_poll_gnss_data, 3, sizeof(struct mip_3dm_poll_gnss_data)};
+
 static const struct mip_parameter parameters_3dm_poll_estimation_filter_data[] = {
     {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_poll_estimation_filter_data, suppress_ack), 0, NULL, NULL, NULL, NULL, 0},
@@ -1676,6 +2011,9 @@ static const struct mip_record record_3dm_poll_nmea_data = {
 static const struct mip_record record_3dm_get_imu_data_base_rate = {
     NULL, 0, sizeof(struct mip_3dm_get_imu_data_base_rate)};
 
+static const struct mip_record record_3dm_get_gnss_data_base_rate = {
+    NULL, 0, sizeof(struct mip_3dm_get_gnss_data_base_rate)};
+
 static const struct mip_parameter parameters_3dm_imu_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_imu_message_format, function), 0, &names_function_selector, NULL, NULL,
@@ -1689,6 +2027,20 @@ static const struct mip_parameter parameters_3dm_imu_message_format[] = {
 static const struct mip_record record_3dm_imu_message_format = {
     parameters_3dm_imu_message_format, 3, sizeof(struct mip_3dm_imu_message_format)};
 static const uint8_t required_3dm_imu_message_format[] = {0, 2, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_3dm_gnss_message_format[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_gnss_message_format, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 2, 2, 0,
+     ONE(struct mip_3dm_gnss_message_format, num_descriptors), 0, NULL, NULL, NULL, NULL, 0},
+    {"descriptors", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 83, 1, 1, 2, 0,
+     MANY(struct mip_3dm_gnss_message_format, descriptors), 0, NULL, NULL, &record_descriptor_rate,
+     NULL, 0},
+};
+static const struct mip_record record_3dm_gnss_message_format = {
+    parameters_3dm_gnss_message_format, 3, sizeof(struct mip_3dm_gnss_message_format)};
+static const uint8_t required_3dm_gnss_message_format[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_estimation_filter_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1786,6 +2138,22 @@ static const struct mip_record record_3dm_data_stream_control = {
     parameters_3dm_data_stream_control, 3, sizeof(struct mip_3dm_data_stream_control)};
 static const uint8_t required_3dm_data_stream_control[] = {0, 2, 1, 1, 1, 1};
 
+static const struct mip_parameter parameters_3dm_constellation_settings[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_constellation_settings, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"max_channels", "1", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_constellation_settings, max_channels), 0, NULL, NULL, NULL, NULL, 0},
+    {"config_count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 3, 0,
+     ONE(struct mip_3dm_constellation_settings, config_count), 0, NULL, NULL, NULL, NULL, 0},
+    {"settings", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 41, 1, 2, 3, 0,
+     MANY(struct mip_3dm_constellation_settings, settings), 0, NULL, NULL,
+     &record_3dm_constellation_settings_entry, NULL, 0},
+};
+static const struct mip_record record_3dm_constellation_settings = {
+    parameters_3dm_constellation_settings, 4, sizeof(struct mip_3dm_constellation_settings)};
+static const uint8_t required_3dm_constellation_settings[] = {0, 3, 0, 0, 0, 0};
+
 static const struct mip_parameter parameters_3dm_gnss_sbas_settings[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_gnss_sbas_settings, function), 0, &names_function_selector, NULL, NULL,
@@ -1803,6 +2171,35 @@ static const struct mip_parameter parameters_3dm_gnss_sbas_settings[] = {
 static const struct mip_record record_3dm_gnss_sbas_settings = {
     parameters_3dm_gnss_sbas_settings, 5, sizeof(struct mip_3dm_gnss_sbas_settings)};
 static const uint8_t required_3dm_gnss_sbas_settings[] = {0, 4, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_3dm_gnss_assisted_fix[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_gnss_assisted_fix, function), 0, &names_function_selector, NULL, NULL, NULL,
+     0},
+    {"option", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_gnss_assisted_fix, option), 0, &names_3dm_assisted_fix_option, NULL, NULL,
+     NULL, 0},
+    {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_3dm_gnss_assisted_fix, flags), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_gnss_assisted_fix = {
+    parameters_3dm_gnss_assisted_fix, 3, sizeof(struct mip_3dm_gnss_assisted_fix)};
+static const uint8_t required_3dm_gnss_assisted_fix[] = {0, 2, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_3dm_gnss_time_assistance[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_gnss_time_assistance, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_3dm_gnss_time_assistance, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_3dm_gnss_time_assistance, week_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"accuracy", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_3dm_gnss_time_assistance, accuracy), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_gnss_time_assistance = {
+    parameters_3dm_gnss_time_assistance, 4, sizeof(struct mip_3dm_gnss_time_assistance)};
+static const uint8_t required_3dm_gnss_time_assistance[] = {0, 3, 0};
 
 static const struct mip_parameter parameters_3dm_pps_source_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2221,6 +2618,18 @@ static const struct mip_record record_3dm_imu_message_format_response = {
     parameters_3dm_imu_message_format_response, 2,
     sizeof(struct mip_3dm_imu_message_format_response)};
 
+static const struct mip_parameter parameters_3dm_gnss_message_format_response[] = {
+    {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
+     ONE(struct mip_3dm_gnss_message_format_response, num_descriptors), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"descriptors", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 84, 1, 0, 0, 0,
+     MANY(struct mip_3dm_gnss_message_format_response, descriptors), 0, NULL, NULL,
+     &record_descriptor_rate, NULL, 0},
+};
+static const struct mip_record record_3dm_gnss_message_format_response = {
+    parameters_3dm_gnss_message_format_response, 2,
+    sizeof(struct mip_3dm_gnss_message_format_response)};
+
 static const struct mip_parameter parameters_3dm_estimation_filter_message_format_response[] = {
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
      ONE(struct mip_3dm_estimation_filter_message_format_response, num_descriptors), 0, NULL, NULL,
@@ -2240,6 +2649,14 @@ static const struct mip_parameter parameters_3dm_get_imu_data_base_rate_response
 static const struct mip_record record_3dm_get_imu_data_base_rate_response = {
     parameters_3dm_get_imu_data_base_rate_response, 1,
     sizeof(struct mip_3dm_get_imu_data_base_rate_response)};
+
+static const struct mip_parameter parameters_3dm_get_gnss_data_base_rate_response[] = {
+    {"rate", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_get_gnss_data_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_get_gnss_data_base_rate_response = {
+    parameters_3dm_get_gnss_data_base_rate_response, 1,
+    sizeof(struct mip_3dm_get_gnss_data_base_rate_response)};
 
 static const struct mip_reading readings_3dm_data_stream_control_response_desc_set[] = {
     {"3dm-gx5-15", 0, 0, &names_3dm_legacy_data_stream},
@@ -2454,6 +2871,24 @@ static const struct mip_record record_3dm_coning_and_sculling_enable_response = 
     parameters_3dm_coning_and_sculling_enable_response, 1,
     sizeof(struct mip_3dm_coning_and_sculling_enable_response)};
 
+static const struct mip_parameter parameters_3dm_constellation_settings_response[] = {
+    {"max_channels_available", "1", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_constellation_settings_response, max_channels_available), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"max_channels_use", "1", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_constellation_settings_response, max_channels_use), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"config_count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 3, 0, 0,
+     ONE(struct mip_3dm_constellation_settings_response, config_count), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"settings", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 41, 1, 2, 0, 0,
+     MANY(struct mip_3dm_constellation_settings_response, settings), 0, NULL, NULL,
+     &record_3dm_constellation_settings_entry, NULL, 0},
+};
+static const struct mip_record record_3dm_constellation_settings_response = {
+    parameters_3dm_constellation_settings_response, 4,
+    sizeof(struct mip_3dm_constellation_settings_response)};
+
 static const struct mip_parameter parameters_3dm_gnss_sbas_settings_response[] = {
     {"enable_sbas", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_gnss_sbas_settings_response, enable_sbas), 0, NULL, NULL, NULL, NULL, 0},
@@ -2469,6 +2904,29 @@ static const struct mip_parameter parameters_3dm_gnss_sbas_settings_response[] =
 static const struct mip_record record_3dm_gnss_sbas_settings_response = {
     parameters_3dm_gnss_sbas_settings_response, 4,
     sizeof(struct mip_3dm_gnss_sbas_settings_response)};
+
+static const struct mip_parameter parameters_3dm_gnss_assisted_fix_response[] = {
+    {"option", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_gnss_assisted_fix_response, option), 0, &names_3dm_assisted_fix_option,
+     NULL, NULL, NULL, 0},
+    {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_gnss_assisted_fix_response, flags), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_gnss_assisted_fix_response = {
+    parameters_3dm_gnss_assisted_fix_response, 2,
+    sizeof(struct mip_3dm_gnss_assisted_fix_response)};
+
+static const struct mip_parameter parameters_3dm_gnss_time_assistance_response[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_gnss_time_assistance_response, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_gnss_time_assistance_response, week_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"accuracy", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_3dm_gnss_time_assistance_response, accuracy), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_3dm_gnss_time_assistance_response = {
+    parameters_3dm_gnss_time_assistance_response, 3,
+    sizeof(struct mip_3dm_gnss_time_assistance_response)};
 
 static const struct mip_parameter parameters_3dm_pps_source_control_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2743,6 +3201,18 @@ static const struct mip_record record_filter_set_initial_heading_control = {
 static const struct mip_record record_filter_run_navigation_filter = {
     NULL, 0, sizeof(struct mip_filter_run_navigation_filter)};
 
+static const struct mip_parameter parameters_filter_vehicle_dynamics_mode[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_vehicle_dynamics_mode, function), 0, &names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_vehicle_dynamics_mode, mode), 0, &names_filter_dynamics_mode, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_filter_vehicle_dynamics_mode = {
+    parameters_filter_vehicle_dynamics_mode, 2, sizeof(struct mip_filter_vehicle_dynamics_mode)};
+static const uint8_t required_filter_vehicle_dynamics_mode[] = {0, 1, 0, 0, 0, 0};
+
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_frame_transformation[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_sensor_to_vehicle_frame_transformation, function), 0,
@@ -2761,6 +3231,18 @@ static const struct mip_record record_filter_sensor_to_vehicle_frame_transformat
     parameters_filter_sensor_to_vehicle_frame_transformation, 4,
     sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation)};
 static const uint8_t required_filter_sensor_to_vehicle_frame_transformation[] = {0, 3, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_offset[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_offset, function), 0, &names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_offset, offset), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_sensor_to_vehicle_offset = {
+    parameters_filter_sensor_to_vehicle_offset, 2,
+    sizeof(struct mip_filter_sensor_to_vehicle_offset)};
+static const uint8_t required_filter_sensor_to_vehicle_offset[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_gnss_antenna_offset_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2799,6 +3281,29 @@ static const struct mip_record record_filter_gnss_aiding_source_control = {
     parameters_filter_gnss_aiding_source_control, 2,
     sizeof(struct mip_filter_gnss_aiding_source_control)};
 static const uint8_t required_filter_gnss_aiding_source_control[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_external_gnss_update[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_external_gnss_update, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_external_gnss_update, week_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"latitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_external_gnss_update, latitude), 0, NULL, NULL, NULL, NULL, 0},
+    {"longitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_external_gnss_update, longitude), 0, NULL, NULL, NULL, NULL, 0},
+    {"height", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_external_gnss_update, height), 0, NULL, NULL, NULL, NULL, 0},
+    {"velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_external_gnss_update, velocity), 0, NULL, NULL, NULL, NULL, 0},
+    {"position_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_external_gnss_update, position_uncertainty), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"velocity_uncertainty", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
+     0, ONE(struct mip_filter_external_gnss_update, velocity_uncertainty), 0, NULL, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_filter_external_gnss_update = {
+    parameters_filter_external_gnss_update, 8, sizeof(struct mip_filter_external_gnss_update)};
 
 static const struct mip_parameter parameters_filter_external_heading_update[] = {
     {"heading", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2894,6 +3399,18 @@ static const struct mip_record record_filter_gyroscope_bias_model_parameters = {
     sizeof(struct mip_filter_gyroscope_bias_model_parameters)};
 static const uint8_t required_filter_gyroscope_bias_model_parameters[] = {0, 2, 0, 0, 0, 0};
 
+static const struct mip_parameter parameters_filter_auto_zupt[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_auto_zupt, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_auto_zupt, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"threshold", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_auto_zupt, threshold), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_auto_zupt = {
+    parameters_filter_auto_zupt, 3, sizeof(struct mip_filter_auto_zupt)};
+static const uint8_t required_filter_auto_zupt[] = {0, 2, 0, 0, 0, 0};
+
 static const struct mip_parameter parameters_filter_external_heading_update_with_time[] = {
     {"gps_time", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_external_heading_update_with_time, gps_time), 0, NULL, NULL, NULL, NULL,
@@ -2942,6 +3459,9 @@ static const struct mip_record record_filter_tare_orientation = {
     parameters_filter_tare_orientation, 2, sizeof(struct mip_filter_tare_orientation)};
 static const uint8_t required_filter_tare_orientation[] = {0, 1, 0, 0, 0, 0};
 
+static const struct mip_record record_filter_commanded_zupt = {
+    NULL, 0, sizeof(struct mip_filter_commanded_zupt)};
+
 static const struct mip_record record_filter_commanded_zero_angular_rate_update = {
     NULL, 0, sizeof(struct mip_filter_commanded_zero_angular_rate_update)};
 
@@ -2962,6 +3482,15 @@ static const struct mip_record record_filter_set_reference_position = {
     parameters_filter_set_reference_position, 5, sizeof(struct mip_filter_set_reference_position)};
 static const uint8_t required_filter_set_reference_position[] = {0, 4, 0, 0, 0, 0};
 
+static const struct mip_parameter parameters_filter_mag_capture_auto_cal[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_capture_auto_cal, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_filter_mag_capture_auto_cal = {
+    parameters_filter_mag_capture_auto_cal, 1, sizeof(struct mip_filter_mag_capture_auto_cal)};
+static const uint8_t required_filter_mag_capture_auto_cal[] = {0, 0, 0, 0};
+
 static const struct mip_parameter parameters_filter_gravity_noise_standard_deviation[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_gravity_noise_standard_deviation, function), 0, &names_function_selector,
@@ -2973,6 +3502,40 @@ static const struct mip_record record_filter_gravity_noise_standard_deviation = 
     parameters_filter_gravity_noise_standard_deviation, 2,
     sizeof(struct mip_filter_gravity_noise_standard_deviation)};
 static const uint8_t required_filter_gravity_noise_standard_deviation[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_pressure_altitude_noise[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_pressure_altitude_noise, function), 0, &names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"noise", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_pressure_altitude_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_pressure_altitude_noise = {
+    parameters_filter_pressure_altitude_noise, 2,
+    sizeof(struct mip_filter_pressure_altitude_noise)};
+static const uint8_t required_filter_pressure_altitude_noise[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_hard_iron_offset_noise[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_hard_iron_offset_noise, function), 0, &names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"noise", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
+     ONE(struct mip_filter_hard_iron_offset_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_hard_iron_offset_noise = {
+    parameters_filter_hard_iron_offset_noise, 2, sizeof(struct mip_filter_hard_iron_offset_noise)};
+static const uint8_t required_filter_hard_iron_offset_noise[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_soft_iron_matrix_noise[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_soft_iron_matrix_noise, function), 0, &names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"noise", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
+     ONE(struct mip_filter_soft_iron_matrix_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_soft_iron_matrix_noise = {
+    parameters_filter_soft_iron_matrix_noise, 2, sizeof(struct mip_filter_soft_iron_matrix_noise)};
+static const uint8_t required_filter_soft_iron_matrix_noise[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_enable_disable_measurements[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2987,13 +3550,23 @@ static const struct mip_record record_filter_enable_disable_measurements = {
     sizeof(struct mip_filter_enable_disable_measurements)};
 static const uint8_t required_filter_enable_disable_measurements[] = {0, 1, 0, 0, 0, 0};
 
+static const struct mip_parameter parameters_filter_mag_noise[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_noise, function), 0, &names_function_selector, NULL, NULL, NULL, 0},
+    {"noise", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 1, 0,
+     ONE(struct mip_filter_mag_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_mag_noise = {
+    parameters_filter_mag_noise, 2, sizeof(struct mip_filter_mag_noise)};
+static const uint8_t required_filter_mag_noise[] = {0, 1, 0, 0, 0, 0};
+
 static const struct mip_parameter parameters_filter_magnetic_field_declination_source_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_magnetic_field_declination_source_control, function), 0,
      &names_function_selector, NULL, NULL, NULL, 0},
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
      ONE(struct mip_filter_magnetic_field_declination_source_control, source), 0,
-     &names_filter_declination_source, NULL, NULL, NULL, 0},
+     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
     {"declination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
      ONE(struct mip_filter_magnetic_field_declination_source_control, declination), 0, NULL, NULL,
      NULL, NULL, 0},
@@ -3038,6 +3611,76 @@ static const struct mip_record record_filter_gravity_magnitude_error_adaptive_me
 static const uint8_t required_filter_gravity_magnitude_error_adaptive_measurement[] = {
     0, 1, 0, 0, 0, 0};
 
+static const struct mip_parameter parameters_filter_mag_magnitude_error_adaptive_measurement[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, function), 0,
+     &names_function_selector, NULL, NULL, NULL, 0},
+    {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, adaptive_measurement), 0,
+     &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
+    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, frequency), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"low_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, low_limit), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"high_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
+     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, high_limit), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"low_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     5, 0, ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, low_limit_uncertainty),
+     0, NULL, NULL, NULL, NULL, 0},
+    {"high_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     6, 0, ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, high_limit_uncertainty),
+     0, NULL, NULL, NULL, NULL, 0},
+    {"minimum_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 7,
+     0, ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement, minimum_uncertainty), 0,
+     NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_mag_magnitude_error_adaptive_measurement = {
+    parameters_filter_mag_magnitude_error_adaptive_measurement, 8,
+    sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement)};
+static const uint8_t required_filter_mag_magnitude_error_adaptive_measurement[] = {
+    0, 7, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_mag_dip_angle_error_adaptive_measurement[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, function), 0,
+     &names_function_selector, NULL, NULL, NULL, 0},
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, enable), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, frequency), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"high_limit", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, high_limit), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"high_limit_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4,
+     0, ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, high_limit_uncertainty), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"minimum_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 5, 0,
+     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement, minimum_uncertainty), 0, NULL,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_mag_dip_angle_error_adaptive_measurement = {
+    parameters_filter_mag_dip_angle_error_adaptive_measurement, 6,
+    sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement)};
+static const uint8_t required_filter_mag_dip_angle_error_adaptive_measurement[] = {
+    0, 5, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_altitude_aiding[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_altitude_aiding, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_altitude_aiding, selector), 0, &names_filter_altitude_aiding_source,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_altitude_aiding = {
+    parameters_filter_altitude_aiding, 2, sizeof(struct mip_filter_altitude_aiding)};
+static const uint8_t required_filter_altitude_aiding[] = {0, 1, 0, 0, 0, 0};
+
 static const struct mip_parameter parameters_filter_pitch_roll_aiding_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_pitch_roll_aiding_control, function), 0, &names_function_selector, NULL,
@@ -3050,6 +3693,60 @@ static const struct mip_record record_filter_pitch_roll_aiding_control = {
     parameters_filter_pitch_roll_aiding_control, 2,
     sizeof(struct mip_filter_pitch_roll_aiding_control)};
 static const uint8_t required_filter_pitch_roll_aiding_control[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_inclination_source[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_inclination_source, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_inclination_source, source), 0, &names_filter_mag_parameter_source, NULL,
+     NULL, NULL, 0},
+    {"inclination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_inclination_source, inclination), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_inclination_source = {
+    parameters_filter_inclination_source, 3, sizeof(struct mip_filter_inclination_source)};
+static const uint8_t required_filter_inclination_source[] = {0, 2, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_mag_field_magnitude_source[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_field_magnitude_source, function), 0, &names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_mag_field_magnitude_source, source), 0,
+     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
+    {"magnitude", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_mag_field_magnitude_source, magnitude), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_mag_field_magnitude_source = {
+    parameters_filter_mag_field_magnitude_source, 3,
+    sizeof(struct mip_filter_mag_field_magnitude_source)};
+static const uint8_t required_filter_mag_field_magnitude_source[] = {0, 2, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_dcm[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_dcm, function), 0, &names_function_selector,
+     NULL, NULL, NULL, 0},
+    {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_dcm, dcm), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_sensor_to_vehicle_rotation_dcm = {
+    parameters_filter_sensor_to_vehicle_rotation_dcm, 2,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm)};
+static const uint8_t required_filter_sensor_to_vehicle_rotation_dcm[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_quaternion[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion, function), 0,
+     &names_function_selector, NULL, NULL, NULL, 0},
+    {"quat", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 1, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion, quat), 0, NULL, NULL, NULL, NULL,
+     0},
+};
+static const struct mip_record record_filter_sensor_to_vehicle_rotation_quaternion = {
+    parameters_filter_sensor_to_vehicle_rotation_quaternion, 2,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion)};
+static const uint8_t required_filter_sensor_to_vehicle_rotation_quaternion[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_aiding_measurement_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3065,6 +3762,24 @@ static const struct mip_record record_filter_aiding_measurement_control = {
     parameters_filter_aiding_measurement_control, 3,
     sizeof(struct mip_filter_aiding_measurement_control)};
 static const uint8_t required_filter_aiding_measurement_control[] = {0, 2, 1, 1, 1, 1};
+
+static const struct mip_parameter parameters_filter_kinematic_constraint[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_kinematic_constraint, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"accel_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_kinematic_constraint, accel_constraint), 0,
+     &names_filter_accel_constraint, NULL, NULL, NULL, 0},
+    {"velocity_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_filter_kinematic_constraint, velocity_constraint), 0,
+     &names_filter_velocity_constraint, NULL, NULL, NULL, 0},
+    {"angular_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_filter_kinematic_constraint, angular_constraint), 0,
+     &names_filter_angular_constraint, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_kinematic_constraint = {
+    parameters_filter_kinematic_constraint, 4, sizeof(struct mip_filter_kinematic_constraint)};
+static const uint8_t required_filter_kinematic_constraint[] = {0, 3, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_navigation_filter_initialization[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3169,6 +3884,19 @@ static const struct mip_record record_filter_reference_point_lever_arm = {
     sizeof(struct mip_filter_reference_point_lever_arm)};
 static const uint8_t required_filter_reference_point_lever_arm[] = {0, 2, 0, 0, 0, 0};
 
+static const struct mip_parameter parameters_filter_speed_measurement[] = {
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_speed_measurement, source), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_speed_measurement, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"speed", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_speed_measurement, speed), 0, NULL, NULL, NULL, NULL, 0},
+    {"speed_uncertainty", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_speed_measurement, speed_uncertainty), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_speed_measurement = {
+    parameters_filter_speed_measurement, 4, sizeof(struct mip_filter_speed_measurement)};
+
 static const struct mip_parameter parameters_filter_measurement_speed_lever_arm[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_measurement_speed_lever_arm, function), 0, &names_function_selector,
@@ -3183,6 +3911,18 @@ static const struct mip_record record_filter_measurement_speed_lever_arm = {
     parameters_filter_measurement_speed_lever_arm, 3,
     sizeof(struct mip_filter_measurement_speed_lever_arm)};
 static const uint8_t required_filter_measurement_speed_lever_arm[] = {0, 2, 1, 1, 1, 1};
+
+static const struct mip_parameter parameters_filter_vertical_gyro_constraint_control[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_vertical_gyro_constraint_control, function), 0, &names_function_selector,
+     NULL, NULL, NULL, 0},
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_vertical_gyro_constraint_control, enable), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_vertical_gyro_constraint_control = {
+    parameters_filter_vertical_gyro_constraint_control, 2,
+    sizeof(struct mip_filter_vertical_gyro_constraint_control)};
+static const uint8_t required_filter_vertical_gyro_constraint_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3213,6 +3953,15 @@ static const struct mip_record record_filter_gnss_antenna_offset_calibration_con
     sizeof(struct mip_filter_gnss_antenna_offset_calibration_control)};
 static const uint8_t required_filter_gnss_antenna_offset_calibration_control[] = {0, 2, 0, 0, 0, 0};
 
+static const struct mip_parameter parameters_filter_vehicle_dynamics_mode_response[] = {
+    {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_vehicle_dynamics_mode_response, mode), 0, &names_filter_dynamics_mode,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_vehicle_dynamics_mode_response = {
+    parameters_filter_vehicle_dynamics_mode_response, 1,
+    sizeof(struct mip_filter_vehicle_dynamics_mode_response)};
+
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_frame_transformation_response[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_sensor_to_vehicle_frame_transformation_response, roll), 0, NULL, NULL,
@@ -3227,6 +3976,15 @@ static const struct mip_parameter parameters_filter_sensor_to_vehicle_frame_tran
 static const struct mip_record record_filter_sensor_to_vehicle_frame_transformation_response = {
     parameters_filter_sensor_to_vehicle_frame_transformation_response, 3,
     sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation_response)};
+
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_offset_response[] = {
+    {"offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_offset_response, offset), 0, NULL, NULL, NULL, NULL,
+     0},
+};
+static const struct mip_record record_filter_sensor_to_vehicle_offset_response = {
+    parameters_filter_sensor_to_vehicle_offset_response, 1,
+    sizeof(struct mip_filter_sensor_to_vehicle_offset_response)};
 
 static const struct mip_parameter parameters_filter_gnss_antenna_offset_control_response[] = {
     {"offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -3315,6 +4073,15 @@ static const struct mip_record record_filter_gyroscope_bias_model_parameters_res
     parameters_filter_gyroscope_bias_model_parameters_response, 2,
     sizeof(struct mip_filter_gyroscope_bias_model_parameters_response)};
 
+static const struct mip_parameter parameters_filter_auto_zupt_response[] = {
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_auto_zupt_response, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"threshold", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_auto_zupt_response, threshold), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_auto_zupt_response = {
+    parameters_filter_auto_zupt_response, 2, sizeof(struct mip_filter_auto_zupt_response)};
+
 static const struct mip_parameter parameters_filter_zero_angular_rate_update_control_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_zero_angular_rate_update_control_response, enable), 0, NULL, NULL, NULL,
@@ -3353,6 +4120,39 @@ static const struct mip_record record_filter_gravity_noise_standard_deviation_re
     parameters_filter_gravity_noise_standard_deviation_response, 1,
     sizeof(struct mip_filter_gravity_noise_standard_deviation_response)};
 
+static const struct mip_parameter parameters_filter_pressure_altitude_noise_response[] = {
+    {"noise", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_pressure_altitude_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_pressure_altitude_noise_response = {
+    parameters_filter_pressure_altitude_noise_response, 1,
+    sizeof(struct mip_filter_pressure_altitude_noise_response)};
+
+static const struct mip_parameter parameters_filter_hard_iron_offset_noise_response[] = {
+    {"noise", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_hard_iron_offset_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_hard_iron_offset_noise_response = {
+    parameters_filter_hard_iron_offset_noise_response, 1,
+    sizeof(struct mip_filter_hard_iron_offset_noise_response)};
+
+static const struct mip_parameter parameters_filter_soft_iron_matrix_noise_response[] = {
+    {"noise", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
+     ONE(struct mip_filter_soft_iron_matrix_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_soft_iron_matrix_noise_response = {
+    parameters_filter_soft_iron_matrix_noise_response, 1,
+    sizeof(struct mip_filter_soft_iron_matrix_noise_response)};
+
+static const struct mip_parameter parameters_filter_tare_orientation_response[] = {
+    {"axes", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_tare_orientation_response, axes), 0, &names_filter_tare_axes, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_filter_tare_orientation_response = {
+    parameters_filter_tare_orientation_response, 1,
+    sizeof(struct mip_filter_tare_orientation_response)};
+
 static const struct mip_parameter parameters_filter_enable_disable_measurements_response[] = {
     {"control", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_enable_disable_measurements_response, control), 0,
@@ -3362,10 +4162,17 @@ static const struct mip_record record_filter_enable_disable_measurements_respons
     parameters_filter_enable_disable_measurements_response, 1,
     sizeof(struct mip_filter_enable_disable_measurements_response)};
 
+static const struct mip_parameter parameters_filter_mag_noise_response[] = {
+    {"noise", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_mag_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_mag_noise_response = {
+    parameters_filter_mag_noise_response, 1, sizeof(struct mip_filter_mag_noise_response)};
+
 static const struct mip_parameter parameters_filter_magnetic_field_declination_source_control_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_magnetic_field_declination_source_control_response, source), 0,
-     &names_filter_declination_source, NULL, NULL, NULL, 0},
+     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
     {"declination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_magnetic_field_declination_source_control_response, declination), 0,
      NULL, NULL, NULL, NULL, 0},
@@ -3404,6 +4211,67 @@ static const struct mip_record record_filter_gravity_magnitude_error_adaptive_me
     parameters_filter_gravity_magnitude_error_adaptive_measurement_response, 7,
     sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response)};
 
+static const struct mip_parameter parameters_filter_mag_magnitude_error_adaptive_measurement_response[] = {
+    {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, adaptive_measurement),
+     0, &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
+    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, frequency), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"low_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, low_limit), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"high_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, high_limit), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"low_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     0, 0,
+     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, low_limit_uncertainty),
+     0, NULL, NULL, NULL, NULL, 0},
+    {"high_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     0, 0,
+     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, high_limit_uncertainty),
+     0, NULL, NULL, NULL, NULL, 0},
+    {"minimum_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0,
+     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, minimum_uncertainty),
+     0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_mag_magnitude_error_adaptive_measurement_response = {
+    parameters_filter_mag_magnitude_error_adaptive_measurement_response, 7,
+    sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement_response)};
+
+static const struct mip_parameter parameters_filter_mag_dip_angle_error_adaptive_measurement_response[] = {
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, enable), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, frequency), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"high_limit", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, high_limit), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"high_limit_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0,
+     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, high_limit_uncertainty),
+     0, NULL, NULL, NULL, NULL, 0},
+    {"minimum_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, minimum_uncertainty),
+     0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_mag_dip_angle_error_adaptive_measurement_response = {
+    parameters_filter_mag_dip_angle_error_adaptive_measurement_response, 5,
+    sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response)};
+
+static const struct mip_parameter parameters_filter_altitude_aiding_response[] = {
+    {"selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_altitude_aiding_response, selector), 0,
+     &names_filter_altitude_aiding_source, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_altitude_aiding_response = {
+    parameters_filter_altitude_aiding_response, 1,
+    sizeof(struct mip_filter_altitude_aiding_response)};
+
 static const struct mip_parameter parameters_filter_pitch_roll_aiding_control_response[] = {
     {"aiding", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_pitch_roll_aiding_control_response, aiding), 0,
@@ -3412,6 +4280,47 @@ static const struct mip_parameter parameters_filter_pitch_roll_aiding_control_re
 static const struct mip_record record_filter_pitch_roll_aiding_control_response = {
     parameters_filter_pitch_roll_aiding_control_response, 1,
     sizeof(struct mip_filter_pitch_roll_aiding_control_response)};
+
+static const struct mip_parameter parameters_filter_inclination_source_response[] = {
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_inclination_source_response, source), 0,
+     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
+    {"inclination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_inclination_source_response, inclination), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_inclination_source_response = {
+    parameters_filter_inclination_source_response, 2,
+    sizeof(struct mip_filter_inclination_source_response)};
+
+static const struct mip_parameter parameters_filter_mag_field_magnitude_source_response[] = {
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_field_magnitude_source_response, source), 0,
+     &names_filter_mag_parameter_source, NULL, NULL, NULL, 0},
+    {"magnitude", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_mag_field_magnitude_source_response, magnitude), 0, NULL, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_filter_mag_field_magnitude_source_response = {
+    parameters_filter_mag_field_magnitude_source_response, 2,
+    sizeof(struct mip_filter_mag_field_magnitude_source_response)};
+
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_dcm_response[] = {
+    {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_dcm_response, dcm), 0, NULL, NULL, NULL, NULL,
+     0},
+};
+static const struct mip_record record_filter_sensor_to_vehicle_rotation_dcm_response = {
+    parameters_filter_sensor_to_vehicle_rotation_dcm_response, 1,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm_response)};
+
+static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_quaternion_response[] = {
+    {"quat", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
+     ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response, quat), 0, NULL, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_filter_sensor_to_vehicle_rotation_quaternion_response = {
+    parameters_filter_sensor_to_vehicle_rotation_quaternion_response, 1,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response)};
 
 static const struct mip_parameter parameters_filter_aiding_measurement_control_response[] = {
     {"aiding_source", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3424,6 +4333,21 @@ static const struct mip_parameter parameters_filter_aiding_measurement_control_r
 static const struct mip_record record_filter_aiding_measurement_control_response = {
     parameters_filter_aiding_measurement_control_response, 2,
     sizeof(struct mip_filter_aiding_measurement_control_response)};
+
+static const struct mip_parameter parameters_filter_kinematic_constraint_response[] = {
+    {"accel_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_kinematic_constraint_response, accel_constraint), 0,
+     &names_filter_accel_constraint, NULL, NULL, NULL, 0},
+    {"velocity_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_kinematic_constraint_response, velocity_constraint), 0,
+     &names_filter_velocity_constraint, NULL, NULL, NULL, 0},
+    {"angular_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_kinematic_constraint_response, angular_constraint), 0,
+     &names_filter_angular_constraint, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_kinematic_constraint_response = {
+    parameters_filter_kinematic_constraint_response, 3,
+    sizeof(struct mip_filter_kinematic_constraint_response)};
 
 static const struct mip_parameter parameters_filter_navigation_filter_initialization_response[] = {
     {"wait_for_run_command", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3522,6 +4446,15 @@ static const struct mip_record record_filter_measurement_speed_lever_arm_respons
     parameters_filter_measurement_speed_lever_arm_response, 2,
     sizeof(struct mip_filter_measurement_speed_lever_arm_response)};
 
+static const struct mip_parameter parameters_filter_vertical_gyro_constraint_control_response[] = {
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_vertical_gyro_constraint_control_response, enable), 0, NULL, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_filter_vertical_gyro_constraint_control_response = {
+    parameters_filter_vertical_gyro_constraint_control_response, 1,
+    sizeof(struct mip_filter_vertical_gyro_constraint_control_response)};
+
 static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_control_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_wheeled_vehicle_constraint_control_response, enable), 0, NULL, NULL,
@@ -3568,6 +4501,19 @@ static const struct mip_parameter parameters_gnss_signal_configuration[] = {
 static const struct mip_record record_gnss_signal_configuration = {
     parameters_gnss_signal_configuration, 6, sizeof(struct mip_gnss_signal_configuration)};
 static const uint8_t required_gnss_signal_configuration[] = {0, 5, 0, 0, 0, 0};
+
+static const struct mip_parameter parameters_gnss_rtk_dongle_configuration[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_rtk_dongle_configuration, function), 0, &names_function_selector, NULL,
+     NULL, NULL, 0},
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_gnss_rtk_dongle_configuration, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 3, 1, 0, 2, 0,
+     MANY(struct mip_gnss_rtk_dongle_configuration, reserved), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_rtk_dongle_configuration = {
+    parameters_gnss_rtk_dongle_configuration, 3, sizeof(struct mip_gnss_rtk_dongle_configuration)};
+static const uint8_t required_gnss_rtk_dongle_configuration[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_gnss_spartn_configuration[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3625,6 +4571,17 @@ static const struct mip_record record_gnss_signal_configuration_response = {
     parameters_gnss_signal_configuration_response, 5,
     sizeof(struct mip_gnss_signal_configuration_response)};
 
+static const struct mip_parameter parameters_gnss_rtk_dongle_configuration_response[] = {
+    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_rtk_dongle_configuration_response, enable), 0, NULL, NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 3, 1, 0, 0, 0,
+     MANY(struct mip_gnss_rtk_dongle_configuration_response, reserved), 0, NULL, NULL, NULL, NULL,
+     0},
+};
+static const struct mip_record record_gnss_rtk_dongle_configuration_response = {
+    parameters_gnss_rtk_dongle_configuration_response, 2,
+    sizeof(struct mip_gnss_rtk_dongle_configuration_response)};
+
 static const struct mip_parameter parameters_gnss_spartn_configuration_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_spartn_configuration_response, enable), 0, NULL, NULL, NULL, NULL, 0},
@@ -3652,6 +4609,152 @@ static const struct mip_parameter parameters_gnss_spartn_configuration_response[
 static const struct mip_record record_gnss_spartn_configuration_response = {
     parameters_gnss_spartn_configuration_response, 8,
     sizeof(struct mip_gnss_spartn_configuration_response)};
+
+static const struct mip_record record_rtk_get_status_flags = {
+    NULL, 0, sizeof(struct mip_rtk_get_status_flags)};
+
+static const struct mip_record record_rtk_get_imei = {
+    NULL, 0, sizeof(struct mip_rtk_get_imei)};
+
+static const struct mip_record record_rtk_get_imsi = {
+    NULL, 0, sizeof(struct mip_rtk_get_imsi)};
+
+static const struct mip_record record_rtk_get_iccid = {
+    NULL, 0, sizeof(struct mip_rtk_get_iccid)};
+
+static const struct mip_record record_rtk_get_rssi = {
+    NULL, 0, sizeof(struct mip_rtk_get_rssi)};
+
+static const struct mip_parameter parameters_rtk_connected_device_type[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_connected_device_type, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"device_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_rtk_connected_device_type, device_type), 0, &names_rtk_connected_device, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_connected_device_type = {
+    parameters_rtk_connected_device_type, 2, sizeof(struct mip_rtk_connected_device_type)};
+static const uint8_t required_rtk_connected_device_type[] = {0, 1, 0, 0, 0, 0};
+
+static const struct mip_record record_rtk_get_activation_code = {
+    NULL, 0, sizeof(struct mip_rtk_get_activation_code)};
+
+static const struct mip_record record_rtk_get_modem_firmware_version = {
+    NULL, 0, sizeof(struct mip_rtk_get_modem_firmware_version)};
+
+static const struct mip_parameter parameters_rtk_service_status[] = {
+    {"reserved1", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_service_status, reserved1), 0, NULL, NULL, NULL, NULL, 0},
+    {"reserved2", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_service_status, reserved2), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_service_status = {
+    parameters_rtk_service_status, 2, sizeof(struct mip_rtk_service_status)};
+
+static const struct mip_parameter parameters_rtk_erase_storage[] = {
+    {"media", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_erase_storage, media), 0, &names_rtk_storage_medium, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_erase_storage = {
+    parameters_rtk_erase_storage, 1, sizeof(struct mip_rtk_erase_storage)};
+
+static const struct mip_parameter parameters_rtk_led_control[] = {
+    {"primary_color", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 3, 1, 0, 0, 0,
+     MANY(struct mip_rtk_led_control, primary_color), 0, NULL, NULL, NULL, NULL, 0},
+    {"alternate_color", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 3, 1, 0, 0, 0,
+     MANY(struct mip_rtk_led_control, alternate_color), 0, NULL, NULL, NULL, NULL, 0},
+    {"action", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_led_control, action), 0, &names_rtk_led_action, NULL, NULL, NULL, 0},
+    {"period", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_led_control, period), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_led_control = {
+    parameters_rtk_led_control, 4, sizeof(struct mip_rtk_led_control)};
+
+static const struct mip_record record_rtk_modem_hard_reset = {
+    NULL, 0, sizeof(struct mip_rtk_modem_hard_reset)};
+
+static const struct mip_parameter parameters_rtk_get_status_flags_response[] = {
+    {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_get_status_flags_response, flags), 0, &names_rtk_status_flags, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_rtk_get_status_flags_response = {
+    parameters_rtk_get_status_flags_response, 1, sizeof(struct mip_rtk_get_status_flags_response)};
+
+static const struct mip_parameter parameters_rtk_get_imei_response[] = {
+    {"imei", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
+     MANY(struct mip_rtk_get_imei_response, imei), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_get_imei_response = {
+    parameters_rtk_get_imei_response, 1, sizeof(struct mip_rtk_get_imei_response)};
+
+static const struct mip_parameter parameters_rtk_get_imsi_response[] = {
+    {"imsi", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
+     MANY(struct mip_rtk_get_imsi_response, imsi), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_get_imsi_response = {
+    parameters_rtk_get_imsi_response, 1, sizeof(struct mip_rtk_get_imsi_response)};
+
+static const struct mip_parameter parameters_rtk_get_iccid_response[] = {
+    {"iccid", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
+     MANY(struct mip_rtk_get_iccid_response, iccid), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_get_iccid_response = {
+    parameters_rtk_get_iccid_response, 1, sizeof(struct mip_rtk_get_iccid_response)};
+
+static const struct mip_parameter parameters_rtk_get_rssi_response[] = {
+    {"valid", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_get_rssi_response, valid), 0, NULL, NULL, NULL, NULL, 0},
+    {"rssi", "", MIP_KIND_NUMBER, MIP_SCALAR_S32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_get_rssi_response, rssi), 0, NULL, NULL, NULL, NULL, 0},
+    {"signal_quality", "", MIP_KIND_NUMBER, MIP_SCALAR_S32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_get_rssi_response, signal_quality), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_get_rssi_response = {
+    parameters_rtk_get_rssi_response, 3, sizeof(struct mip_rtk_get_rssi_response)};
+
+static const struct mip_parameter parameters_rtk_connected_device_type_response[] = {
+    {"device_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_connected_device_type_response, device_type), 0,
+     &names_rtk_connected_device, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_connected_device_type_response = {
+    parameters_rtk_connected_device_type_response, 1,
+    sizeof(struct mip_rtk_connected_device_type_response)};
+
+static const struct mip_parameter parameters_rtk_get_activation_code_response[] = {
+    {"activation_code", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
+     MANY(struct mip_rtk_get_activation_code_response, activation_code), 0, NULL, NULL, NULL, NULL,
+     0},
+};
+static const struct mip_record record_rtk_get_activation_code_response = {
+    parameters_rtk_get_activation_code_response, 1,
+    sizeof(struct mip_rtk_get_activation_code_response)};
+
+static const struct mip_parameter parameters_rtk_get_modem_firmware_version_response[] = {
+    {"modem_firmware_version", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
+     MANY(struct mip_rtk_get_modem_firmware_version_response, modem_firmware_version), 0, NULL,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_get_modem_firmware_version_response = {
+    parameters_rtk_get_modem_firmware_version_response, 1,
+    sizeof(struct mip_rtk_get_modem_firmware_version_response)};
+
+static const struct mip_parameter parameters_rtk_service_status_response[] = {
+    {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_service_status_response, flags), 0, &names_rtk_service_flags, NULL, NULL,
+     NULL, 0},
+    {"received_bytes", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_service_status_response, received_bytes), 0, NULL, NULL, NULL, NULL, 0},
+    {"last_bytes", "byte", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_service_status_response, last_bytes), 0, NULL, NULL, NULL, NULL, 0},
+    {"last_bytes_time", "", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_rtk_service_status_response, last_bytes_time), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_rtk_service_status_response = {
+    parameters_rtk_service_status_response, 4, sizeof(struct mip_rtk_service_status_response)};
 
 static const struct mip_parameter members_aiding_frame_configuration_rotation[] = {
     {"euler", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -3889,6 +4992,24 @@ static const struct mip_parameter parameters_aiding_echo_control_response[] = {
 static const struct mip_record record_aiding_echo_control_response = {
     parameters_aiding_echo_control_response, 1, sizeof(struct mip_aiding_echo_control_response)};
 
+static const struct mip_parameter parameters_system_interface_control[] = {
+    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_system_interface_control, function), 0, &names_function_selector, NULL, NULL,
+     NULL, 0},
+    {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_system_interface_control, port), 0, &names_system_comms_interface, NULL, NULL,
+     NULL, 0},
+    {"protocols_incoming", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+     ONE(struct mip_system_interface_control, protocols_incoming), 0, &names_system_comms_protocols,
+     NULL, NULL, NULL, 0},
+    {"protocols_outgoing", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+     ONE(struct mip_system_interface_control, protocols_outgoing), 0, &names_system_comms_protocols,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_system_interface_control = {
+    parameters_system_interface_control, 4, sizeof(struct mip_system_interface_control)};
+static const uint8_t required_system_interface_control[] = {0, 3, 1, 1, 1, 1};
+
 static const struct mip_parameter parameters_system_communication_mode[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_system_communication_mode, function), 0, &names_function_selector, NULL, NULL,
@@ -3901,6 +5022,21 @@ static const struct mip_record record_system_communication_mode = {
     parameters_system_communication_mode, 2, sizeof(struct mip_system_communication_mode)};
 static const uint8_t required_system_communication_mode[] = {0, 1, 0, 0, 0, 0};
 
+static const struct mip_parameter parameters_system_interface_control_response[] = {
+    {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_system_interface_control_response, port), 0, &names_system_comms_interface,
+     NULL, NULL, NULL, 0},
+    {"protocols_incoming", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_system_interface_control_response, protocols_incoming), 0,
+     &names_system_comms_protocols, NULL, NULL, NULL, 0},
+    {"protocols_outgoing", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_system_interface_control_response, protocols_outgoing), 0,
+     &names_system_comms_protocols, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_system_interface_control_response = {
+    parameters_system_interface_control_response, 3,
+    sizeof(struct mip_system_interface_control_response)};
+
 static const struct mip_parameter parameters_system_communication_mode_response[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_system_communication_mode_response, mode), 0, &names_system_protocol_mode, NULL,
@@ -3909,6 +5045,27 @@ static const struct mip_parameter parameters_system_communication_mode_response[
 static const struct mip_record record_system_communication_mode_response = {
     parameters_system_communication_mode_response, 1,
     sizeof(struct mip_system_communication_mode_response)};
+
+static const struct mip_parameter parameters_sensor_raw_accel[] = {
+    {"raw_accel", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_sensor_raw_accel, raw_accel), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_sensor_raw_accel = {
+    parameters_sensor_raw_accel, 1, sizeof(struct mip_sensor_raw_accel)};
+
+static const struct mip_parameter parameters_sensor_raw_gyro[] = {
+    {"raw_gyro", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_sensor_raw_gyro, raw_gyro), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_sensor_raw_gyro = {
+    parameters_sensor_raw_gyro, 1, sizeof(struct mip_sensor_raw_gyro)};
+
+static const struct mip_parameter parameters_sensor_raw_mag[] = {
+    {"raw_mag", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_sensor_raw_mag, raw_mag), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_sensor_raw_mag = {
+    parameters_sensor_raw_mag, 1, sizeof(struct mip_sensor_raw_mag)};
 
 static const struct mip_parameter parameters_sensor_scaled_accel[] = {
     {"scaled_accel", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -3962,6 +5119,14 @@ static const struct mip_record record_sensor_complementary_filter_quaternion = {
     parameters_sensor_complementary_filter_quaternion, 1,
     sizeof(struct mip_sensor_complementary_filter_quaternion)};
 
+static const struct mip_parameter parameters_sensor_comp_orientation_update_matrix[] = {
+    {"m", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
+     ONE(struct mip_sensor_comp_orientation_update_matrix, m), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_sensor_comp_orientation_update_matrix = {
+    parameters_sensor_comp_orientation_update_matrix, 1,
+    sizeof(struct mip_sensor_comp_orientation_update_matrix)};
+
 static const struct mip_parameter parameters_sensor_complementary_filter_euler_angles[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_sensor_complementary_filter_euler_angles, roll), 0, NULL, NULL, NULL, NULL, 0},
@@ -3973,6 +5138,29 @@ static const struct mip_parameter parameters_sensor_complementary_filter_euler_a
 static const struct mip_record record_sensor_complementary_filter_euler_angles = {
     parameters_sensor_complementary_filter_euler_angles, 3,
     sizeof(struct mip_sensor_complementary_filter_euler_angles)};
+
+static const struct mip_parameter parameters_sensor_orientation_raw_temp[] = {
+    {"raw_temp", "1", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_sensor_orientation_raw_temp, raw_temp), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_sensor_orientation_raw_temp = {
+    parameters_sensor_orientation_raw_temp, 1, sizeof(struct mip_sensor_orientation_raw_temp)};
+
+static const struct mip_parameter parameters_sensor_internal_timestamp[] = {
+    {"counts", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_internal_timestamp, counts), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_sensor_internal_timestamp = {
+    parameters_sensor_internal_timestamp, 1, sizeof(struct mip_sensor_internal_timestamp)};
+
+static const struct mip_parameter parameters_sensor_pps_timestamp[] = {
+    {"seconds", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_pps_timestamp, seconds), 0, NULL, NULL, NULL, NULL, 0},
+    {"useconds", "us", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_pps_timestamp, useconds), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_sensor_pps_timestamp = {
+    parameters_sensor_pps_timestamp, 2, sizeof(struct mip_sensor_pps_timestamp)};
 
 static const struct mip_parameter parameters_sensor_complementary_filter_stabilized_north_vector[] = {
     {"stabilized_mag", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4014,6 +5202,13 @@ static const struct mip_parameter parameters_sensor_temperature_statistics[] = {
 };
 static const struct mip_record record_sensor_temperature_statistics = {
     parameters_sensor_temperature_statistics, 3, sizeof(struct mip_sensor_temperature_statistics)};
+
+static const struct mip_parameter parameters_sensor_raw_pressure[] = {
+    {"raw_pressure", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_sensor_raw_pressure, raw_pressure), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_sensor_raw_pressure = {
+    parameters_sensor_raw_pressure, 1, sizeof(struct mip_sensor_raw_pressure)};
 
 static const struct mip_parameter parameters_sensor_scaled_pressure[] = {
     {"scaled_pressure", "mbar", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4319,6 +5514,73 @@ static const struct mip_parameter parameters_filter_data_magnetic_model[] = {
 static const struct mip_record record_filter_data_magnetic_model = {
     parameters_filter_data_magnetic_model, 6, sizeof(struct mip_filter_data_magnetic_model)};
 
+static const struct mip_parameter parameters_filter_data_gyro_scale_factor[] = {
+    {"scale_factor", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_gyro_scale_factor, scale_factor), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_gyro_scale_factor, valid_flags), 0, &names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_gyro_scale_factor = {
+    parameters_filter_data_gyro_scale_factor, 2, sizeof(struct mip_filter_data_gyro_scale_factor)};
+
+static const struct mip_parameter parameters_filter_data_accel_scale_factor[] = {
+    {"scale_factor", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_accel_scale_factor, scale_factor), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_accel_scale_factor, valid_flags), 0, &names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_accel_scale_factor = {
+    parameters_filter_data_accel_scale_factor, 2,
+    sizeof(struct mip_filter_data_accel_scale_factor)};
+
+static const struct mip_parameter parameters_filter_data_gyro_scale_factor_uncertainty[] = {
+    {"scale_factor_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
+     0, ONE(struct mip_filter_data_gyro_scale_factor_uncertainty, scale_factor_uncertainty), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_gyro_scale_factor_uncertainty, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_gyro_scale_factor_uncertainty = {
+    parameters_filter_data_gyro_scale_factor_uncertainty, 2,
+    sizeof(struct mip_filter_data_gyro_scale_factor_uncertainty)};
+
+static const struct mip_parameter parameters_filter_data_accel_scale_factor_uncertainty[] = {
+    {"scale_factor_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
+     0, ONE(struct mip_filter_data_accel_scale_factor_uncertainty, scale_factor_uncertainty), 0,
+     NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_accel_scale_factor_uncertainty, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_accel_scale_factor_uncertainty = {
+    parameters_filter_data_accel_scale_factor_uncertainty, 2,
+    sizeof(struct mip_filter_data_accel_scale_factor_uncertainty)};
+
+static const struct mip_parameter parameters_filter_data_mag_bias[] = {
+    {"bias", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_bias, bias), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_bias, valid_flags), 0, &names_filter_data_valid_flags, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_mag_bias = {
+    parameters_filter_data_mag_bias, 2, sizeof(struct mip_filter_data_mag_bias)};
+
+static const struct mip_parameter parameters_filter_data_mag_bias_uncertainty[] = {
+    {"bias_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_bias_uncertainty, bias_uncertainty), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_bias_uncertainty, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_mag_bias_uncertainty = {
+    parameters_filter_data_mag_bias_uncertainty, 2,
+    sizeof(struct mip_filter_data_mag_bias_uncertainty)};
+
 static const struct mip_parameter parameters_filter_data_compensated_acceleration[] = {
     {"accel", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_data_compensated_acceleration, accel), 0, NULL, NULL, NULL, NULL, 0},
@@ -4330,6 +5592,30 @@ static const struct mip_record record_filter_data_compensated_acceleration = {
     parameters_filter_data_compensated_acceleration, 2,
     sizeof(struct mip_filter_data_compensated_acceleration)};
 
+static const struct mip_parameter parameters_filter_data_standard_atmosphere[] = {
+    {"geometric_altitude", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_standard_atmosphere, geometric_altitude), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"geopotential_altitude", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_standard_atmosphere, geopotential_altitude), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"standard_temperature", "degC", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_filter_data_standard_atmosphere, standard_temperature), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"standard_pressure", "mbar", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_standard_atmosphere, standard_pressure), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"standard_density", "kg/m^3", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_standard_atmosphere, standard_density), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_standard_atmosphere, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_standard_atmosphere = {
+    parameters_filter_data_standard_atmosphere, 6,
+    sizeof(struct mip_filter_data_standard_atmosphere)};
+
 static const struct mip_parameter parameters_filter_data_pressure_altitude[] = {
     {"pressure_altitude", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_data_pressure_altitude, pressure_altitude), 0, NULL, NULL, NULL, NULL,
@@ -4340,6 +5626,137 @@ static const struct mip_parameter parameters_filter_data_pressure_altitude[] = {
 };
 static const struct mip_record record_filter_data_pressure_altitude = {
     parameters_filter_data_pressure_altitude, 2, sizeof(struct mip_filter_data_pressure_altitude)};
+
+static const struct mip_parameter parameters_filter_data_density_altitude[] = {
+    {"density_altitude", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_density_altitude, density_altitude), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_density_altitude, valid_flags), 0, &names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_density_altitude = {
+    parameters_filter_data_density_altitude, 2, sizeof(struct mip_filter_data_density_altitude)};
+
+static const struct mip_parameter parameters_filter_data_mag_offset[] = {
+    {"hard_iron", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_offset, hard_iron), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_offset, valid_flags), 0, &names_filter_data_valid_flags, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_mag_offset = {
+    parameters_filter_data_mag_offset, 2, sizeof(struct mip_filter_data_mag_offset)};
+
+static const struct mip_parameter parameters_filter_data_mag_matrix[] = {
+    {"soft_iron", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_matrix, soft_iron), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_matrix, valid_flags), 0, &names_filter_data_valid_flags, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_mag_matrix = {
+    parameters_filter_data_mag_matrix, 2, sizeof(struct mip_filter_data_mag_matrix)};
+
+static const struct mip_parameter parameters_filter_data_mag_offset_uncertainty[] = {
+    {"hard_iron_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0,
+     0, 0, ONE(struct mip_filter_data_mag_offset_uncertainty, hard_iron_uncertainty), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_offset_uncertainty, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_mag_offset_uncertainty = {
+    parameters_filter_data_mag_offset_uncertainty, 2,
+    sizeof(struct mip_filter_data_mag_offset_uncertainty)};
+
+static const struct mip_parameter parameters_filter_data_mag_matrix_uncertainty[] = {
+    {"soft_iron_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_matrix_uncertainty, soft_iron_uncertainty), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_matrix_uncertainty, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_mag_matrix_uncertainty = {
+    parameters_filter_data_mag_matrix_uncertainty, 2,
+    sizeof(struct mip_filter_data_mag_matrix_uncertainty)};
+
+static const struct mip_parameter parameters_filter_data_mag_covariance_matrix[] = {
+    {"covariance", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_covariance_matrix, covariance), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_covariance_matrix, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_mag_covariance_matrix = {
+    parameters_filter_data_mag_covariance_matrix, 2,
+    sizeof(struct mip_filter_data_mag_covariance_matrix)};
+
+static const struct mip_parameter parameters_filter_data_mag_residual_vector[] = {
+    {"residual", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_residual_vector, residual), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_mag_residual_vector, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_mag_residual_vector = {
+    parameters_filter_data_mag_residual_vector, 2,
+    sizeof(struct mip_filter_data_mag_residual_vector)};
+
+static const struct mip_parameter parameters_filter_data_antenna_offset_correction[] = {
+    {"offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_antenna_offset_correction, offset), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_antenna_offset_correction, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_antenna_offset_correction = {
+    parameters_filter_data_antenna_offset_correction, 2,
+    sizeof(struct mip_filter_data_antenna_offset_correction)};
+
+static const struct mip_parameter parameters_filter_data_antenna_offset_correction_uncertainty[] = {
+    {"offset_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_filter_data_antenna_offset_correction_uncertainty, offset_uncertainty), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_antenna_offset_correction_uncertainty, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_antenna_offset_correction_uncertainty = {
+    parameters_filter_data_antenna_offset_correction_uncertainty, 2,
+    sizeof(struct mip_filter_data_antenna_offset_correction_uncertainty)};
+
+static const struct mip_parameter parameters_filter_data_clock_correction[] = {
+    {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_clock_correction, receiver_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"bias", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_clock_correction, bias), 0, NULL, NULL, NULL, NULL, 0},
+    {"bias_drift", "s/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_clock_correction, bias_drift), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_clock_correction, valid_flags), 0, &names_filter_data_valid_flags,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_clock_correction = {
+    parameters_filter_data_clock_correction, 4, sizeof(struct mip_filter_data_clock_correction)};
+
+static const struct mip_parameter parameters_filter_data_clock_correction_uncertainty[] = {
+    {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_clock_correction_uncertainty, receiver_id), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"bias_uncertainty", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_clock_correction_uncertainty, bias_uncertainty), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"bias_drift_uncertainty", "s/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_filter_data_clock_correction_uncertainty, bias_drift_uncertainty), 0, NULL,
+     NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_clock_correction_uncertainty, valid_flags), 0,
+     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_clock_correction_uncertainty = {
+    parameters_filter_data_clock_correction_uncertainty, 4,
+    sizeof(struct mip_filter_data_clock_correction_uncertainty)};
 
 static const struct mip_parameter parameters_filter_data_multi_antenna_offset_correction[] = {
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4444,6 +5861,33 @@ static const struct mip_parameter parameters_filter_data_gnss_position_aiding_st
 static const struct mip_record record_filter_data_gnss_position_aiding_status = {
     parameters_filter_data_gnss_position_aiding_status, 4,
     sizeof(struct mip_filter_data_gnss_position_aiding_status)};
+
+static const struct mip_parameter parameters_filter_data_gnss_attitude_aiding_status[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_gnss_attitude_aiding_status, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"status", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_gnss_attitude_aiding_status, status), 0,
+     &names_filter_data_gnss_aiding_status, NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 8, 1, 0, 0, 0,
+     MANY(struct mip_filter_data_gnss_attitude_aiding_status, reserved), 0, NULL, NULL, NULL, NULL,
+     0},
+};
+static const struct mip_record record_filter_data_gnss_attitude_aiding_status = {
+    parameters_filter_data_gnss_attitude_aiding_status, 3,
+    sizeof(struct mip_filter_data_gnss_attitude_aiding_status)};
+
+static const struct mip_parameter parameters_filter_data_heading_aiding_status[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_heading_aiding_status, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_data_heading_aiding_status, type), 0,
+     &names_filter_data_heading_aiding_type, NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_FIXED, 2, 1, 0, 0, 0,
+     MANY(struct mip_filter_data_heading_aiding_status, reserved), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_data_heading_aiding_status = {
+    parameters_filter_data_heading_aiding_status, 3,
+    sizeof(struct mip_filter_data_heading_aiding_status)};
 
 static const struct mip_parameter parameters_filter_data_aiding_measurement_summary[] = {
     {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4659,6 +6103,20 @@ static const struct mip_parameter parameters_gnss_1_gps_time[] = {
 static const struct mip_record record_gnss_1_gps_time = {
     parameters_gnss_1_gps_time, 3, sizeof(struct mip_gnss_1_gps_time)};
 
+static const struct mip_parameter parameters_gnss_1_clock_info[] = {
+    {"bias", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_clock_info, bias), 0, NULL, NULL, NULL, NULL, 0},
+    {"drift", "s/s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_clock_info, drift), 0, NULL, NULL, NULL, NULL, 0},
+    {"accuracy_estimate", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_clock_info, accuracy_estimate), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_clock_info, valid_flags), 0, &names_gnss_1_clock_info_flags, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_gnss_1_clock_info = {
+    parameters_gnss_1_clock_info, 4, sizeof(struct mip_gnss_1_clock_info)};
+
 static const struct mip_parameter parameters_gnss_1_fix_info[] = {
     {"fix_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_fix_info, fix_type), 0, &names_gnss_fix_type, NULL, NULL, NULL, 0},
@@ -4672,6 +6130,26 @@ static const struct mip_parameter parameters_gnss_1_fix_info[] = {
 };
 static const struct mip_record record_gnss_1_fix_info = {
     parameters_gnss_1_fix_info, 4, sizeof(struct mip_gnss_1_fix_info)};
+
+static const struct mip_parameter parameters_gnss_1_sv_info[] = {
+    {"channel", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sv_info, channel), 0, NULL, NULL, NULL, NULL, 0},
+    {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sv_info, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"carrier_noise_ratio", "dB-Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sv_info, carrier_noise_ratio), 0, NULL, NULL, NULL, NULL, 0},
+    {"azimuth", "deg", MIP_KIND_NUMBER, MIP_SCALAR_S16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sv_info, azimuth), 0, NULL, NULL, NULL, NULL, 0},
+    {"elevation", "deg", MIP_KIND_NUMBER, MIP_SCALAR_S16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sv_info, elevation), 0, NULL, NULL, NULL, NULL, 0},
+    {"sv_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sv_info, sv_flags), 0, &names_gnss_1_sv_flags, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sv_info, valid_flags), 0, &names_gnss_1_sv_info_flags, NULL, NULL, NULL,
+     0},
+};
+static const struct mip_record record_gnss_1_sv_info = {
+    parameters_gnss_1_sv_info, 7, sizeof(struct mip_gnss_1_sv_info)};
 
 static const struct mip_parameter parameters_gnss_1_gnss_hardware_status[] = {
     {"receiver_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4689,6 +6167,38 @@ static const struct mip_parameter parameters_gnss_1_gnss_hardware_status[] = {
 };
 static const struct mip_record record_gnss_1_gnss_hardware_status = {
     parameters_gnss_1_gnss_hardware_status, 4, sizeof(struct mip_gnss_1_gnss_hardware_status)};
+
+static const struct mip_parameter parameters_gnss_1_dgps_info[] = {
+    {"age", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_dgps_info, age), 0, NULL, NULL, NULL, NULL, 0},
+    {"base_station_id", "", MIP_KIND_NUMBER, MIP_SCALAR_S16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_dgps_info, base_station_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"base_station_status", "", MIP_KIND_NUMBER, MIP_SCALAR_S16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_dgps_info, base_station_status), 0, NULL, NULL, NULL, NULL, 0},
+    {"num_channels", "1", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_dgps_info, num_channels), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_dgps_info, valid_flags), 0, &names_gnss_1_dgps_info_flags, NULL, NULL,
+     NULL, 0},
+};
+static const struct mip_record record_gnss_1_dgps_info = {
+    parameters_gnss_1_dgps_info, 5, sizeof(struct mip_gnss_1_dgps_info)};
+
+static const struct mip_parameter parameters_gnss_1_dgps_channel[] = {
+    {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_dgps_channel, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"age", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_dgps_channel, age), 0, NULL, NULL, NULL, NULL, 0},
+    {"range_correction", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_dgps_channel, range_correction), 0, NULL, NULL, NULL, NULL, 0},
+    {"range_rate_correction", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_gnss_1_dgps_channel, range_rate_correction), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_dgps_channel, valid_flags), 0, &names_gnss_1_dgps_channel_flags, NULL,
+     NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_1_dgps_channel = {
+    parameters_gnss_1_dgps_channel, 5, sizeof(struct mip_gnss_1_dgps_channel)};
 
 static const struct mip_parameter parameters_gnss_1_clock_info_2[] = {
     {"bias", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4738,6 +6248,53 @@ static const struct mip_parameter parameters_gnss_1_sbas_info[] = {
 };
 static const struct mip_record record_gnss_1_sbas_info = {
     parameters_gnss_1_sbas_info, 7, sizeof(struct mip_gnss_1_sbas_info)};
+
+static const struct mip_parameter parameters_gnss_1_sbas_correction[] = {
+    {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_correction, index), 0, NULL, NULL, NULL, NULL, 0},
+    {"count", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_correction, count), 0, NULL, NULL, NULL, NULL, 0},
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_correction, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_correction, week_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"gnss_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_correction, gnss_id), 0, &names_gnss_constellation, NULL, NULL,
+     NULL, 0},
+    {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_correction, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"udrei", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_correction, udrei), 0, NULL, NULL, NULL, NULL, 0},
+    {"pseudorange_correction", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_gnss_1_sbas_correction, pseudorange_correction), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"iono_correction", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_correction, iono_correction), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_sbas_correction, valid_flags), 0, &names_gnss_1_sbas_correction_flags,
+     NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_1_sbas_correction = {
+    parameters_gnss_1_sbas_correction, 10, sizeof(struct mip_gnss_1_sbas_correction)};
+
+static const struct mip_parameter parameters_gnss_1_rf_error_detection[] = {
+    {"rf_band", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rf_error_detection, rf_band), 0, &names_gnss_1_rf_band, NULL, NULL, NULL,
+     0},
+    {"jamming_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rf_error_detection, jamming_state), 0, &names_gnss_1_jamming_state, NULL,
+     NULL, NULL, 0},
+    {"spoofing_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rf_error_detection, spoofing_state), 0, &names_gnss_1_spoofing_state,
+     NULL, NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_gnss_1_rf_error_detection, reserved), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rf_error_detection, valid_flags), 0,
+     &names_gnss_1_rf_error_detection_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_1_rf_error_detection = {
+    parameters_gnss_1_rf_error_detection, 5, sizeof(struct mip_gnss_1_rf_error_detection)};
 
 static const struct mip_parameter parameters_gnss_1_satellite_status[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4808,6 +6365,59 @@ static const struct mip_parameter parameters_gnss_1_raw[] = {
 };
 static const struct mip_record record_gnss_1_raw = {
     parameters_gnss_1_raw, 19, sizeof(struct mip_gnss_1_raw)};
+
+static const struct mip_parameter parameters_gnss_1_base_station_info[] = {
+    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_base_station_info, time_of_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_base_station_info, week_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"ecef_pos", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+     ONE(struct mip_gnss_1_base_station_info, ecef_pos), 0, NULL, NULL, NULL, NULL, 0},
+    {"height", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_base_station_info, height), 0, NULL, NULL, NULL, NULL, 0},
+    {"station_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_base_station_info, station_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"indicators", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_base_station_info, indicators), 0, &names_gnss_1_base_station_indicators,
+     NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_base_station_info, valid_flags), 0,
+     &names_gnss_1_base_station_info_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_1_base_station_info = {
+    parameters_gnss_1_base_station_info, 7, sizeof(struct mip_gnss_1_base_station_info)};
+
+static const struct mip_parameter parameters_gnss_1_rtk_corrections_status[] = {
+    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rtk_corrections_status, time_of_week), 0, NULL, NULL, NULL, NULL, 0},
+    {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rtk_corrections_status, week_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"epoch_status", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rtk_corrections_status, epoch_status), 0, &names_gnss_1_rtk_epoch_status,
+     NULL, NULL, NULL, 0},
+    {"dongle_status", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rtk_corrections_status, dongle_status), 0, &names_rtk_status_flags, NULL,
+     NULL, NULL, 0},
+    {"gps_correction_latency", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
+     0, ONE(struct mip_gnss_1_rtk_corrections_status, gps_correction_latency), 0, NULL, NULL, NULL,
+     NULL, 0},
+    {"glonass_correction_latency", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     0, 0, ONE(struct mip_gnss_1_rtk_corrections_status, glonass_correction_latency), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"galileo_correction_latency", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     0, 0, ONE(struct mip_gnss_1_rtk_corrections_status, galileo_correction_latency), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"beidou_correction_latency", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+     0, 0, ONE(struct mip_gnss_1_rtk_corrections_status, beidou_correction_latency), 0, NULL, NULL,
+     NULL, NULL, 0},
+    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_gnss_1_rtk_corrections_status, reserved), 0, NULL, NULL, NULL, NULL, 0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_rtk_corrections_status, valid_flags), 0,
+     &names_gnss_1_rtk_corrections_status_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_1_rtk_corrections_status = {
+    parameters_gnss_1_rtk_corrections_status, 10, sizeof(struct mip_gnss_1_rtk_corrections_status)};
 
 static const struct mip_parameter parameters_gnss_1_gps_ephemeris[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5092,64 +6702,58 @@ static const struct mip_parameter parameters_gnss_1_beidou_ephemeris[] = {
 static const struct mip_record record_gnss_1_beidou_ephemeris = {
     parameters_gnss_1_beidou_ephemeris, 34, sizeof(struct mip_gnss_1_beidou_ephemeris)};
 
-static const struct mip_parameter parameters_gnss_corrections_base_station_info[] = {
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_base_station_info, time_of_week), 0, NULL, NULL, NULL, NULL,
-     0},
+static const struct mip_parameter parameters_gnss_1_gps_iono_correction[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_gps_iono_correction, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_base_station_info, week_number), 0, NULL, NULL, NULL, NULL, 0},
-    {"ecef_pos", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_base_station_info, ecef_pos), 0, NULL, NULL, NULL, NULL, 0},
-    {"height", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_base_station_info, height), 0, NULL, NULL, NULL, NULL, 0},
-    {"station_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_base_station_info, station_id), 0, NULL, NULL, NULL, NULL, 0},
-    {"indicators", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_base_station_info, indicators), 0,
-     &names_gnss_corrections_base_station_indicators, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_gps_iono_correction, week_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"alpha", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_gnss_1_gps_iono_correction, alpha), 0, NULL, NULL, NULL, NULL, 0},
+    {"beta", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_gnss_1_gps_iono_correction, beta), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_base_station_info, valid_flags), 0,
-     &names_gnss_corrections_base_station_info_flags, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_gps_iono_correction, valid_flags), 0,
+     &names_gnss_1_gps_iono_correction_flags, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_gnss_corrections_base_station_info = {
-    parameters_gnss_corrections_base_station_info, 7,
-    sizeof(struct mip_gnss_corrections_base_station_info)};
+static const struct mip_record record_gnss_1_gps_iono_correction = {
+    parameters_gnss_1_gps_iono_correction, 5, sizeof(struct mip_gnss_1_gps_iono_correction)};
 
-static const struct mip_parameter parameters_gnss_corrections_rtk_corrections_status[] = {
-    {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_rtk_corrections_status, time_of_week), 0, NULL, NULL, NULL,
-     NULL, 0},
+static const struct mip_parameter parameters_gnss_1_galileo_iono_correction[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_galileo_iono_correction, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_rtk_corrections_status, week_number), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"epoch_status", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_rtk_corrections_status, epoch_status), 0,
-     &names_gnss_corrections_rtk_epoch_status, NULL, NULL, NULL, 0},
-    {"dongle_status", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_rtk_corrections_status, dongle_status), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"gps_correction_latency", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
-     0, ONE(struct mip_gnss_corrections_rtk_corrections_status, gps_correction_latency), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"glonass_correction_latency", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     0, 0, ONE(struct mip_gnss_corrections_rtk_corrections_status, glonass_correction_latency), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"galileo_correction_latency", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     0, 0, ONE(struct mip_gnss_corrections_rtk_corrections_status, galileo_correction_latency), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"beidou_correction_latency", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     0, 0, ONE(struct mip_gnss_corrections_rtk_corrections_status, beidou_correction_latency), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"reserved", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
-     MANY(struct mip_gnss_corrections_rtk_corrections_status, reserved), 0, NULL, NULL, NULL, NULL,
+     ONE(struct mip_gnss_1_galileo_iono_correction, week_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"alpha", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_FIXED, 3, 1, 0, 0, 0,
+     MANY(struct mip_gnss_1_galileo_iono_correction, alpha), 0, NULL, NULL, NULL, NULL, 0},
+    {"disturbance_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_galileo_iono_correction, disturbance_flags), 0, NULL, NULL, NULL, NULL,
      0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_corrections_rtk_corrections_status, valid_flags), 0,
-     &names_gnss_corrections_rtk_corrections_status_flags, NULL, NULL, NULL, 0},
+     ONE(struct mip_gnss_1_galileo_iono_correction, valid_flags), 0,
+     &names_gnss_1_galileo_iono_correction_flags, NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_gnss_corrections_rtk_corrections_status = {
-    parameters_gnss_corrections_rtk_corrections_status, 10,
-    sizeof(struct mip_gnss_corrections_rtk_corrections_status)};
+static const struct mip_record record_gnss_1_galileo_iono_correction = {
+    parameters_gnss_1_galileo_iono_correction, 5,
+    sizeof(struct mip_gnss_1_galileo_iono_correction)};
+
+static const struct mip_parameter parameters_gnss_1_beidou_iono_correction[] = {
+    {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_beidou_iono_correction, tow), 0, NULL, NULL, NULL, NULL, 0},
+    {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_beidou_iono_correction, week_number), 0, NULL, NULL, NULL, NULL, 0},
+    {"alpha", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_gnss_1_beidou_iono_correction, alpha), 0, NULL, NULL, NULL, NULL, 0},
+    {"beta", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
+     MANY(struct mip_gnss_1_beidou_iono_correction, beta), 0, NULL, NULL, NULL, NULL, 0},
+    {"alpha_correction", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_FIXED, 9, 1, 0, 0, 0,
+     MANY(struct mip_gnss_1_beidou_iono_correction, alpha_correction), 0, NULL, NULL, NULL, NULL,
+     0},
+    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_beidou_iono_correction, valid_flags), 0,
+     &names_gnss_1_beidou_iono_correction_flags, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_gnss_1_beidou_iono_correction = {
+    parameters_gnss_1_beidou_iono_correction, 6, sizeof(struct mip_gnss_1_beidou_iono_correction)};
 
 static const struct mip_reading readings_system_data_built_in_test_result[] = {
     {"3dm-cv7-gnss-ins", 0, 0, &names_cv7_continuous_built_in_test},
@@ -5179,12 +6783,35 @@ static const struct mip_parameter parameters_system_data_gpio_state[] = {
 static const struct mip_record record_system_data_gpio_state = {
     parameters_system_data_gpio_state, 1, sizeof(struct mip_system_data_gpio_state)};
 
+static const struct mip_parameter parameters_system_data_gpio_analog_value[] = {
+    {"gpio_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_system_data_gpio_analog_value, gpio_id), 0, NULL, NULL, NULL, NULL, 0},
+    {"value", "V", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_system_data_gpio_analog_value, value), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_system_data_gpio_analog_value = {
+    parameters_system_data_gpio_analog_value, 2, sizeof(struct mip_system_data_gpio_analog_value)};
+
 static const struct mip_parameter parameters_shared_event_source[] = {
     {"trigger_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_event_source, trigger_id), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_event_source = {
     parameters_shared_event_source, 1, sizeof(struct mip_shared_event_source)};
+
+static const struct mip_parameter parameters_shared_ticks[] = {
+    {"ticks", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_shared_ticks, ticks), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_shared_ticks = {
+    parameters_shared_ticks, 1, sizeof(struct mip_shared_ticks)};
+
+static const struct mip_parameter parameters_shared_delta_ticks[] = {
+    {"ticks", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_shared_delta_ticks, ticks), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_shared_delta_ticks = {
+    parameters_shared_delta_ticks, 1, sizeof(struct mip_shared_delta_ticks)};
 
 static const struct mip_parameter parameters_shared_gps_timestamp[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5279,14 +6906,20 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_base_comm_port_speed_response_codec, &record_base_comm_port_speed_response, false, false,
      NULL, 0, 0},
     {&mip_3dm_poll_imu_data_codec, &record_3dm_poll_imu_data, false, false, NULL, 0, 0},
+    {&mip_3dm_poll_gnss_data_codec, &record_3dm_poll_gnss_data, false, false, NULL, 0, 0},
     {&mip_3dm_poll_estimation_filter_data_codec, &record_3dm_poll_estimation_filter_data, false,
      false, NULL, 0, 0},
     {&mip_3dm_poll_nmea_data_codec, &record_3dm_poll_nmea_data, false, false, NULL, 0, 0},
     {&mip_3dm_get_imu_data_base_rate_codec, &record_3dm_get_imu_data_base_rate, false, false, NULL,
      0, 0},
+    {&mip_3dm_get_gnss_data_base_rate_codec, &record_3dm_get_gnss_data_base_rate, false, false,
+     NULL, 0, 0},
     {&mip_3dm_imu_message_format_codec, &record_3dm_imu_message_format, true, true,
      required_3dm_imu_message_format, sizeof(required_3dm_imu_message_format),
      offsetof(struct mip_3dm_imu_message_format, present)},
+    {&mip_3dm_gnss_message_format_codec, &record_3dm_gnss_message_format, true, true,
+     required_3dm_gnss_message_format, sizeof(required_3dm_gnss_message_format),
+     offsetof(struct mip_3dm_gnss_message_format, present)},
     {&mip_3dm_estimation_filter_message_format_codec, &record_3dm_estimation_filter_message_format,
      true, true, required_3dm_estimation_filter_message_format,
      sizeof(required_3dm_estimation_filter_message_format),
@@ -5305,9 +6938,18 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_3dm_data_stream_control_codec, &record_3dm_data_stream_control, true, true,
      required_3dm_data_stream_control, sizeof(required_3dm_data_stream_control),
      offsetof(struct mip_3dm_data_stream_control, present)},
+    {&mip_3dm_constellation_settings_codec, &record_3dm_constellation_settings, true, true,
+     required_3dm_constellation_settings, sizeof(required_3dm_constellation_settings),
+     offsetof(struct mip_3dm_constellation_settings, present)},
     {&mip_3dm_gnss_sbas_settings_codec, &record_3dm_gnss_sbas_settings, true, true,
      required_3dm_gnss_sbas_settings, sizeof(required_3dm_gnss_sbas_settings),
      offsetof(struct mip_3dm_gnss_sbas_settings, present)},
+    {&mip_3dm_gnss_assisted_fix_codec, &record_3dm_gnss_assisted_fix, true, true,
+     required_3dm_gnss_assisted_fix, sizeof(required_3dm_gnss_assisted_fix),
+     offsetof(struct mip_3dm_gnss_assisted_fix, present)},
+    {&mip_3dm_gnss_time_assistance_codec, &record_3dm_gnss_time_assistance, true, true,
+     required_3dm_gnss_time_assistance, sizeof(required_3dm_gnss_time_assistance),
+     offsetof(struct mip_3dm_gnss_time_assistance, present)},
     {&mip_3dm_pps_source_control_codec, &record_3dm_pps_source_control, true, true,
      required_3dm_pps_source_control, sizeof(required_3dm_pps_source_control),
      offsetof(struct mip_3dm_pps_source_control, present)},
@@ -5397,9 +7039,13 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_3dm_device_status_codec, &record_3dm_device_status, false, false, NULL, 0, 0},
     {&mip_3dm_imu_message_format_response_codec, &record_3dm_imu_message_format_response, false,
      false, NULL, 0, 0},
+    {&mip_3dm_gnss_message_format_response_codec, &record_3dm_gnss_message_format_response, false,
+     false, NULL, 0, 0},
     {&mip_3dm_estimation_filter_message_format_response_codec,
      &record_3dm_estimation_filter_message_format_response, false, false, NULL, 0, 0},
     {&mip_3dm_get_imu_data_base_rate_response_codec, &record_3dm_get_imu_data_base_rate_response,
+     false, false, NULL, 0, 0},
+    {&mip_3dm_get_gnss_data_base_rate_response_codec, &record_3dm_get_gnss_data_base_rate_response,
      false, false, NULL, 0, 0},
     {&mip_3dm_data_stream_control_response_codec, &record_3dm_data_stream_control_response, false,
      false, NULL, 0, 0},
@@ -5431,7 +7077,13 @@ const struct mip_reflection mip_reflections[] = {
      &record_3dm_magnetometer_soft_iron_matrix_response, false, false, NULL, 0, 0},
     {&mip_3dm_coning_and_sculling_enable_response_codec,
      &record_3dm_coning_and_sculling_enable_response, false, false, NULL, 0, 0},
+    {&mip_3dm_constellation_settings_response_codec, &record_3dm_constellation_settings_response,
+     false, false, NULL, 0, 0},
     {&mip_3dm_gnss_sbas_settings_response_codec, &record_3dm_gnss_sbas_settings_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_gnss_assisted_fix_response_codec, &record_3dm_gnss_assisted_fix_response, false,
+     false, NULL, 0, 0},
+    {&mip_3dm_gnss_time_assistance_response_codec, &record_3dm_gnss_time_assistance_response, false,
      false, NULL, 0, 0},
     {&mip_3dm_pps_source_control_response_codec, &record_3dm_pps_source_control_response, false,
      false, NULL, 0, 0},
@@ -5474,11 +7126,18 @@ const struct mip_reflection mip_reflections[] = {
      false, false, NULL, 0, 0},
     {&mip_filter_run_navigation_filter_codec, &record_filter_run_navigation_filter, false, false,
      NULL, 0, 0},
+    {&mip_filter_vehicle_dynamics_mode_codec, &record_filter_vehicle_dynamics_mode, true, true,
+     required_filter_vehicle_dynamics_mode, sizeof(required_filter_vehicle_dynamics_mode),
+     offsetof(struct mip_filter_vehicle_dynamics_mode, present)},
     {&mip_filter_sensor_to_vehicle_frame_transformation_codec,
      &record_filter_sensor_to_vehicle_frame_transformation, true, true,
      required_filter_sensor_to_vehicle_frame_transformation,
      sizeof(required_filter_sensor_to_vehicle_frame_transformation),
      offsetof(struct mip_filter_sensor_to_vehicle_frame_transformation, present)},
+    {&mip_filter_sensor_to_vehicle_offset_codec, &record_filter_sensor_to_vehicle_offset, true,
+     true, required_filter_sensor_to_vehicle_offset,
+     sizeof(required_filter_sensor_to_vehicle_offset),
+     offsetof(struct mip_filter_sensor_to_vehicle_offset, present)},
     {&mip_filter_gnss_antenna_offset_control_codec, &record_filter_gnss_antenna_offset_control,
      true, true, required_filter_gnss_antenna_offset_control,
      sizeof(required_filter_gnss_antenna_offset_control),
@@ -5491,6 +7150,8 @@ const struct mip_reflection mip_reflections[] = {
      true, required_filter_gnss_aiding_source_control,
      sizeof(required_filter_gnss_aiding_source_control),
      offsetof(struct mip_filter_gnss_aiding_source_control, present)},
+    {&mip_filter_external_gnss_update_codec, &record_filter_external_gnss_update, false, false,
+     NULL, 0, 0},
     {&mip_filter_external_heading_update_codec, &record_filter_external_heading_update, false,
      false, NULL, 0, 0},
     {&mip_filter_heading_update_control_codec, &record_filter_heading_update_control, true, true,
@@ -5520,6 +7181,8 @@ const struct mip_reflection mip_reflections[] = {
      required_filter_gyroscope_bias_model_parameters,
      sizeof(required_filter_gyroscope_bias_model_parameters),
      offsetof(struct mip_filter_gyroscope_bias_model_parameters, present)},
+    {&mip_filter_auto_zupt_codec, &record_filter_auto_zupt, true, true, required_filter_auto_zupt,
+     sizeof(required_filter_auto_zupt), offsetof(struct mip_filter_auto_zupt, present)},
     {&mip_filter_external_heading_update_with_time_codec,
      &record_filter_external_heading_update_with_time, false, false, NULL, 0, 0},
     {&mip_filter_zero_angular_rate_update_control_codec,
@@ -5530,20 +7193,34 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_filter_tare_orientation_codec, &record_filter_tare_orientation, true, true,
      required_filter_tare_orientation, sizeof(required_filter_tare_orientation),
      offsetof(struct mip_filter_tare_orientation, present)},
+    {&mip_filter_commanded_zupt_codec, &record_filter_commanded_zupt, false, false, NULL, 0, 0},
     {&mip_filter_commanded_zero_angular_rate_update_codec,
      &record_filter_commanded_zero_angular_rate_update, false, false, NULL, 0, 0},
     {&mip_filter_set_reference_position_codec, &record_filter_set_reference_position, true, true,
      required_filter_set_reference_position, sizeof(required_filter_set_reference_position),
      offsetof(struct mip_filter_set_reference_position, present)},
+    {&mip_filter_mag_capture_auto_cal_codec, &record_filter_mag_capture_auto_cal, true, false,
+     required_filter_mag_capture_auto_cal, sizeof(required_filter_mag_capture_auto_cal), 0},
     {&mip_filter_gravity_noise_standard_deviation_codec,
      &record_filter_gravity_noise_standard_deviation, true, true,
      required_filter_gravity_noise_standard_deviation,
      sizeof(required_filter_gravity_noise_standard_deviation),
      offsetof(struct mip_filter_gravity_noise_standard_deviation, present)},
+    {&mip_filter_pressure_altitude_noise_codec, &record_filter_pressure_altitude_noise, true, true,
+     required_filter_pressure_altitude_noise, sizeof(required_filter_pressure_altitude_noise),
+     offsetof(struct mip_filter_pressure_altitude_noise, present)},
+    {&mip_filter_hard_iron_offset_noise_codec, &record_filter_hard_iron_offset_noise, true, true,
+     required_filter_hard_iron_offset_noise, sizeof(required_filter_hard_iron_offset_noise),
+     offsetof(struct mip_filter_hard_iron_offset_noise, present)},
+    {&mip_filter_soft_iron_matrix_noise_codec, &record_filter_soft_iron_matrix_noise, true, true,
+     required_filter_soft_iron_matrix_noise, sizeof(required_filter_soft_iron_matrix_noise),
+     offsetof(struct mip_filter_soft_iron_matrix_noise, present)},
     {&mip_filter_enable_disable_measurements_codec, &record_filter_enable_disable_measurements,
      true, true, required_filter_enable_disable_measurements,
      sizeof(required_filter_enable_disable_measurements),
      offsetof(struct mip_filter_enable_disable_measurements, present)},
+    {&mip_filter_mag_noise_codec, &record_filter_mag_noise, true, true, required_filter_mag_noise,
+     sizeof(required_filter_mag_noise), offsetof(struct mip_filter_mag_noise, present)},
     {&mip_filter_magnetic_field_declination_source_control_codec,
      &record_filter_magnetic_field_declination_source_control, true, true,
      required_filter_magnetic_field_declination_source_control,
@@ -5554,14 +7231,47 @@ const struct mip_reflection mip_reflections[] = {
      required_filter_gravity_magnitude_error_adaptive_measurement,
      sizeof(required_filter_gravity_magnitude_error_adaptive_measurement),
      offsetof(struct mip_filter_gravity_magnitude_error_adaptive_measurement, present)},
+    {&mip_filter_mag_magnitude_error_adaptive_measurement_codec,
+     &record_filter_mag_magnitude_error_adaptive_measurement, true, true,
+     required_filter_mag_magnitude_error_adaptive_measurement,
+     sizeof(required_filter_mag_magnitude_error_adaptive_measurement),
+     offsetof(struct mip_filter_mag_magnitude_error_adaptive_measurement, present)},
+    {&mip_filter_mag_dip_angle_error_adaptive_measurement_codec,
+     &record_filter_mag_dip_angle_error_adaptive_measurement, true, true,
+     required_filter_mag_dip_angle_error_adaptive_measurement,
+     sizeof(required_filter_mag_dip_angle_error_adaptive_measurement),
+     offsetof(struct mip_filter_mag_dip_angle_error_adaptive_measurement, present)},
+    {&mip_filter_altitude_aiding_codec, &record_filter_altitude_aiding, true, true,
+     required_filter_altitude_aiding, sizeof(required_filter_altitude_aiding),
+     offsetof(struct mip_filter_altitude_aiding, present)},
     {&mip_filter_pitch_roll_aiding_control_codec, &record_filter_pitch_roll_aiding_control, true,
      true, required_filter_pitch_roll_aiding_control,
      sizeof(required_filter_pitch_roll_aiding_control),
      offsetof(struct mip_filter_pitch_roll_aiding_control, present)},
+    {&mip_filter_inclination_source_codec, &record_filter_inclination_source, true, true,
+     required_filter_inclination_source, sizeof(required_filter_inclination_source),
+     offsetof(struct mip_filter_inclination_source, present)},
+    {&mip_filter_mag_field_magnitude_source_codec, &record_filter_mag_field_magnitude_source, true,
+     true, required_filter_mag_field_magnitude_source,
+     sizeof(required_filter_mag_field_magnitude_source),
+     offsetof(struct mip_filter_mag_field_magnitude_source, present)},
+    {&mip_filter_sensor_to_vehicle_rotation_dcm_codec,
+     &record_filter_sensor_to_vehicle_rotation_dcm, true, true,
+     required_filter_sensor_to_vehicle_rotation_dcm,
+     sizeof(required_filter_sensor_to_vehicle_rotation_dcm),
+     offsetof(struct mip_filter_sensor_to_vehicle_rotation_dcm, present)},
+    {&mip_filter_sensor_to_vehicle_rotation_quaternion_codec,
+     &record_filter_sensor_to_vehicle_rotation_quaternion, true, true,
+     required_filter_sensor_to_vehicle_rotation_quaternion,
+     sizeof(required_filter_sensor_to_vehicle_rotation_quaternion),
+     offsetof(struct mip_filter_sensor_to_vehicle_rotation_quaternion, present)},
     {&mip_filter_aiding_measurement_control_codec, &record_filter_aiding_measurement_control, true,
      true, required_filter_aiding_measurement_control,
      sizeof(required_filter_aiding_measurement_control),
      offsetof(struct mip_filter_aiding_measurement_control, present)},
+    {&mip_filter_kinematic_constraint_codec, &record_filter_kinematic_constraint, true, true,
+     required_filter_kinematic_constraint, sizeof(required_filter_kinematic_constraint),
+     offsetof(struct mip_filter_kinematic_constraint, present)},
     {&mip_filter_navigation_filter_initialization_codec,
      &record_filter_navigation_filter_initialization, true, true,
      required_filter_navigation_filter_initialization,
@@ -5584,10 +7294,17 @@ const struct mip_reflection mip_reflections[] = {
      true, required_filter_reference_point_lever_arm,
      sizeof(required_filter_reference_point_lever_arm),
      offsetof(struct mip_filter_reference_point_lever_arm, present)},
+    {&mip_filter_speed_measurement_codec, &record_filter_speed_measurement, false, false, NULL, 0,
+     0},
     {&mip_filter_measurement_speed_lever_arm_codec, &record_filter_measurement_speed_lever_arm,
      true, true, required_filter_measurement_speed_lever_arm,
      sizeof(required_filter_measurement_speed_lever_arm),
      offsetof(struct mip_filter_measurement_speed_lever_arm, present)},
+    {&mip_filter_vertical_gyro_constraint_control_codec,
+     &record_filter_vertical_gyro_constraint_control, true, true,
+     required_filter_vertical_gyro_constraint_control,
+     sizeof(required_filter_vertical_gyro_constraint_control),
+     offsetof(struct mip_filter_vertical_gyro_constraint_control, present)},
     {&mip_filter_wheeled_vehicle_constraint_control_codec,
      &record_filter_wheeled_vehicle_constraint_control, true, true,
      required_filter_wheeled_vehicle_constraint_control,
@@ -5598,8 +7315,12 @@ const struct mip_reflection mip_reflections[] = {
      required_filter_gnss_antenna_offset_calibration_control,
      sizeof(required_filter_gnss_antenna_offset_calibration_control),
      offsetof(struct mip_filter_gnss_antenna_offset_calibration_control, present)},
+    {&mip_filter_vehicle_dynamics_mode_response_codec,
+     &record_filter_vehicle_dynamics_mode_response, false, false, NULL, 0, 0},
     {&mip_filter_sensor_to_vehicle_frame_transformation_response_codec,
      &record_filter_sensor_to_vehicle_frame_transformation_response, false, false, NULL, 0, 0},
+    {&mip_filter_sensor_to_vehicle_offset_response_codec,
+     &record_filter_sensor_to_vehicle_offset_response, false, false, NULL, 0, 0},
     {&mip_filter_gnss_antenna_offset_control_response_codec,
      &record_filter_gnss_antenna_offset_control_response, false, false, NULL, 0, 0},
     {&mip_filter_estimation_control_flags_response_codec,
@@ -5618,23 +7339,51 @@ const struct mip_reflection mip_reflections[] = {
      &record_filter_accelerometer_bias_model_parameters_response, false, false, NULL, 0, 0},
     {&mip_filter_gyroscope_bias_model_parameters_response_codec,
      &record_filter_gyroscope_bias_model_parameters_response, false, false, NULL, 0, 0},
+    {&mip_filter_auto_zupt_response_codec, &record_filter_auto_zupt_response, false, false, NULL, 0,
+     0},
     {&mip_filter_zero_angular_rate_update_control_response_codec,
      &record_filter_zero_angular_rate_update_control_response, false, false, NULL, 0, 0},
     {&mip_filter_set_reference_position_response_codec,
      &record_filter_set_reference_position_response, false, false, NULL, 0, 0},
     {&mip_filter_gravity_noise_standard_deviation_response_codec,
      &record_filter_gravity_noise_standard_deviation_response, false, false, NULL, 0, 0},
+    {&mip_filter_pressure_altitude_noise_response_codec,
+     &record_filter_pressure_altitude_noise_response, false, false, NULL, 0, 0},
+    {&mip_filter_hard_iron_offset_noise_response_codec,
+     &record_filter_hard_iron_offset_noise_response, false, false, NULL, 0, 0},
+    {&mip_filter_soft_iron_matrix_noise_response_codec,
+     &record_filter_soft_iron_matrix_noise_response, false, false, NULL, 0, 0},
+    {&mip_filter_tare_orientation_response_codec, &record_filter_tare_orientation_response, false,
+     false, NULL, 0, 0},
     {&mip_filter_enable_disable_measurements_response_codec,
      &record_filter_enable_disable_measurements_response, false, false, NULL, 0, 0},
+    {&mip_filter_mag_noise_response_codec, &record_filter_mag_noise_response, false, false, NULL, 0,
+     0},
     {&mip_filter_magnetic_field_declination_source_control_response_codec,
      &record_filter_magnetic_field_declination_source_control_response, false, false, NULL, 0, 0},
     {&mip_filter_gravity_magnitude_error_adaptive_measurement_response_codec,
      &record_filter_gravity_magnitude_error_adaptive_measurement_response, false, false, NULL, 0,
      0},
+    {&mip_filter_mag_magnitude_error_adaptive_measurement_response_codec,
+     &record_filter_mag_magnitude_error_adaptive_measurement_response, false, false, NULL, 0, 0},
+    {&mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec,
+     &record_filter_mag_dip_angle_error_adaptive_measurement_response, false, false, NULL, 0, 0},
+    {&mip_filter_altitude_aiding_response_codec, &record_filter_altitude_aiding_response, false,
+     false, NULL, 0, 0},
     {&mip_filter_pitch_roll_aiding_control_response_codec,
      &record_filter_pitch_roll_aiding_control_response, false, false, NULL, 0, 0},
+    {&mip_filter_inclination_source_response_codec, &record_filter_inclination_source_response,
+     false, false, NULL, 0, 0},
+    {&mip_filter_mag_field_magnitude_source_response_codec,
+     &record_filter_mag_field_magnitude_source_response, false, false, NULL, 0, 0},
+    {&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec,
+     &record_filter_sensor_to_vehicle_rotation_dcm_response, false, false, NULL, 0, 0},
+    {&mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec,
+     &record_filter_sensor_to_vehicle_rotation_quaternion_response, false, false, NULL, 0, 0},
     {&mip_filter_aiding_measurement_control_response_codec,
      &record_filter_aiding_measurement_control_response, false, false, NULL, 0, 0},
+    {&mip_filter_kinematic_constraint_response_codec, &record_filter_kinematic_constraint_response,
+     false, false, NULL, 0, 0},
     {&mip_filter_navigation_filter_initialization_response_codec,
      &record_filter_navigation_filter_initialization_response, false, false, NULL, 0, 0},
     {&mip_filter_adaptive_filter_control_response_codec,
@@ -5647,6 +7396,8 @@ const struct mip_reflection mip_reflections[] = {
      &record_filter_reference_point_lever_arm_response, false, false, NULL, 0, 0},
     {&mip_filter_measurement_speed_lever_arm_response_codec,
      &record_filter_measurement_speed_lever_arm_response, false, false, NULL, 0, 0},
+    {&mip_filter_vertical_gyro_constraint_control_response_codec,
+     &record_filter_vertical_gyro_constraint_control_response, false, false, NULL, 0, 0},
     {&mip_filter_wheeled_vehicle_constraint_control_response_codec,
      &record_filter_wheeled_vehicle_constraint_control_response, false, false, NULL, 0, 0},
     {&mip_filter_gnss_antenna_offset_calibration_control_response_codec,
@@ -5655,6 +7406,9 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_gnss_signal_configuration_codec, &record_gnss_signal_configuration, true, true,
      required_gnss_signal_configuration, sizeof(required_gnss_signal_configuration),
      offsetof(struct mip_gnss_signal_configuration, present)},
+    {&mip_gnss_rtk_dongle_configuration_codec, &record_gnss_rtk_dongle_configuration, true, true,
+     required_gnss_rtk_dongle_configuration, sizeof(required_gnss_rtk_dongle_configuration),
+     offsetof(struct mip_gnss_rtk_dongle_configuration, present)},
     {&mip_gnss_spartn_configuration_codec, &record_gnss_spartn_configuration, true, true,
      required_gnss_spartn_configuration, sizeof(required_gnss_spartn_configuration),
      offsetof(struct mip_gnss_spartn_configuration, present)},
@@ -5662,8 +7416,39 @@ const struct mip_reflection mip_reflections[] = {
      NULL, 0, 0},
     {&mip_gnss_signal_configuration_response_codec, &record_gnss_signal_configuration_response,
      false, false, NULL, 0, 0},
+    {&mip_gnss_rtk_dongle_configuration_response_codec,
+     &record_gnss_rtk_dongle_configuration_response, false, false, NULL, 0, 0},
     {&mip_gnss_spartn_configuration_response_codec, &record_gnss_spartn_configuration_response,
      false, false, NULL, 0, 0},
+    {&mip_rtk_get_status_flags_codec, &record_rtk_get_status_flags, false, false, NULL, 0, 0},
+    {&mip_rtk_get_imei_codec, &record_rtk_get_imei, false, false, NULL, 0, 0},
+    {&mip_rtk_get_imsi_codec, &record_rtk_get_imsi, false, false, NULL, 0, 0},
+    {&mip_rtk_get_iccid_codec, &record_rtk_get_iccid, false, false, NULL, 0, 0},
+    {&mip_rtk_get_rssi_codec, &record_rtk_get_rssi, false, false, NULL, 0, 0},
+    {&mip_rtk_connected_device_type_codec, &record_rtk_connected_device_type, true, true,
+     required_rtk_connected_device_type, sizeof(required_rtk_connected_device_type),
+     offsetof(struct mip_rtk_connected_device_type, present)},
+    {&mip_rtk_get_activation_code_codec, &record_rtk_get_activation_code, false, false, NULL, 0, 0},
+    {&mip_rtk_get_modem_firmware_version_codec, &record_rtk_get_modem_firmware_version, false,
+     false, NULL, 0, 0},
+    {&mip_rtk_service_status_codec, &record_rtk_service_status, false, false, NULL, 0, 0},
+    {&mip_rtk_erase_storage_codec, &record_rtk_erase_storage, false, false, NULL, 0, 0},
+    {&mip_rtk_led_control_codec, &record_rtk_led_control, false, false, NULL, 0, 0},
+    {&mip_rtk_modem_hard_reset_codec, &record_rtk_modem_hard_reset, false, false, NULL, 0, 0},
+    {&mip_rtk_get_status_flags_response_codec, &record_rtk_get_status_flags_response, false, false,
+     NULL, 0, 0},
+    {&mip_rtk_get_imei_response_codec, &record_rtk_get_imei_response, false, false, NULL, 0, 0},
+    {&mip_rtk_get_imsi_response_codec, &record_rtk_get_imsi_response, false, false, NULL, 0, 0},
+    {&mip_rtk_get_iccid_response_codec, &record_rtk_get_iccid_response, false, false, NULL, 0, 0},
+    {&mip_rtk_get_rssi_response_codec, &record_rtk_get_rssi_response, false, false, NULL, 0, 0},
+    {&mip_rtk_connected_device_type_response_codec, &record_rtk_connected_device_type_response,
+     false, false, NULL, 0, 0},
+    {&mip_rtk_get_activation_code_response_codec, &record_rtk_get_activation_code_response, false,
+     false, NULL, 0, 0},
+    {&mip_rtk_get_modem_firmware_version_response_codec,
+     &record_rtk_get_modem_firmware_version_response, false, false, NULL, 0, 0},
+    {&mip_rtk_service_status_response_codec, &record_rtk_service_status_response, false, false,
+     NULL, 0, 0},
     {&mip_aiding_frame_configuration_codec, &record_aiding_frame_configuration, true, true,
      required_aiding_frame_configuration, sizeof(required_aiding_frame_configuration),
      offsetof(struct mip_aiding_frame_configuration, present)},
@@ -5685,11 +7470,19 @@ const struct mip_reflection mip_reflections[] = {
      false, false, NULL, 0, 0},
     {&mip_aiding_echo_control_response_codec, &record_aiding_echo_control_response, false, false,
      NULL, 0, 0},
+    {&mip_system_interface_control_codec, &record_system_interface_control, true, true,
+     required_system_interface_control, sizeof(required_system_interface_control),
+     offsetof(struct mip_system_interface_control, present)},
     {&mip_system_communication_mode_codec, &record_system_communication_mode, true, true,
      required_system_communication_mode, sizeof(required_system_communication_mode),
      offsetof(struct mip_system_communication_mode, present)},
+    {&mip_system_interface_control_response_codec, &record_system_interface_control_response, false,
+     false, NULL, 0, 0},
     {&mip_system_communication_mode_response_codec, &record_system_communication_mode_response,
      false, false, NULL, 0, 0},
+    {&mip_sensor_raw_accel_codec, &record_sensor_raw_accel, false, false, NULL, 0, 0},
+    {&mip_sensor_raw_gyro_codec, &record_sensor_raw_gyro, false, false, NULL, 0, 0},
+    {&mip_sensor_raw_mag_codec, &record_sensor_raw_mag, false, false, NULL, 0, 0},
     {&mip_sensor_scaled_accel_codec, &record_sensor_scaled_accel, false, false, NULL, 0, 0},
     {&mip_sensor_scaled_gyro_codec, &record_sensor_scaled_gyro, false, false, NULL, 0, 0},
     {&mip_sensor_scaled_mag_codec, &record_sensor_scaled_mag, false, false, NULL, 0, 0},
@@ -5699,8 +7492,15 @@ const struct mip_reflection mip_reflections[] = {
      &record_sensor_complementary_filter_orientation_matrix, false, false, NULL, 0, 0},
     {&mip_sensor_complementary_filter_quaternion_codec,
      &record_sensor_complementary_filter_quaternion, false, false, NULL, 0, 0},
+    {&mip_sensor_comp_orientation_update_matrix_codec,
+     &record_sensor_comp_orientation_update_matrix, false, false, NULL, 0, 0},
     {&mip_sensor_complementary_filter_euler_angles_codec,
      &record_sensor_complementary_filter_euler_angles, false, false, NULL, 0, 0},
+    {&mip_sensor_orientation_raw_temp_codec, &record_sensor_orientation_raw_temp, false, false,
+     NULL, 0, 0},
+    {&mip_sensor_internal_timestamp_codec, &record_sensor_internal_timestamp, false, false, NULL, 0,
+     0},
+    {&mip_sensor_pps_timestamp_codec, &record_sensor_pps_timestamp, false, false, NULL, 0, 0},
     {&mip_sensor_complementary_filter_stabilized_north_vector_codec,
      &record_sensor_complementary_filter_stabilized_north_vector, false, false, NULL, 0, 0},
     {&mip_sensor_complementary_filter_stabilized_up_vector_codec,
@@ -5708,6 +7508,7 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_sensor_gps_timestamp_codec, &record_sensor_gps_timestamp, false, false, NULL, 0, 0},
     {&mip_sensor_temperature_statistics_codec, &record_sensor_temperature_statistics, false, false,
      NULL, 0, 0},
+    {&mip_sensor_raw_pressure_codec, &record_sensor_raw_pressure, false, false, NULL, 0, 0},
     {&mip_sensor_scaled_pressure_codec, &record_sensor_scaled_pressure, false, false, NULL, 0, 0},
     {&mip_sensor_overrange_status_codec, &record_sensor_overrange_status, false, false, NULL, 0, 0},
     {&mip_sensor_odometer_codec, &record_sensor_odometer, false, false, NULL, 0, 0},
@@ -5749,10 +7550,43 @@ const struct mip_reflection mip_reflections[] = {
      &record_filter_data_heading_update_source_state, false, false, NULL, 0, 0},
     {&mip_filter_data_magnetic_model_codec, &record_filter_data_magnetic_model, false, false, NULL,
      0, 0},
+    {&mip_filter_data_gyro_scale_factor_codec, &record_filter_data_gyro_scale_factor, false, false,
+     NULL, 0, 0},
+    {&mip_filter_data_accel_scale_factor_codec, &record_filter_data_accel_scale_factor, false,
+     false, NULL, 0, 0},
+    {&mip_filter_data_gyro_scale_factor_uncertainty_codec,
+     &record_filter_data_gyro_scale_factor_uncertainty, false, false, NULL, 0, 0},
+    {&mip_filter_data_accel_scale_factor_uncertainty_codec,
+     &record_filter_data_accel_scale_factor_uncertainty, false, false, NULL, 0, 0},
+    {&mip_filter_data_mag_bias_codec, &record_filter_data_mag_bias, false, false, NULL, 0, 0},
+    {&mip_filter_data_mag_bias_uncertainty_codec, &record_filter_data_mag_bias_uncertainty, false,
+     false, NULL, 0, 0},
     {&mip_filter_data_compensated_acceleration_codec, &record_filter_data_compensated_acceleration,
      false, false, NULL, 0, 0},
+    {&mip_filter_data_standard_atmosphere_codec, &record_filter_data_standard_atmosphere, false,
+     false, NULL, 0, 0},
     {&mip_filter_data_pressure_altitude_codec, &record_filter_data_pressure_altitude, false, false,
      NULL, 0, 0},
+    {&mip_filter_data_density_altitude_codec, &record_filter_data_density_altitude, false, false,
+     NULL, 0, 0},
+    {&mip_filter_data_mag_offset_codec, &record_filter_data_mag_offset, false, false, NULL, 0, 0},
+    {&mip_filter_data_mag_matrix_codec, &record_filter_data_mag_matrix, false, false, NULL, 0, 0},
+    {&mip_filter_data_mag_offset_uncertainty_codec, &record_filter_data_mag_offset_uncertainty,
+     false, false, NULL, 0, 0},
+    {&mip_filter_data_mag_matrix_uncertainty_codec, &record_filter_data_mag_matrix_uncertainty,
+     false, false, NULL, 0, 0},
+    {&mip_filter_data_mag_covariance_matrix_codec, &record_filter_data_mag_covariance_matrix, false,
+     false, NULL, 0, 0},
+    {&mip_filter_data_mag_residual_vector_codec, &record_filter_data_mag_residual_vector, false,
+     false, NULL, 0, 0},
+    {&mip_filter_data_antenna_offset_correction_codec,
+     &record_filter_data_antenna_offset_correction, false, false, NULL, 0, 0},
+    {&mip_filter_data_antenna_offset_correction_uncertainty_codec,
+     &record_filter_data_antenna_offset_correction_uncertainty, false, false, NULL, 0, 0},
+    {&mip_filter_data_clock_correction_codec, &record_filter_data_clock_correction, false, false,
+     NULL, 0, 0},
+    {&mip_filter_data_clock_correction_uncertainty_codec,
+     &record_filter_data_clock_correction_uncertainty, false, false, NULL, 0, 0},
     {&mip_filter_data_multi_antenna_offset_correction_codec,
      &record_filter_data_multi_antenna_offset_correction, false, false, NULL, 0, 0},
     {&mip_filter_data_multi_antenna_offset_correction_uncertainty_codec,
@@ -5769,6 +7603,10 @@ const struct mip_reflection mip_reflections[] = {
      false, NULL, 0, 0},
     {&mip_filter_data_gnss_position_aiding_status_codec,
      &record_filter_data_gnss_position_aiding_status, false, false, NULL, 0, 0},
+    {&mip_filter_data_gnss_attitude_aiding_status_codec,
+     &record_filter_data_gnss_attitude_aiding_status, false, false, NULL, 0, 0},
+    {&mip_filter_data_heading_aiding_status_codec, &record_filter_data_heading_aiding_status, false,
+     false, NULL, 0, 0},
     {&mip_filter_data_aiding_measurement_summary_codec,
      &record_filter_data_aiding_measurement_summary, false, false, NULL, 0, 0},
     {&mip_filter_data_odometer_scale_factor_error_codec,
@@ -5791,30 +7629,47 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_gnss_1_dop_codec, &record_gnss_1_dop, false, false, NULL, 0, 0},
     {&mip_gnss_1_utc_time_codec, &record_gnss_1_utc_time, false, false, NULL, 0, 0},
     {&mip_gnss_1_gps_time_codec, &record_gnss_1_gps_time, false, false, NULL, 0, 0},
+    {&mip_gnss_1_clock_info_codec, &record_gnss_1_clock_info, false, false, NULL, 0, 0},
     {&mip_gnss_1_fix_info_codec, &record_gnss_1_fix_info, false, false, NULL, 0, 0},
+    {&mip_gnss_1_sv_info_codec, &record_gnss_1_sv_info, false, false, NULL, 0, 0},
     {&mip_gnss_1_gnss_hardware_status_codec, &record_gnss_1_gnss_hardware_status, false, false,
      NULL, 0, 0},
+    {&mip_gnss_1_dgps_info_codec, &record_gnss_1_dgps_info, false, false, NULL, 0, 0},
+    {&mip_gnss_1_dgps_channel_codec, &record_gnss_1_dgps_channel, false, false, NULL, 0, 0},
     {&mip_gnss_1_clock_info_2_codec, &record_gnss_1_clock_info_2, false, false, NULL, 0, 0},
     {&mip_gnss_1_gps_leap_seconds_codec, &record_gnss_1_gps_leap_seconds, false, false, NULL, 0, 0},
     {&mip_gnss_1_sbas_info_codec, &record_gnss_1_sbas_info, false, false, NULL, 0, 0},
+    {&mip_gnss_1_sbas_correction_codec, &record_gnss_1_sbas_correction, false, false, NULL, 0, 0},
+    {&mip_gnss_1_rf_error_detection_codec, &record_gnss_1_rf_error_detection, false, false, NULL, 0,
+     0},
     {&mip_gnss_1_satellite_status_codec, &record_gnss_1_satellite_status, false, false, NULL, 0, 0},
     {&mip_gnss_1_raw_codec, &record_gnss_1_raw, false, false, NULL, 0, 0},
+    {&mip_gnss_1_base_station_info_codec, &record_gnss_1_base_station_info, false, false, NULL, 0,
+     0},
+    {&mip_gnss_1_rtk_corrections_status_codec, &record_gnss_1_rtk_corrections_status, false, false,
+     NULL, 0, 0},
     {&mip_gnss_1_gps_ephemeris_codec, &record_gnss_1_gps_ephemeris, false, false, NULL, 0, 0},
     {&mip_gnss_1_glonass_ephemeris_codec, &record_gnss_1_glonass_ephemeris, false, false, NULL, 0,
      0},
     {&mip_gnss_1_galileo_ephemeris_codec, &record_gnss_1_galileo_ephemeris, false, false, NULL, 0,
      0},
     {&mip_gnss_1_beidou_ephemeris_codec, &record_gnss_1_beidou_ephemeris, false, false, NULL, 0, 0},
-    {&mip_gnss_corrections_base_station_info_codec, &record_gnss_corrections_base_station_info,
-     false, false, NULL, 0, 0},
-    {&mip_gnss_corrections_rtk_corrections_status_codec,
-     &record_gnss_corrections_rtk_corrections_status, false, false, NULL, 0, 0},
+    {&mip_gnss_1_gps_iono_correction_codec, &record_gnss_1_gps_iono_correction, false, false, NULL,
+     0, 0},
+    {&mip_gnss_1_galileo_iono_correction_codec, &record_gnss_1_galileo_iono_correction, false,
+     false, NULL, 0, 0},
+    {&mip_gnss_1_beidou_iono_correction_codec, &record_gnss_1_beidou_iono_correction, false, false,
+     NULL, 0, 0},
     {&mip_system_data_built_in_test_codec, &record_system_data_built_in_test, false, false, NULL, 0,
      0},
     {&mip_system_data_time_sync_status_codec, &record_system_data_time_sync_status, false, false,
      NULL, 0, 0},
     {&mip_system_data_gpio_state_codec, &record_system_data_gpio_state, false, false, NULL, 0, 0},
+    {&mip_system_data_gpio_analog_value_codec, &record_system_data_gpio_analog_value, false, false,
+     NULL, 0, 0},
     {&mip_shared_event_source_codec, &record_shared_event_source, false, false, NULL, 0, 0},
+    {&mip_shared_ticks_codec, &record_shared_ticks, false, false, NULL, 0, 0},
+    {&mip_shared_delta_ticks_codec, &record_shared_delta_ticks, false, false, NULL, 0, 0},
     {&mip_shared_gps_timestamp_codec, &record_shared_gps_timestamp, false, false, NULL, 0, 0},
     {&mip_shared_delta_time_codec, &record_shared_delta_time, false, false, NULL, 0, 0},
     {&mip_shared_reference_timestamp_codec, &record_shared_reference_timestamp, false, false, NULL,

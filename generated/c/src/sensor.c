@@ -3,6 +3,99 @@
 
 #include <string.h>
 
+static void read_raw_accel(struct mip_reader *r, void *value) {
+    struct mip_sensor_raw_accel *v = (struct mip_sensor_raw_accel *)value;
+    mip_read_float(r, v->raw_accel, 3);
+}
+
+static void write_raw_accel(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_raw_accel *v = (const struct mip_sensor_raw_accel *)value;
+    mip_write_float(w, v->raw_accel, 3);
+}
+
+const struct mip_codec mip_sensor_raw_accel_codec = {
+    0x80,
+    MIP_SENSOR_RAW_ACCEL_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_raw_accel),
+    0,
+    read_raw_accel,
+    write_raw_accel,
+    NULL,
+};
+
+mip_error mip_sensor_raw_accel_decode(struct mip_sensor_raw_accel *value,
+                                      const struct mip_field *field) {
+    return mip_decode_field(field, read_raw_accel, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_raw_accel_encode(const struct mip_sensor_raw_accel *value,
+                                      struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_RAW_ACCEL_DESCRIPTOR, write_raw_accel, value);
+}
+
+static void read_raw_gyro(struct mip_reader *r, void *value) {
+    struct mip_sensor_raw_gyro *v = (struct mip_sensor_raw_gyro *)value;
+    mip_read_float(r, v->raw_gyro, 3);
+}
+
+static void write_raw_gyro(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_raw_gyro *v = (const struct mip_sensor_raw_gyro *)value;
+    mip_write_float(w, v->raw_gyro, 3);
+}
+
+const struct mip_codec mip_sensor_raw_gyro_codec = {
+    0x80,
+    MIP_SENSOR_RAW_GYRO_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_raw_gyro),
+    0,
+    read_raw_gyro,
+    write_raw_gyro,
+    NULL,
+};
+
+mip_error mip_sensor_raw_gyro_decode(struct mip_sensor_raw_gyro *value,
+                                     const struct mip_field *field) {
+    return mip_decode_field(field, read_raw_gyro, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_raw_gyro_encode(const struct mip_sensor_raw_gyro *value,
+                                     struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_RAW_GYRO_DESCRIPTOR, write_raw_gyro, value);
+}
+
+static void read_raw_mag(struct mip_reader *r, void *value) {
+    struct mip_sensor_raw_mag *v = (struct mip_sensor_raw_mag *)value;
+    mip_read_float(r, v->raw_mag, 3);
+}
+
+static void write_raw_mag(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_raw_mag *v = (const struct mip_sensor_raw_mag *)value;
+    mip_write_float(w, v->raw_mag, 3);
+}
+
+const struct mip_codec mip_sensor_raw_mag_codec = {
+    0x80,
+    MIP_SENSOR_RAW_MAG_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_raw_mag),
+    0,
+    read_raw_mag,
+    write_raw_mag,
+    NULL,
+};
+
+mip_error mip_sensor_raw_mag_decode(struct mip_sensor_raw_mag *value,
+                                    const struct mip_field *field) {
+    return mip_decode_field(field, read_raw_mag, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_raw_mag_encode(const struct mip_sensor_raw_mag *value,
+                                    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_RAW_MAG_DESCRIPTOR, write_raw_mag, value);
+}
+
 static void read_scaled_accel(struct mip_reader *r, void *value) {
     struct mip_sensor_scaled_accel *v = (struct mip_sensor_scaled_accel *)value;
     mip_read_float(r, v->scaled_accel, 3);
@@ -236,6 +329,41 @@ mip_error mip_sensor_complementary_filter_quaternion_encode(
                             write_complementary_filter_quaternion, value);
 }
 
+static void read_comp_orientation_update_matrix(struct mip_reader *r, void *value) {
+    struct mip_sensor_comp_orientation_update_matrix *v =
+        (struct mip_sensor_comp_orientation_update_matrix *)value;
+    mip_read_float(r, v->m, 9);
+}
+
+static void write_comp_orientation_update_matrix(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_comp_orientation_update_matrix *v =
+        (const struct mip_sensor_comp_orientation_update_matrix *)value;
+    mip_write_float(w, v->m, 9);
+}
+
+const struct mip_codec mip_sensor_comp_orientation_update_matrix_codec = {
+    0x80,
+    MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_comp_orientation_update_matrix),
+    0,
+    read_comp_orientation_update_matrix,
+    write_comp_orientation_update_matrix,
+    NULL,
+};
+
+mip_error mip_sensor_comp_orientation_update_matrix_decode(
+    struct mip_sensor_comp_orientation_update_matrix *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_comp_orientation_update_matrix, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_sensor_comp_orientation_update_matrix_encode(
+    const struct mip_sensor_comp_orientation_update_matrix *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX_DESCRIPTOR,
+                            write_comp_orientation_update_matrix, value);
+}
+
 static void read_complementary_filter_euler_angles(struct mip_reader *r, void *value) {
     struct mip_sensor_complementary_filter_euler_angles *v =
         (struct mip_sensor_complementary_filter_euler_angles *)value;
@@ -273,6 +401,106 @@ mip_error mip_sensor_complementary_filter_euler_angles_encode(
     const struct mip_sensor_complementary_filter_euler_angles *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x80, MIP_SENSOR_COMPLEMENTARY_FILTER_EULER_ANGLES_DESCRIPTOR,
                             write_complementary_filter_euler_angles, value);
+}
+
+static void read_orientation_raw_temp(struct mip_reader *r, void *value) {
+    struct mip_sensor_orientation_raw_temp *v = (struct mip_sensor_orientation_raw_temp *)value;
+    mip_read_u16(r, v->raw_temp, 4);
+}
+
+static void write_orientation_raw_temp(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_orientation_raw_temp *v =
+        (const struct mip_sensor_orientation_raw_temp *)value;
+    mip_write_u16(w, v->raw_temp, 4);
+}
+
+const struct mip_codec mip_sensor_orientation_raw_temp_codec = {
+    0x80,
+    MIP_SENSOR_ORIENTATION_RAW_TEMP_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_orientation_raw_temp),
+    0,
+    read_orientation_raw_temp,
+    write_orientation_raw_temp,
+    NULL,
+};
+
+mip_error mip_sensor_orientation_raw_temp_decode(struct mip_sensor_orientation_raw_temp *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, read_orientation_raw_temp, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_orientation_raw_temp_encode(
+    const struct mip_sensor_orientation_raw_temp *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_ORIENTATION_RAW_TEMP_DESCRIPTOR,
+                            write_orientation_raw_temp, value);
+}
+
+static void read_internal_timestamp(struct mip_reader *r, void *value) {
+    struct mip_sensor_internal_timestamp *v = (struct mip_sensor_internal_timestamp *)value;
+    mip_read_u32(r, &v->counts, 1);
+}
+
+static void write_internal_timestamp(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_internal_timestamp *v =
+        (const struct mip_sensor_internal_timestamp *)value;
+    mip_write_u32(w, &v->counts, 1);
+}
+
+const struct mip_codec mip_sensor_internal_timestamp_codec = {
+    0x80,
+    MIP_SENSOR_INTERNAL_TIMESTAMP_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_internal_timestamp),
+    0,
+    read_internal_timestamp,
+    write_internal_timestamp,
+    NULL,
+};
+
+mip_error mip_sensor_internal_timestamp_decode(struct mip_sensor_internal_timestamp *value,
+                                               const struct mip_field *field) {
+    return mip_decode_field(field, read_internal_timestamp, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_internal_timestamp_encode(const struct mip_sensor_internal_timestamp *value,
+                                               struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_INTERNAL_TIMESTAMP_DESCRIPTOR,
+                            write_internal_timestamp, value);
+}
+
+static void read_pps_timestamp(struct mip_reader *r, void *value) {
+    struct mip_sensor_pps_timestamp *v = (struct mip_sensor_pps_timestamp *)value;
+    mip_read_u32(r, &v->seconds, 1);
+    mip_read_u32(r, &v->useconds, 1);
+}
+
+static void write_pps_timestamp(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_pps_timestamp *v = (const struct mip_sensor_pps_timestamp *)value;
+    mip_write_u32(w, &v->seconds, 1);
+    mip_write_u32(w, &v->useconds, 1);
+}
+
+const struct mip_codec mip_sensor_pps_timestamp_codec = {
+    0x80,
+    MIP_SENSOR_PPS_TIMESTAMP_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_pps_timestamp),
+    0,
+    read_pps_timestamp,
+    write_pps_timestamp,
+    NULL,
+};
+
+mip_error mip_sensor_pps_timestamp_decode(struct mip_sensor_pps_timestamp *value,
+                                          const struct mip_field *field) {
+    return mip_decode_field(field, read_pps_timestamp, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_pps_timestamp_encode(const struct mip_sensor_pps_timestamp *value,
+                                          struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_PPS_TIMESTAMP_DESCRIPTOR, write_pps_timestamp,
+                            value);
 }
 
 static void read_complementary_filter_stabilized_north_vector(struct mip_reader *r, void *value) {
@@ -424,6 +652,38 @@ mip_error mip_sensor_temperature_statistics_encode(
     const struct mip_sensor_temperature_statistics *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x80, MIP_SENSOR_TEMPERATURE_STATISTICS_DESCRIPTOR,
                             write_temperature_statistics, value);
+}
+
+static void read_raw_pressure(struct mip_reader *r, void *value) {
+    struct mip_sensor_raw_pressure *v = (struct mip_sensor_raw_pressure *)value;
+    mip_read_float(r, &v->raw_pressure, 1);
+}
+
+static void write_raw_pressure(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_raw_pressure *v = (const struct mip_sensor_raw_pressure *)value;
+    mip_write_float(w, &v->raw_pressure, 1);
+}
+
+const struct mip_codec mip_sensor_raw_pressure_codec = {
+    0x80,
+    MIP_SENSOR_RAW_PRESSURE_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_raw_pressure),
+    0,
+    read_raw_pressure,
+    write_raw_pressure,
+    NULL,
+};
+
+mip_error mip_sensor_raw_pressure_decode(struct mip_sensor_raw_pressure *value,
+                                         const struct mip_field *field) {
+    return mip_decode_field(field, read_raw_pressure, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_raw_pressure_encode(const struct mip_sensor_raw_pressure *value,
+                                         struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_RAW_PRESSURE_DESCRIPTOR, write_raw_pressure,
+                            value);
 }
 
 static void read_scaled_pressure(struct mip_reader *r, void *value) {

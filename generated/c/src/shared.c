@@ -35,6 +35,68 @@ mip_error mip_shared_event_source_encode(const struct mip_shared_event_source *v
                             value);
 }
 
+static void read_ticks(struct mip_reader *r, void *value) {
+    struct mip_shared_ticks *v = (struct mip_shared_ticks *)value;
+    mip_read_u32(r, &v->ticks, 1);
+}
+
+static void write_ticks(struct mip_writer *w, const void *value) {
+    const struct mip_shared_ticks *v = (const struct mip_shared_ticks *)value;
+    mip_write_u32(w, &v->ticks, 1);
+}
+
+const struct mip_codec mip_shared_ticks_codec = {
+    0xFF,
+    MIP_SHARED_TICKS_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_shared_ticks),
+    0,
+    read_ticks,
+    write_ticks,
+    NULL,
+};
+
+mip_error mip_shared_ticks_decode(struct mip_shared_ticks *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_ticks, value, sizeof(*value), NULL);
+}
+
+mip_error mip_shared_ticks_encode(const struct mip_shared_ticks *value,
+                                  struct mip_builder *builder) {
+    return mip_encode_field(builder, 0xFF, MIP_SHARED_TICKS_DESCRIPTOR, write_ticks, value);
+}
+
+static void read_delta_ticks(struct mip_reader *r, void *value) {
+    struct mip_shared_delta_ticks *v = (struct mip_shared_delta_ticks *)value;
+    mip_read_u32(r, &v->ticks, 1);
+}
+
+static void write_delta_ticks(struct mip_writer *w, const void *value) {
+    const struct mip_shared_delta_ticks *v = (const struct mip_shared_delta_ticks *)value;
+    mip_write_u32(w, &v->ticks, 1);
+}
+
+const struct mip_codec mip_shared_delta_ticks_codec = {
+    0xFF,
+    MIP_SHARED_DELTA_TICKS_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_shared_delta_ticks),
+    0,
+    read_delta_ticks,
+    write_delta_ticks,
+    NULL,
+};
+
+mip_error mip_shared_delta_ticks_decode(struct mip_shared_delta_ticks *value,
+                                        const struct mip_field *field) {
+    return mip_decode_field(field, read_delta_ticks, value, sizeof(*value), NULL);
+}
+
+mip_error mip_shared_delta_ticks_encode(const struct mip_shared_delta_ticks *value,
+                                        struct mip_builder *builder) {
+    return mip_encode_field(builder, 0xFF, MIP_SHARED_DELTA_TICKS_DESCRIPTOR, write_delta_ticks,
+                            value);
+}
+
 static void read_gps_timestamp(struct mip_reader *r, void *value) {
     struct mip_shared_gps_timestamp *v = (struct mip_shared_gps_timestamp *)value;
     mip_read_double(r, &v->tow, 1);

@@ -14,6 +14,19 @@ from .field import Command, Field, Response
 from .protocol import FunctionSelector
 
 
+class DynamicsMode(codec.OpenEnum):
+    """Kind of vehicle that the filter is tuned for."""
+
+    PORTABLE = 1
+    """Carried by hand."""
+    AUTOMOTIVE = 2
+    """Ground vehicle."""
+    AIRBORNE = 3
+    """Aircraft."""
+    AIRBORNE_HIGH_G = 4
+    """Aircraft under high acceleration."""
+
+
 @codec.open_flag(16)
 class EstimatedStates(IntFlag):
     """States that the filter estimates."""
@@ -75,19 +88,19 @@ class MeasurementFlags(IntFlag):
     """Magnetometer measurements, on models that have a magnetometer."""
 
 
-class DeclinationSource(codec.OpenEnum):
-    """Where the declination of the magnetic field comes from."""
+class MagParameterSource(codec.OpenEnum):
+    """Where the declination, the inclination or the magnitude of the magnetic field comes from."""
 
     NONE = 1
     """No source."""
     WMM = 2
     """The World Magnetic Model, at the estimated position."""
     MANUAL = 3
-    """The angle that the command gives."""
+    """The value that the command gives."""
 
 
 class AdaptiveMeasurementSelector(codec.OpenEnum):
-    """How measurements of the gravity direction are weighted."""
+    """How measurements are weighted whose magnitude is not as expected."""
 
     DISABLED = 0
     """No adaptation."""
@@ -95,6 +108,15 @@ class AdaptiveMeasurementSelector(codec.OpenEnum):
     """Adapted by the limits that the command gives."""
     AUTO = 2
     """Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later."""
+
+
+class AltitudeAidingSource(codec.OpenEnum):
+    """What aids the altitude."""
+
+    NONE = 0
+    """No aiding."""
+    PRESSURE = 1
+    """The pressure sensor."""
 
 
 class PitchRollAidingSource(codec.OpenEnum):
@@ -129,6 +151,35 @@ class AidingSource(codec.OpenEnum):
     """Velocity in the vehicle that the user sends."""
     ALL = 0xFFFF
     """All sources, for save, load and default."""
+
+
+class AccelConstraint(codec.OpenEnum):
+    """What the filter assumes about the acceleration."""
+
+    NONE = 0
+    """Nothing."""
+    ZERO_ACCEL = 1
+    """It is zero."""
+
+
+class VelocityConstraint(codec.OpenEnum):
+    """What the filter assumes about the velocity."""
+
+    NONE = 0
+    """Nothing."""
+    ZERO_VELOCITY = 1
+    """It is zero."""
+    WHEELED_VEHICLE = 2
+    """It is that of a wheeled vehicle."""
+
+
+class AngularConstraint(codec.OpenEnum):
+    """What the filter assumes about the angular rate."""
+
+    NONE = 0
+    """Nothing."""
+    ZERO_ANGULAR_RATE = 1
+    """It is zero."""
 
 
 class InitialConditionSource(codec.OpenEnum):
@@ -196,6 +247,38 @@ class ReferencePoint(codec.OpenEnum):
     """The origin of the vehicle."""
 
 
+_VEHICLE_DYNAMICS_MODE_RESPONSE_0 = codec.Block("B", "mode")
+
+
+@dataclass(slots=True)
+class VehicleDynamicsModeResponse(Response):
+    """Vehicle dynamics mode response (0x0D,0x80).
+
+    Answers Vehicle dynamics mode (0x0D,0x10).
+
+    - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x80
+    NAME = "filter.vehicle_dynamics_mode_response"
+    ROLE = "response"
+
+    mode: DynamicsMode
+    """Kind of vehicle."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[VehicleDynamicsModeResponse, int]:
+        v = _VEHICLE_DYNAMICS_MODE_RESPONSE_0.read(raw, at)
+        at += 1
+        mode = DynamicsMode(v[0])
+        return cls(mode), at
+
+    def _write(self) -> bytes:
+        out = _VEHICLE_DYNAMICS_MODE_RESPONSE_0.write(self.mode)
+        return codec.finished(out)
+
+
 _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_0 = codec.Block("fff", "roll", "pitch", "yaw")
 
 
@@ -234,6 +317,38 @@ class SensorToVehicleFrameTransformationResponse(Response):
         out = _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_0.write(
             self.roll, self.pitch, self.yaw
         )
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0 = codec.Block("fff", "offset", "offset", "offset")
+
+
+@dataclass(slots=True)
+class SensorToVehicleOffsetResponse(Response):
+    """Sensor to vehicle offset response (0x0D,0x82).
+
+    Answers Sensor to vehicle offset (0x0D,0x12).
+
+    - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x82
+    NAME = "filter.sensor_to_vehicle_offset_response"
+    ROLE = "response"
+
+    offset: types.Vector3f
+    """From the sensor to the origin of the vehicle frame. [m] Frame: sensor. Range: -10 to 10."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffsetResponse, int]:
+        v = _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0.read(raw, at)
+        at += 12
+        offset = v[0:3]
+        return cls(offset), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0.write(*codec.exactly("offset", self.offset, 3))
         return codec.finished(out)
 
 
@@ -557,6 +672,41 @@ class GyroscopeBiasModelParametersResponse(Response):
         return codec.finished(out)
 
 
+_AUTO_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
+
+
+@dataclass(slots=True)
+class AutoZuptResponse(Response):
+    """Automatic zero velocity update response (0x0D,0x8D).
+
+    Answers Automatic zero velocity update (0x0D,0x1E).
+
+    - mip-sdk-4: Auto Zupt (0x0D,0x1E)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x8D
+    NAME = "filter.auto_zupt_response"
+    ROLE = "response"
+
+    enable: int
+    """0 disables, 1 enables. Range: 0 to 1."""
+    threshold: float
+    """Largest speed that is taken as zero. [m/s] Range: 0 to …."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AutoZuptResponse, int]:
+        v = _AUTO_ZUPT_RESPONSE_0.read(raw, at)
+        at += 5
+        enable = v[0]
+        threshold = v[1]
+        return cls(enable, threshold), at
+
+    def _write(self) -> bytes:
+        out = _AUTO_ZUPT_RESPONSE_0.write(self.enable, self.threshold)
+        return codec.finished(out)
+
+
 _ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 
 
@@ -676,6 +826,138 @@ class GravityNoiseStandardDeviationResponse(Response):
         return codec.finished(out)
 
 
+_PRESSURE_ALTITUDE_NOISE_RESPONSE_0 = codec.Block("f", "noise")
+
+
+@dataclass(slots=True)
+class PressureAltitudeNoiseResponse(Response):
+    """Pressure altitude noise response (0x0D,0x94).
+
+    Answers Pressure altitude noise (0x0D,0x29).
+
+    - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x94
+    NAME = "filter.pressure_altitude_noise_response"
+    ROLE = "response"
+
+    noise: float
+    """Standard deviation. [m]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoiseResponse, int]:
+        v = _PRESSURE_ALTITUDE_NOISE_RESPONSE_0.read(raw, at)
+        at += 4
+        noise = v[0]
+        return cls(noise), at
+
+    def _write(self) -> bytes:
+        out = _PRESSURE_ALTITUDE_NOISE_RESPONSE_0.write(self.noise)
+        return codec.finished(out)
+
+
+_HARD_IRON_OFFSET_NOISE_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+
+
+@dataclass(slots=True)
+class HardIronOffsetNoiseResponse(Response):
+    """Hard iron offset noise response (0x0D,0x96).
+
+    Answers Hard iron offset noise (0x0D,0x2B).
+
+    - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x96
+    NAME = "filter.hard_iron_offset_noise_response"
+    ROLE = "response"
+
+    noise: types.Vector3f
+    """Standard deviation per axis. [gauss]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoiseResponse, int]:
+        v = _HARD_IRON_OFFSET_NOISE_RESPONSE_0.read(raw, at)
+        at += 12
+        noise = v[0:3]
+        return cls(noise), at
+
+    def _write(self) -> bytes:
+        out = _HARD_IRON_OFFSET_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
+        return codec.finished(out)
+
+
+_SOFT_IRON_MATRIX_NOISE_RESPONSE_0 = codec.Block(
+    "fffffffff", "noise", "noise", "noise", "noise", "noise", "noise", "noise", "noise", "noise"
+)
+
+
+@dataclass(slots=True)
+class SoftIronMatrixNoiseResponse(Response):
+    """Soft iron matrix noise response (0x0D,0x97).
+
+    Answers Soft iron matrix noise (0x0D,0x2C).
+
+    - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x97
+    NAME = "filter.soft_iron_matrix_noise_response"
+    ROLE = "response"
+
+    noise: types.Matrix3f
+    """Standard deviation per element. [1]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoiseResponse, int]:
+        v = _SOFT_IRON_MATRIX_NOISE_RESPONSE_0.read(raw, at)
+        at += 36
+        noise = v[0:9]
+        return cls(noise), at
+
+    def _write(self) -> bytes:
+        out = _SOFT_IRON_MATRIX_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 9))
+        return codec.finished(out)
+
+
+_TARE_ORIENTATION_RESPONSE_0 = codec.Block("B", "axes")
+
+
+@dataclass(slots=True)
+class TareOrientationResponse(Response):
+    """Tare orientation response (0x0D,0xA1).
+
+    Answers Tare orientation (0x0D,0x21).
+    Supported by 3DM-GX5-15.
+
+    - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
+    - mip-sdk-4: Tare Orientation (0x0D,0x21)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xA1
+    NAME = "filter.tare_orientation_response"
+    ROLE = "response"
+
+    axes: TareAxes
+    """Axes to tare; 0 resets all axes."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[TareOrientationResponse, int]:
+        v = _TARE_ORIENTATION_RESPONSE_0.read(raw, at)
+        at += 1
+        axes = TareAxes(v[0])
+        return cls(axes), at
+
+    def _write(self) -> bytes:
+        out = _TARE_ORIENTATION_RESPONSE_0.write(self.axes)
+        return codec.finished(out)
+
+
 _ENABLE_DISABLE_MEASUREMENTS_RESPONSE_0 = codec.Block("H", "control")
 
 
@@ -709,6 +991,38 @@ class EnableDisableMeasurementsResponse(Response):
         return codec.finished(out)
 
 
+_MAG_NOISE_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+
+
+@dataclass(slots=True)
+class MagNoiseResponse(Response):
+    """Magnetometer noise response (0x0D,0xB1).
+
+    Answers Magnetometer noise (0x0D,0x42).
+
+    - mip-sdk-4: Mag Noise (0x0D,0x42)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xB1
+    NAME = "filter.mag_noise_response"
+    ROLE = "response"
+
+    noise: types.Vector3f
+    """Standard deviation per axis. [gauss]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagNoiseResponse, int]:
+        v = _MAG_NOISE_RESPONSE_0.read(raw, at)
+        at += 12
+        noise = v[0:3]
+        return cls(noise), at
+
+    def _write(self) -> bytes:
+        out = _MAG_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
+        return codec.finished(out)
+
+
 _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_0 = codec.Block("Bf", "source", "declination")
 
 
@@ -727,7 +1041,7 @@ class MagneticFieldDeclinationSourceControlResponse(Response):
     NAME = "filter.magnetic_field_declination_source_control_response"
     ROLE = "response"
 
-    source: DeclinationSource
+    source: MagParameterSource
     """Source of the declination."""
     declination: float
     """Declination; used only if `source` is manual. [rad]"""
@@ -738,7 +1052,7 @@ class MagneticFieldDeclinationSourceControlResponse(Response):
     ) -> tuple[MagneticFieldDeclinationSourceControlResponse, int]:
         v = _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_0.read(raw, at)
         at += 5
-        source = DeclinationSource(v[0])
+        source = MagParameterSource(v[0])
         declination = v[1]
         return cls(source, declination), at
 
@@ -827,6 +1141,165 @@ class GravityMagnitudeErrorAdaptiveMeasurementResponse(Response):
         return codec.finished(out)
 
 
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
+    "Bffffff",
+    "adaptive_measurement",
+    "frequency",
+    "low_limit",
+    "high_limit",
+    "low_limit_uncertainty",
+    "high_limit_uncertainty",
+    "minimum_uncertainty",
+)
+
+
+@dataclass(slots=True)
+class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
+    """Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
+
+    Answers Magnetometer magnitude error adaptive measurement (0x0D,0x45).
+
+    - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xB4
+    NAME = "filter.mag_magnitude_error_adaptive_measurement_response"
+    ROLE = "response"
+
+    adaptive_measurement: AdaptiveMeasurementSelector
+    """Kind of adaptation."""
+    frequency: float
+    """Cut-off frequency of the low-pass filter. [Hz]"""
+    low_limit: float
+    """Lower limit of the error. [gauss]"""
+    high_limit: float
+    """Upper limit of the error. [gauss]"""
+    low_limit_uncertainty: float
+    """Standard deviation at the lower limit. [gauss]"""
+    high_limit_uncertainty: float
+    """Standard deviation at the upper limit. [gauss]"""
+    minimum_uncertainty: float
+    """Smallest standard deviation. [gauss]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurementResponse, int]:
+        v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.read(raw, at)
+        at += 25
+        adaptive_measurement = AdaptiveMeasurementSelector(v[0])
+        frequency = v[1]
+        low_limit = v[2]
+        high_limit = v[3]
+        low_limit_uncertainty = v[4]
+        high_limit_uncertainty = v[5]
+        minimum_uncertainty = v[6]
+        return cls(
+            adaptive_measurement,
+            frequency,
+            low_limit,
+            high_limit,
+            low_limit_uncertainty,
+            high_limit_uncertainty,
+            minimum_uncertainty,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.write(
+            self.adaptive_measurement,
+            self.frequency,
+            self.low_limit,
+            self.high_limit,
+            self.low_limit_uncertainty,
+            self.high_limit_uncertainty,
+            self.minimum_uncertainty,
+        )
+        return codec.finished(out)
+
+
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
+    "Bffff", "enable", "frequency", "high_limit", "high_limit_uncertainty", "minimum_uncertainty"
+)
+
+
+@dataclass(slots=True)
+class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
+    """Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
+
+    Answers Magnetometer dip angle error adaptive measurement (0x0D,0x46).
+
+    - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xB5
+    NAME = "filter.mag_dip_angle_error_adaptive_measurement_response"
+    ROLE = "response"
+
+    enable: bool
+    """Whether the adaptation is on."""
+    frequency: float
+    """Cut-off frequency of the low-pass filter. [Hz]"""
+    high_limit: float
+    """Upper limit of the error. [rad]"""
+    high_limit_uncertainty: float
+    """Standard deviation at the upper limit. [rad]"""
+    minimum_uncertainty: float
+    """Smallest standard deviation. [rad]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurementResponse, int]:
+        v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.read(raw, at)
+        at += 17
+        enable = codec.truth(v[0])
+        frequency = v[1]
+        high_limit = v[2]
+        high_limit_uncertainty = v[3]
+        minimum_uncertainty = v[4]
+        return cls(enable, frequency, high_limit, high_limit_uncertainty, minimum_uncertainty), at
+
+    def _write(self) -> bytes:
+        out = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.write(
+            self.enable,
+            self.frequency,
+            self.high_limit,
+            self.high_limit_uncertainty,
+            self.minimum_uncertainty,
+        )
+        return codec.finished(out)
+
+
+_ALTITUDE_AIDING_RESPONSE_0 = codec.Block("B", "selector")
+
+
+@dataclass(slots=True)
+class AltitudeAidingResponse(Response):
+    """Altitude aiding response (0x0D,0xB7).
+
+    Answers Altitude aiding (0x0D,0x47).
+
+    - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xB7
+    NAME = "filter.altitude_aiding_response"
+    ROLE = "response"
+
+    selector: AltitudeAidingSource
+    """Source of the aiding."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAidingResponse, int]:
+        v = _ALTITUDE_AIDING_RESPONSE_0.read(raw, at)
+        at += 1
+        selector = AltitudeAidingSource(v[0])
+        return cls(selector), at
+
+    def _write(self) -> bytes:
+        out = _ALTITUDE_AIDING_RESPONSE_0.write(self.selector)
+        return codec.finished(out)
+
+
 _PITCH_ROLL_AIDING_CONTROL_RESPONSE_0 = codec.Block("B", "aiding")
 
 
@@ -857,6 +1330,146 @@ class PitchRollAidingControlResponse(Response):
 
     def _write(self) -> bytes:
         out = _PITCH_ROLL_AIDING_CONTROL_RESPONSE_0.write(self.aiding)
+        return codec.finished(out)
+
+
+_INCLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "inclination")
+
+
+@dataclass(slots=True)
+class InclinationSourceResponse(Response):
+    """Magnetic inclination source response (0x0D,0xBC).
+
+    Answers Magnetic inclination source (0x0D,0x4C).
+
+    - mip-sdk-4: Inclination Source (0x0D,0x4C)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xBC
+    NAME = "filter.inclination_source_response"
+    ROLE = "response"
+
+    source: MagParameterSource
+    """Source of the inclination."""
+    inclination: float
+    """Inclination; used only if `source` is manual. [rad]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[InclinationSourceResponse, int]:
+        v = _INCLINATION_SOURCE_RESPONSE_0.read(raw, at)
+        at += 5
+        source = MagParameterSource(v[0])
+        inclination = v[1]
+        return cls(source, inclination), at
+
+    def _write(self) -> bytes:
+        out = _INCLINATION_SOURCE_RESPONSE_0.write(self.source, self.inclination)
+        return codec.finished(out)
+
+
+_MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "magnitude")
+
+
+@dataclass(slots=True)
+class MagFieldMagnitudeSourceResponse(Response):
+    """Magnetic field magnitude source response (0x0D,0xBD).
+
+    Answers Magnetic field magnitude source (0x0D,0x4D).
+
+    - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xBD
+    NAME = "filter.mag_field_magnitude_source_response"
+    ROLE = "response"
+
+    source: MagParameterSource
+    """Source of the magnitude."""
+    magnitude: float
+    """Magnitude; used only if `source` is manual. [gauss]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagFieldMagnitudeSourceResponse, int]:
+        v = _MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_0.read(raw, at)
+        at += 5
+        source = MagParameterSource(v[0])
+        magnitude = v[1]
+        return cls(source, magnitude), at
+
+    def _write(self) -> bytes:
+        out = _MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_0.write(self.source, self.magnitude)
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0 = codec.Block(
+    "fffffffff", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm"
+)
+
+
+@dataclass(slots=True)
+class SensorToVehicleRotationDcmResponse(Response):
+    """Sensor to vehicle rotation, matrix response (0x0D,0xBE).
+
+    Answers Sensor to vehicle rotation, matrix (0x0D,0x4E).
+
+    - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xBE
+    NAME = "filter.sensor_to_vehicle_rotation_dcm_response"
+    ROLE = "response"
+
+    dcm: types.Matrix3f
+    """Rotation matrix in row-major order. [1]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcmResponse, int]:
+        v = _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0.read(raw, at)
+        at += 36
+        dcm = v[0:9]
+        return cls(dcm), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0.write(*codec.exactly("dcm", self.dcm, 9))
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0 = codec.Block(
+    "ffff", "quat", "quat", "quat", "quat"
+)
+
+
+@dataclass(slots=True)
+class SensorToVehicleRotationQuaternionResponse(Response):
+    """Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
+
+    Answers Sensor to vehicle rotation, quaternion (0x0D,0x4F).
+
+    - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xBF
+    NAME = "filter.sensor_to_vehicle_rotation_quaternion_response"
+    ROLE = "response"
+
+    quat: types.Quatf
+    """Unit quaternion, scalar part first. [1]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternionResponse, int]:
+        v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0.read(raw, at)
+        at += 16
+        quat = v[0:4]
+        return cls(quat), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0.write(
+            *codec.exactly("quat", self.quat, 4)
+        )
         return codec.finished(out)
 
 
@@ -893,6 +1506,48 @@ class AidingMeasurementControlResponse(Response):
 
     def _write(self) -> bytes:
         out = _AIDING_MEASUREMENT_CONTROL_RESPONSE_0.write(self.aiding_source, self.enable)
+        return codec.finished(out)
+
+
+_KINEMATIC_CONSTRAINT_RESPONSE_0 = codec.Block(
+    "BBB", "accel_constraint", "velocity_constraint", "angular_constraint"
+)
+
+
+@dataclass(slots=True)
+class KinematicConstraintResponse(Response):
+    """Kinematic constraint response (0x0D,0xD1).
+
+    Answers Kinematic constraint (0x0D,0x51).
+
+    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xD1
+    NAME = "filter.kinematic_constraint_response"
+    ROLE = "response"
+
+    accel_constraint: AccelConstraint
+    """Assumption about the acceleration. Factory default: none."""
+    velocity_constraint: VelocityConstraint
+    """Assumption about the velocity. Factory default: none."""
+    angular_constraint: AngularConstraint
+    """Assumption about the angular rate. Factory default: none."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraintResponse, int]:
+        v = _KINEMATIC_CONSTRAINT_RESPONSE_0.read(raw, at)
+        at += 3
+        accel_constraint = AccelConstraint(v[0])
+        velocity_constraint = VelocityConstraint(v[1])
+        angular_constraint = AngularConstraint(v[2])
+        return cls(accel_constraint, velocity_constraint, angular_constraint), at
+
+    def _write(self) -> bytes:
+        out = _KINEMATIC_CONSTRAINT_RESPONSE_0.write(
+            self.accel_constraint, self.velocity_constraint, self.angular_constraint
+        )
         return codec.finished(out)
 
 
@@ -1202,6 +1857,38 @@ class MeasurementSpeedLeverArmResponse(Response):
         return codec.finished(out)
 
 
+_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
+
+
+@dataclass(slots=True)
+class VerticalGyroConstraintControlResponse(Response):
+    """Vertical gyro constraint response (0x0D,0xE2).
+
+    Answers Vertical gyro constraint (0x0D,0x62).
+
+    - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xE2
+    NAME = "filter.vertical_gyro_constraint_control_response"
+    ROLE = "response"
+
+    enable: int
+    """0 disables, 1 enables. Range: 0 to 1."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[VerticalGyroConstraintControlResponse, int]:
+        v = _VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0.read(raw, at)
+        at += 1
+        enable = v[0]
+        return cls(enable), at
+
+    def _write(self) -> bytes:
+        out = _VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0.write(self.enable)
+        return codec.finished(out)
+
+
 _WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 
 
@@ -1405,6 +2092,87 @@ class RunNavigationFilter(Command):
         return b""
 
 
+_VEHICLE_DYNAMICS_MODE_0 = codec.Block("B", "function")
+_VEHICLE_DYNAMICS_MODE_1 = codec.Block("B", "mode")
+_VEHICLE_DYNAMICS_MODE_GROUPS = ((1, ("mode",), False),)
+
+
+@dataclass(slots=True)
+class VehicleDynamicsMode(Command):
+    """Vehicle dynamics mode (0x0D,0x10).
+
+    Kind of vehicle that the filter is tuned for.
+
+    - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x10
+    NAME = "filter.vehicle_dynamics_mode"
+    ROLE = "command"
+    RESPONSES = (VehicleDynamicsModeResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    mode: DynamicsMode | None = None
+    """Kind of vehicle."""
+
+    @classmethod
+    def write(cls, mode: DynamicsMode) -> VehicleDynamicsMode:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, mode=mode)
+
+    @classmethod
+    def read(cls) -> VehicleDynamicsMode:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> VehicleDynamicsMode:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> VehicleDynamicsMode:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> VehicleDynamicsMode:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[VehicleDynamicsMode, int]:
+        mode: DynamicsMode | None = None
+        v = _VEHICLE_DYNAMICS_MODE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _VEHICLE_DYNAMICS_MODE_1.read(raw, at)
+            at += 1
+            mode = DynamicsMode(v[0])
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, mode), at
+
+    def _write(self) -> bytes:
+        out = _VEHICLE_DYNAMICS_MODE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _VEHICLE_DYNAMICS_MODE_GROUPS)
+        if there >= 1:
+            out += _VEHICLE_DYNAMICS_MODE_1.write(self.mode)
+        return codec.finished(out)
+
+
 _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_0 = codec.Block("B", "function")
 _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_1 = codec.Block("f", "roll")
 _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_2 = codec.Block("f", "pitch")
@@ -1516,6 +2284,90 @@ class SensorToVehicleFrameTransformation(Command):
             out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_2.write(self.pitch)
         if there >= 3:
             out += _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_3.write(self.yaw)
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_OFFSET_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_OFFSET_1 = codec.Block("fff", "offset", "offset", "offset")
+_SENSOR_TO_VEHICLE_OFFSET_GROUPS = ((1, ("offset",), False),)
+
+
+@dataclass(slots=True)
+class SensorToVehicleOffset(Command):
+    """Sensor to vehicle offset (0x0D,0x12).
+
+    Origin of the vehicle frame, as seen from the sensor.
+    It shifts the estimated position (0x82,0x01) and nothing else.
+    The shift is constant. It does not follow the attitude, as a lever arm would.
+    The magnitude of the vector is limited to 10 m.
+
+    - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x12
+    NAME = "filter.sensor_to_vehicle_offset"
+    ROLE = "command"
+    RESPONSES = (SensorToVehicleOffsetResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    offset: types.Vector3f | None = None
+    """From the sensor to the origin of the vehicle frame. [m] Frame: sensor. Range: -10 to 10."""
+
+    @classmethod
+    def write(cls, offset: types.Vector3f) -> SensorToVehicleOffset:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, offset=offset)
+
+    @classmethod
+    def read(cls) -> SensorToVehicleOffset:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> SensorToVehicleOffset:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> SensorToVehicleOffset:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> SensorToVehicleOffset:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffset, int]:
+        offset: types.Vector3f | None = None
+        v = _SENSOR_TO_VEHICLE_OFFSET_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SENSOR_TO_VEHICLE_OFFSET_1.read(raw, at)
+            at += 12
+            offset = v[0:3]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, offset), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_OFFSET_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _SENSOR_TO_VEHICLE_OFFSET_GROUPS)
+        if there >= 1:
+            out += _SENSOR_TO_VEHICLE_OFFSET_1.write(*codec.exactly("offset", self.offset, 3))
         return codec.finished(out)
 
 
@@ -1771,6 +2623,95 @@ class GnssAidingSourceControl(Command):
         return codec.finished(out)
 
 
+_EXTERNAL_GNSS_UPDATE_0 = codec.Block(
+    "dHdddfffffffff",
+    "tow",
+    "week_number",
+    "latitude",
+    "longitude",
+    "height",
+    "velocity",
+    "velocity",
+    "velocity",
+    "position_uncertainty",
+    "position_uncertainty",
+    "position_uncertainty",
+    "velocity_uncertainty",
+    "velocity_uncertainty",
+    "velocity_uncertainty",
+)
+
+
+@dataclass(slots=True)
+class ExternalGnssUpdate(Command):
+    """External GNSS update (0x0D,0x16).
+
+    Gives the filter one position and velocity of a GNSS receiver that the user provides.
+    Refused unless the GNSS aiding source (0x0D,0x15) is the external one.
+    The highest rate depends on the device.
+
+    - mip-sdk-4: External Gnss Update (0x0D,0x16)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x16
+    NAME = "filter.external_gnss_update"
+    ROLE = "command"
+
+    tow: float
+    """GPS time of week. [s]"""
+    week_number: int
+    """GPS week, counted without rollover. [week]"""
+    latitude: float
+    """Latitude. [deg] Frame: llh."""
+    longitude: float
+    """Longitude. [deg] Frame: llh."""
+    height: float
+    """Height above the ellipsoid. [m] Frame: llh."""
+    velocity: types.Vector3f
+    """Velocity. [m/s] Frame: ned."""
+    position_uncertainty: types.Vector3f
+    """Standard deviation of the position. [m] Frame: ned."""
+    velocity_uncertainty: types.Vector3f
+    """Standard deviation of the velocity. [m/s] Frame: ned."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ExternalGnssUpdate, int]:
+        v = _EXTERNAL_GNSS_UPDATE_0.read(raw, at)
+        at += 70
+        tow = v[0]
+        week_number = v[1]
+        latitude = v[2]
+        longitude = v[3]
+        height = v[4]
+        velocity = v[5:8]
+        position_uncertainty = v[8:11]
+        velocity_uncertainty = v[11:14]
+        return cls(
+            tow,
+            week_number,
+            latitude,
+            longitude,
+            height,
+            velocity,
+            position_uncertainty,
+            velocity_uncertainty,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _EXTERNAL_GNSS_UPDATE_0.write(
+            self.tow,
+            self.week_number,
+            self.latitude,
+            self.longitude,
+            self.height,
+            *codec.exactly("velocity", self.velocity, 3),
+            *codec.exactly("position_uncertainty", self.position_uncertainty, 3),
+            *codec.exactly("velocity_uncertainty", self.velocity_uncertainty, 3),
+        )
+        return codec.finished(out)
+
+
 _EXTERNAL_HEADING_UPDATE_0 = codec.Block("ffB", "heading", "heading_uncertainty", "type")
 
 
@@ -1800,7 +2741,7 @@ class ExternalHeadingUpdate(Command):
     -3.141592653589793 to 3.141592653589793.
     """
     heading_uncertainty: float
-    """Standard deviation; it must be greater than 0, other values are refused. [rad]"""
+    """Standard deviation; the device refuses a value out of bounds. [rad]"""
     type: HeadingType
     """North that the heading refers to."""
 
@@ -1993,7 +2934,7 @@ class AccelerometerNoiseStandardDeviation(Command):
     """Accelerometer noise (0x0D,0x1A).
 
     Standard deviation of the accelerometer noise that the filter assumes (process noise).
-    Every value must be greater than 0. The factory values suit most laboratory conditions.
+    The factory values suit most laboratory conditions.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
@@ -2079,7 +3020,7 @@ class GyroscopeNoiseStandardDeviation(Command):
     """Gyroscope noise (0x0D,0x1B).
 
     Standard deviation of the gyroscope noise that the filter assumes (process noise).
-    Every value must be greater than 0. The factory values suit most laboratory conditions.
+    The factory values suit most laboratory conditions.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
@@ -2166,7 +3107,6 @@ class AccelerometerBiasModelParameters(Command):
     """Accelerometer bias model (0x0D,0x1C).
 
     Parameters of the model by which the accelerometer bias drifts.
-    Every noise value must be greater than 0.
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
@@ -2265,7 +3205,6 @@ class GyroscopeBiasModelParameters(Command):
     """Gyroscope bias model (0x0D,0x1D).
 
     Parameters of the model by which the gyroscope bias drifts.
-    Every noise value must be greater than 0.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
@@ -2350,6 +3289,101 @@ class GyroscopeBiasModelParameters(Command):
         return codec.finished(out)
 
 
+_AUTO_ZUPT_0 = codec.Block("B", "function")
+_AUTO_ZUPT_1 = codec.Block("B", "enable")
+_AUTO_ZUPT_2 = codec.Block("f", "threshold")
+_AUTO_ZUPT_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False))
+
+
+@dataclass(slots=True)
+class AutoZupt(Command):
+    """Automatic zero velocity update (0x0D,0x1E).
+
+    Lets the filter take the device as standing still while its GNSS speed is small.
+    The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
+    The device refuses a negative threshold.
+
+    - mip-sdk-4: Auto Zupt (0x0D,0x1E)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x1E
+    NAME = "filter.auto_zupt"
+    ROLE = "command"
+    RESPONSES = (AutoZuptResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    enable: int | None = None
+    """0 disables, 1 enables. Range: 0 to 1."""
+    threshold: float | None = None
+    """Largest speed that is taken as zero. [m/s] Range: 0 to …."""
+
+    @classmethod
+    def write(cls, enable: int, threshold: float) -> AutoZupt:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, enable=enable, threshold=threshold)
+
+    @classmethod
+    def read(cls) -> AutoZupt:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> AutoZupt:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> AutoZupt:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> AutoZupt:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AutoZupt, int]:
+        enable: int | None = None
+        threshold: float | None = None
+        v = _AUTO_ZUPT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _AUTO_ZUPT_1.read(raw, at)
+            at += 1
+            enable = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _AUTO_ZUPT_2.read(raw, at)
+            at += 4
+            threshold = v[0]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, enable, threshold), at
+
+    def _write(self) -> bytes:
+        out = _AUTO_ZUPT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _AUTO_ZUPT_GROUPS)
+        if there >= 1:
+            out += _AUTO_ZUPT_1.write(self.enable)
+        if there >= 2:
+            out += _AUTO_ZUPT_2.write(self.threshold)
+        return codec.finished(out)
+
+
 _EXTERNAL_HEADING_UPDATE_WITH_TIME_0 = codec.Block(
     "dHffB", "gps_time", "gps_week", "heading", "heading_uncertainty", "type"
 )
@@ -2387,7 +3421,7 @@ class ExternalHeadingUpdateWithTime(Command):
     -3.141592653589793 to 3.141592653589793.
     """
     heading_uncertainty: float
-    """Standard deviation; it must be greater than 0, other values are refused. [rad]"""
+    """Standard deviation; the device refuses a value out of bounds. [rad]"""
     type: HeadingType
     """North that the heading refers to."""
 
@@ -2519,13 +3553,15 @@ class TareOrientation(Command):
     Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
+    - mip-sdk-4: Tare Orientation (0x0D,0x21)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x21
     NAME = "filter.tare_orientation"
     ROLE = "command"
-    REQUIRED = {1: 1, 3: 0, 4: 0, 5: 0}
+    RESPONSES = (TareOrientationResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
@@ -2536,6 +3572,11 @@ class TareOrientation(Command):
     def write(cls, axes: TareAxes) -> TareOrientation:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, axes=axes)
+
+    @classmethod
+    def read(cls) -> TareOrientation:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
 
     @classmethod
     def save(cls) -> TareOrientation:
@@ -2580,6 +3621,29 @@ class TareOrientation(Command):
         if there >= 1:
             out += _TARE_ORIENTATION_1.write(self.axes)
         return codec.finished(out)
+
+
+@dataclass(slots=True)
+class CommandedZupt(Command):
+    """Commanded zero velocity update (0x0D,0x22).
+
+    Tells the filter once that the device stands still.
+    The highest rate depends on the device.
+
+    - mip-sdk-4: Commanded Zupt (0x0D,0x22)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x22
+    NAME = "filter.commanded_zupt"
+    ROLE = "command"
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[CommandedZupt, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
 
 
 @dataclass(slots=True)
@@ -2737,6 +3801,52 @@ class SetReferencePosition(Command):
         return codec.finished(out)
 
 
+_MAG_CAPTURE_AUTO_CAL_0 = codec.Block("B", "function")
+
+
+@dataclass(slots=True)
+class MagCaptureAutoCal(Command):
+    """Capture automatic magnetometer calibration (0x0D,0x27).
+
+    Makes the automatic magnetometer calibration part of the fixed one.
+    A write combines the automatic calibration with the hard iron offset (0x0C,0x3A) and the soft
+    iron matrix (0x0C,0x3B), and resets it.
+    A save does the same as the save of both of these commands.
+
+    - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x27
+    NAME = "filter.mag_capture_auto_cal"
+    ROLE = "command"
+    REQUIRED = {1: 0, 3: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+
+    @classmethod
+    def write(cls) -> MagCaptureAutoCal:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE)
+
+    @classmethod
+    def save(cls) -> MagCaptureAutoCal:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagCaptureAutoCal, int]:
+        v = _MAG_CAPTURE_AUTO_CAL_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        return cls(function), at
+
+    def _write(self) -> bytes:
+        out = _MAG_CAPTURE_AUTO_CAL_0.write(self.function)
+        return codec.finished(out)
+
+
 _GRAVITY_NOISE_STANDARD_DEVIATION_0 = codec.Block("B", "function")
 _GRAVITY_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", "noise", "noise", "noise")
 _GRAVITY_NOISE_STANDARD_DEVIATION_GROUPS = ((1, ("noise",), False),)
@@ -2747,7 +3857,7 @@ class GravityNoiseStandardDeviation(Command):
     """Gravity noise (0x0D,0x28).
 
     Standard deviation of the gravity noise that the filter assumes (process noise).
-    Every value must be greater than 0. The factory values suit most laboratory conditions.
+    The factory values suit most laboratory conditions.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
@@ -2818,6 +3928,252 @@ class GravityNoiseStandardDeviation(Command):
         there = codec.present(self, required, _GRAVITY_NOISE_STANDARD_DEVIATION_GROUPS)
         if there >= 1:
             out += _GRAVITY_NOISE_STANDARD_DEVIATION_1.write(*codec.exactly("noise", self.noise, 3))
+        return codec.finished(out)
+
+
+_PRESSURE_ALTITUDE_NOISE_0 = codec.Block("B", "function")
+_PRESSURE_ALTITUDE_NOISE_1 = codec.Block("f", "noise")
+_PRESSURE_ALTITUDE_NOISE_GROUPS = ((1, ("noise",), False),)
+
+
+@dataclass(slots=True)
+class PressureAltitudeNoise(Command):
+    """Pressure altitude noise (0x0D,0x29).
+
+    Standard deviation of the noise of the pressure altitude model that the filter assumes.
+    A small value follows the pressure faster, and takes weather and draughts for changes of height.
+
+    - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x29
+    NAME = "filter.pressure_altitude_noise"
+    ROLE = "command"
+    RESPONSES = (PressureAltitudeNoiseResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    noise: float | None = None
+    """Standard deviation. [m]"""
+
+    @classmethod
+    def write(cls, noise: float) -> PressureAltitudeNoise:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, noise=noise)
+
+    @classmethod
+    def read(cls) -> PressureAltitudeNoise:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> PressureAltitudeNoise:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> PressureAltitudeNoise:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> PressureAltitudeNoise:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoise, int]:
+        noise: float | None = None
+        v = _PRESSURE_ALTITUDE_NOISE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _PRESSURE_ALTITUDE_NOISE_1.read(raw, at)
+            at += 4
+            noise = v[0]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, noise), at
+
+    def _write(self) -> bytes:
+        out = _PRESSURE_ALTITUDE_NOISE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _PRESSURE_ALTITUDE_NOISE_GROUPS)
+        if there >= 1:
+            out += _PRESSURE_ALTITUDE_NOISE_1.write(self.noise)
+        return codec.finished(out)
+
+
+_HARD_IRON_OFFSET_NOISE_0 = codec.Block("B", "function")
+_HARD_IRON_OFFSET_NOISE_1 = codec.Block("fff", "noise", "noise", "noise")
+_HARD_IRON_OFFSET_NOISE_GROUPS = ((1, ("noise",), False),)
+
+
+@dataclass(slots=True)
+class HardIronOffsetNoise(Command):
+    """Hard iron offset noise (0x0D,0x2B).
+
+    Standard deviation of the noise of the estimated hard iron offset (process noise).
+
+    - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x2B
+    NAME = "filter.hard_iron_offset_noise"
+    ROLE = "command"
+    RESPONSES = (HardIronOffsetNoiseResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    noise: types.Vector3f | None = None
+    """Standard deviation per axis. [gauss]"""
+
+    @classmethod
+    def write(cls, noise: types.Vector3f) -> HardIronOffsetNoise:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, noise=noise)
+
+    @classmethod
+    def read(cls) -> HardIronOffsetNoise:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> HardIronOffsetNoise:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> HardIronOffsetNoise:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> HardIronOffsetNoise:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoise, int]:
+        noise: types.Vector3f | None = None
+        v = _HARD_IRON_OFFSET_NOISE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _HARD_IRON_OFFSET_NOISE_1.read(raw, at)
+            at += 12
+            noise = v[0:3]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, noise), at
+
+    def _write(self) -> bytes:
+        out = _HARD_IRON_OFFSET_NOISE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _HARD_IRON_OFFSET_NOISE_GROUPS)
+        if there >= 1:
+            out += _HARD_IRON_OFFSET_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
+        return codec.finished(out)
+
+
+_SOFT_IRON_MATRIX_NOISE_0 = codec.Block("B", "function")
+_SOFT_IRON_MATRIX_NOISE_1 = codec.Block(
+    "fffffffff", "noise", "noise", "noise", "noise", "noise", "noise", "noise", "noise", "noise"
+)
+_SOFT_IRON_MATRIX_NOISE_GROUPS = ((1, ("noise",), False),)
+
+
+@dataclass(slots=True)
+class SoftIronMatrixNoise(Command):
+    """Soft iron matrix noise (0x0D,0x2C).
+
+    Standard deviation of the noise of the estimated soft iron matrix (process noise).
+
+    - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x2C
+    NAME = "filter.soft_iron_matrix_noise"
+    ROLE = "command"
+    RESPONSES = (SoftIronMatrixNoiseResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    noise: types.Matrix3f | None = None
+    """Standard deviation per element. [1]"""
+
+    @classmethod
+    def write(cls, noise: types.Matrix3f) -> SoftIronMatrixNoise:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, noise=noise)
+
+    @classmethod
+    def read(cls) -> SoftIronMatrixNoise:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> SoftIronMatrixNoise:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> SoftIronMatrixNoise:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> SoftIronMatrixNoise:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoise, int]:
+        noise: types.Matrix3f | None = None
+        v = _SOFT_IRON_MATRIX_NOISE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SOFT_IRON_MATRIX_NOISE_1.read(raw, at)
+            at += 36
+            noise = v[0:9]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, noise), at
+
+    def _write(self) -> bytes:
+        out = _SOFT_IRON_MATRIX_NOISE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _SOFT_IRON_MATRIX_NOISE_GROUPS)
+        if there >= 1:
+            out += _SOFT_IRON_MATRIX_NOISE_1.write(*codec.exactly("noise", self.noise, 9))
         return codec.finished(out)
 
 
@@ -2903,6 +4259,87 @@ class EnableDisableMeasurements(Command):
         return codec.finished(out)
 
 
+_MAG_NOISE_0 = codec.Block("B", "function")
+_MAG_NOISE_1 = codec.Block("fff", "noise", "noise", "noise")
+_MAG_NOISE_GROUPS = ((1, ("noise",), False),)
+
+
+@dataclass(slots=True)
+class MagNoise(Command):
+    """Magnetometer noise (0x0D,0x42).
+
+    Standard deviation of the magnetometer noise that the filter assumes.
+
+    - mip-sdk-4: Mag Noise (0x0D,0x42)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x42
+    NAME = "filter.mag_noise"
+    ROLE = "command"
+    RESPONSES = (MagNoiseResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    noise: types.Vector3f | None = None
+    """Standard deviation per axis. [gauss]"""
+
+    @classmethod
+    def write(cls, noise: types.Vector3f) -> MagNoise:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, noise=noise)
+
+    @classmethod
+    def read(cls) -> MagNoise:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> MagNoise:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> MagNoise:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> MagNoise:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagNoise, int]:
+        noise: types.Vector3f | None = None
+        v = _MAG_NOISE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _MAG_NOISE_1.read(raw, at)
+            at += 12
+            noise = v[0:3]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, noise), at
+
+    def _write(self) -> bytes:
+        out = _MAG_NOISE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _MAG_NOISE_GROUPS)
+        if there >= 1:
+            out += _MAG_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
+        return codec.finished(out)
+
+
 _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_0 = codec.Block("B", "function")
 _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_1 = codec.Block("B", "source")
 _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_2 = codec.Block("f", "declination")
@@ -2932,14 +4369,14 @@ class MagneticFieldDeclinationSourceControl(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    source: DeclinationSource | None = None
+    source: MagParameterSource | None = None
     """Source of the declination."""
     declination: float | None = None
     """Declination; used only if `source` is manual. [rad]"""
 
     @classmethod
     def write(
-        cls, source: DeclinationSource, declination: float
+        cls, source: MagParameterSource, declination: float
     ) -> MagneticFieldDeclinationSourceControl:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=source, declination=declination)
@@ -2966,7 +4403,7 @@ class MagneticFieldDeclinationSourceControl(Command):
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticFieldDeclinationSourceControl, int]:
-        source: DeclinationSource | None = None
+        source: MagParameterSource | None = None
         declination: float | None = None
         v = _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_0.read(raw, at)
         at += 1
@@ -2978,7 +4415,7 @@ class MagneticFieldDeclinationSourceControl(Command):
                 raise Truncated(1, 0)
             v = _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_1.read(raw, at)
             at += 1
-            source = DeclinationSource(v[0])
+            source = MagParameterSource(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
@@ -3199,6 +4636,435 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
         return codec.finished(out)
 
 
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0 = codec.Block("B", "function")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1 = codec.Block("B", "adaptive_measurement")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2 = codec.Block("f", "frequency")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3 = codec.Block("f", "low_limit")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4 = codec.Block("f", "high_limit")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5 = codec.Block("f", "low_limit_uncertainty")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6 = codec.Block("f", "high_limit_uncertainty")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7 = codec.Block("f", "minimum_uncertainty")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
+    (1, ("adaptive_measurement",), False),
+    (2, ("frequency",), False),
+    (3, ("low_limit",), False),
+    (4, ("high_limit",), False),
+    (5, ("low_limit_uncertainty",), False),
+    (6, ("high_limit_uncertainty",), False),
+    (7, ("minimum_uncertainty",), False),
+)
+
+
+@dataclass(slots=True)
+class MagMagnitudeErrorAdaptiveMeasurement(Command):
+    """Magnetometer magnitude error adaptive measurement (0x0D,0x45).
+
+    How far the filter trusts a magnetic field whose magnitude is not as expected.
+    The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
+    limits.
+    High limits suit high dynamics but let disturbances of the field through; low limits can spoil
+    the heading.
+
+    - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x45
+    NAME = "filter.mag_magnitude_error_adaptive_measurement"
+    ROLE = "command"
+    RESPONSES = (MagMagnitudeErrorAdaptiveMeasurementResponse,)
+    REQUIRED = {1: 7, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    adaptive_measurement: AdaptiveMeasurementSelector | None = None
+    """Kind of adaptation."""
+    frequency: float | None = None
+    """Cut-off frequency of the low-pass filter. [Hz]"""
+    low_limit: float | None = None
+    """Lower limit of the error. [gauss]"""
+    high_limit: float | None = None
+    """Upper limit of the error. [gauss]"""
+    low_limit_uncertainty: float | None = None
+    """Standard deviation at the lower limit. [gauss]"""
+    high_limit_uncertainty: float | None = None
+    """Standard deviation at the upper limit. [gauss]"""
+    minimum_uncertainty: float | None = None
+    """Smallest standard deviation. [gauss]"""
+
+    @classmethod
+    def write(
+        cls,
+        adaptive_measurement: AdaptiveMeasurementSelector,
+        frequency: float,
+        low_limit: float,
+        high_limit: float,
+        low_limit_uncertainty: float,
+        high_limit_uncertainty: float,
+        minimum_uncertainty: float,
+    ) -> MagMagnitudeErrorAdaptiveMeasurement:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE,
+            adaptive_measurement=adaptive_measurement,
+            frequency=frequency,
+            low_limit=low_limit,
+            high_limit=high_limit,
+            low_limit_uncertainty=low_limit_uncertainty,
+            high_limit_uncertainty=high_limit_uncertainty,
+            minimum_uncertainty=minimum_uncertainty,
+        )
+
+    @classmethod
+    def read(cls) -> MagMagnitudeErrorAdaptiveMeasurement:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> MagMagnitudeErrorAdaptiveMeasurement:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> MagMagnitudeErrorAdaptiveMeasurement:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> MagMagnitudeErrorAdaptiveMeasurement:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurement, int]:
+        adaptive_measurement: AdaptiveMeasurementSelector | None = None
+        frequency: float | None = None
+        low_limit: float | None = None
+        high_limit: float | None = None
+        low_limit_uncertainty: float | None = None
+        high_limit_uncertainty: float | None = None
+        minimum_uncertainty: float | None = None
+        v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.read(raw, at)
+            at += 1
+            adaptive_measurement = AdaptiveMeasurementSelector(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.read(raw, at)
+            at += 4
+            frequency = v[0]
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.read(raw, at)
+            at += 4
+            low_limit = v[0]
+            done, end = 3, at
+            if at == len(raw) and required < 4:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.read(raw, at)
+            at += 4
+            high_limit = v[0]
+            done, end = 4, at
+            if at == len(raw) and required < 5:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.read(raw, at)
+            at += 4
+            low_limit_uncertainty = v[0]
+            done, end = 5, at
+            if at == len(raw) and required < 6:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.read(raw, at)
+            at += 4
+            high_limit_uncertainty = v[0]
+            done, end = 6, at
+            if at == len(raw) and required < 7:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.read(raw, at)
+            at += 4
+            minimum_uncertainty = v[0]
+            done, end = 7, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(
+            function,
+            adaptive_measurement,
+            frequency,
+            low_limit,
+            high_limit,
+            low_limit_uncertainty,
+            high_limit_uncertainty,
+            minimum_uncertainty,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS)
+        if there >= 1:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.write(self.adaptive_measurement)
+        if there >= 2:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.write(self.frequency)
+        if there >= 3:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.write(self.low_limit)
+        if there >= 4:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.write(self.high_limit)
+        if there >= 5:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.write(self.low_limit_uncertainty)
+        if there >= 6:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.write(self.high_limit_uncertainty)
+        if there >= 7:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.write(self.minimum_uncertainty)
+        return codec.finished(out)
+
+
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_0 = codec.Block("B", "function")
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_1 = codec.Block("B", "enable")
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_2 = codec.Block("f", "frequency")
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_3 = codec.Block("f", "high_limit")
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_4 = codec.Block("f", "high_limit_uncertainty")
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_5 = codec.Block("f", "minimum_uncertainty")
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
+    (1, ("enable",), False),
+    (2, ("frequency",), False),
+    (3, ("high_limit",), False),
+    (4, ("high_limit_uncertainty",), False),
+    (5, ("minimum_uncertainty",), False),
+)
+
+
+@dataclass(slots=True)
+class MagDipAngleErrorAdaptiveMeasurement(Command):
+    """Magnetometer dip angle error adaptive measurement (0x0D,0x46).
+
+    How far the filter trusts a magnetic field whose dip angle is not as expected.
+    It has no effect while (0x0D,0x44) or (0x0D,0x45) is set to `auto`.
+    High limits suit high dynamics but let disturbances of the field through; low limits can spoil
+    the heading.
+
+    - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x46
+    NAME = "filter.mag_dip_angle_error_adaptive_measurement"
+    ROLE = "command"
+    RESPONSES = (MagDipAngleErrorAdaptiveMeasurementResponse,)
+    REQUIRED = {1: 5, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    enable: bool | None = None
+    """Whether the adaptation is on."""
+    frequency: float | None = None
+    """Cut-off frequency of the low-pass filter. [Hz]"""
+    high_limit: float | None = None
+    """Upper limit of the error. [rad]"""
+    high_limit_uncertainty: float | None = None
+    """Standard deviation at the upper limit. [rad]"""
+    minimum_uncertainty: float | None = None
+    """Smallest standard deviation. [rad]"""
+
+    @classmethod
+    def write(
+        cls,
+        enable: bool,
+        frequency: float,
+        high_limit: float,
+        high_limit_uncertainty: float,
+        minimum_uncertainty: float,
+    ) -> MagDipAngleErrorAdaptiveMeasurement:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE,
+            enable=enable,
+            frequency=frequency,
+            high_limit=high_limit,
+            high_limit_uncertainty=high_limit_uncertainty,
+            minimum_uncertainty=minimum_uncertainty,
+        )
+
+    @classmethod
+    def read(cls) -> MagDipAngleErrorAdaptiveMeasurement:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> MagDipAngleErrorAdaptiveMeasurement:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> MagDipAngleErrorAdaptiveMeasurement:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> MagDipAngleErrorAdaptiveMeasurement:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurement, int]:
+        enable: bool | None = None
+        frequency: float | None = None
+        high_limit: float | None = None
+        high_limit_uncertainty: float | None = None
+        minimum_uncertainty: float | None = None
+        v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_1.read(raw, at)
+            at += 1
+            enable = codec.truth(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_2.read(raw, at)
+            at += 4
+            frequency = v[0]
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_3.read(raw, at)
+            at += 4
+            high_limit = v[0]
+            done, end = 3, at
+            if at == len(raw) and required < 4:
+                raise Truncated(1, 0)
+            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_4.read(raw, at)
+            at += 4
+            high_limit_uncertainty = v[0]
+            done, end = 4, at
+            if at == len(raw) and required < 5:
+                raise Truncated(1, 0)
+            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_5.read(raw, at)
+            at += 4
+            minimum_uncertainty = v[0]
+            done, end = 5, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(
+            function, enable, frequency, high_limit, high_limit_uncertainty, minimum_uncertainty
+        ), at
+
+    def _write(self) -> bytes:
+        out = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS)
+        if there >= 1:
+            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_1.write(self.enable)
+        if there >= 2:
+            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_2.write(self.frequency)
+        if there >= 3:
+            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_3.write(self.high_limit)
+        if there >= 4:
+            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_4.write(self.high_limit_uncertainty)
+        if there >= 5:
+            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_5.write(self.minimum_uncertainty)
+        return codec.finished(out)
+
+
+_ALTITUDE_AIDING_0 = codec.Block("B", "function")
+_ALTITUDE_AIDING_1 = codec.Block("B", "selector")
+_ALTITUDE_AIDING_GROUPS = ((1, ("selector",), False),)
+
+
+@dataclass(slots=True)
+class AltitudeAiding(Command):
+    """Altitude aiding (0x0D,0x47).
+
+    What aids the altitude beside GNSS.
+    GNSS stays the main source of altitude; the aid improves it and bridges outages.
+    Weather and place shift the pressure altitude, at times by more than 40 m.
+
+    - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x47
+    NAME = "filter.altitude_aiding"
+    ROLE = "command"
+    RESPONSES = (AltitudeAidingResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    selector: AltitudeAidingSource | None = None
+    """Source of the aiding."""
+
+    @classmethod
+    def write(cls, selector: AltitudeAidingSource) -> AltitudeAiding:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, selector=selector)
+
+    @classmethod
+    def read(cls) -> AltitudeAiding:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> AltitudeAiding:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> AltitudeAiding:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> AltitudeAiding:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAiding, int]:
+        selector: AltitudeAidingSource | None = None
+        v = _ALTITUDE_AIDING_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _ALTITUDE_AIDING_1.read(raw, at)
+            at += 1
+            selector = AltitudeAidingSource(v[0])
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, selector), at
+
+    def _write(self) -> bytes:
+        out = _ALTITUDE_AIDING_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _ALTITUDE_AIDING_GROUPS)
+        if there >= 1:
+            out += _ALTITUDE_AIDING_1.write(self.selector)
+        return codec.finished(out)
+
+
 _PITCH_ROLL_AIDING_CONTROL_0 = codec.Block("B", "function")
 _PITCH_ROLL_AIDING_CONTROL_1 = codec.Block("B", "aiding")
 _PITCH_ROLL_AIDING_CONTROL_GROUPS = ((1, ("aiding",), False),)
@@ -3278,6 +5144,373 @@ class PitchRollAidingControl(Command):
         there = codec.present(self, required, _PITCH_ROLL_AIDING_CONTROL_GROUPS)
         if there >= 1:
             out += _PITCH_ROLL_AIDING_CONTROL_1.write(self.aiding)
+        return codec.finished(out)
+
+
+_INCLINATION_SOURCE_0 = codec.Block("B", "function")
+_INCLINATION_SOURCE_1 = codec.Block("B", "source")
+_INCLINATION_SOURCE_2 = codec.Block("f", "inclination")
+_INCLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("inclination",), False))
+
+
+@dataclass(slots=True)
+class InclinationSource(Command):
+    """Magnetic inclination source (0x0D,0x4C).
+
+    Source of the local inclination (dip angle) of the magnetic field.
+    Without a good inclination source, keep automatic magnetometer calibration off.
+
+    - mip-sdk-4: Inclination Source (0x0D,0x4C)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x4C
+    NAME = "filter.inclination_source"
+    ROLE = "command"
+    RESPONSES = (InclinationSourceResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    source: MagParameterSource | None = None
+    """Source of the inclination."""
+    inclination: float | None = None
+    """Inclination; used only if `source` is manual. [rad]"""
+
+    @classmethod
+    def write(cls, source: MagParameterSource, inclination: float) -> InclinationSource:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, source=source, inclination=inclination)
+
+    @classmethod
+    def read(cls) -> InclinationSource:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> InclinationSource:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> InclinationSource:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> InclinationSource:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[InclinationSource, int]:
+        source: MagParameterSource | None = None
+        inclination: float | None = None
+        v = _INCLINATION_SOURCE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _INCLINATION_SOURCE_1.read(raw, at)
+            at += 1
+            source = MagParameterSource(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _INCLINATION_SOURCE_2.read(raw, at)
+            at += 4
+            inclination = v[0]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, source, inclination), at
+
+    def _write(self) -> bytes:
+        out = _INCLINATION_SOURCE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _INCLINATION_SOURCE_GROUPS)
+        if there >= 1:
+            out += _INCLINATION_SOURCE_1.write(self.source)
+        if there >= 2:
+            out += _INCLINATION_SOURCE_2.write(self.inclination)
+        return codec.finished(out)
+
+
+_MAG_FIELD_MAGNITUDE_SOURCE_0 = codec.Block("B", "function")
+_MAG_FIELD_MAGNITUDE_SOURCE_1 = codec.Block("B", "source")
+_MAG_FIELD_MAGNITUDE_SOURCE_2 = codec.Block("f", "magnitude")
+_MAG_FIELD_MAGNITUDE_SOURCE_GROUPS = ((1, ("source",), False), (2, ("magnitude",), False))
+
+
+@dataclass(slots=True)
+class MagFieldMagnitudeSource(Command):
+    """Magnetic field magnitude source (0x0D,0x4D).
+
+    Source of the local magnitude of the magnetic field.
+    Without a good magnitude source, keep automatic magnetometer calibration off.
+    The adaptive measurement (0x0D,0x45) relies on it too.
+
+    - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x4D
+    NAME = "filter.mag_field_magnitude_source"
+    ROLE = "command"
+    RESPONSES = (MagFieldMagnitudeSourceResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    source: MagParameterSource | None = None
+    """Source of the magnitude."""
+    magnitude: float | None = None
+    """Magnitude; used only if `source` is manual. [gauss]"""
+
+    @classmethod
+    def write(cls, source: MagParameterSource, magnitude: float) -> MagFieldMagnitudeSource:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, source=source, magnitude=magnitude)
+
+    @classmethod
+    def read(cls) -> MagFieldMagnitudeSource:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> MagFieldMagnitudeSource:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> MagFieldMagnitudeSource:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> MagFieldMagnitudeSource:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagFieldMagnitudeSource, int]:
+        source: MagParameterSource | None = None
+        magnitude: float | None = None
+        v = _MAG_FIELD_MAGNITUDE_SOURCE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _MAG_FIELD_MAGNITUDE_SOURCE_1.read(raw, at)
+            at += 1
+            source = MagParameterSource(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _MAG_FIELD_MAGNITUDE_SOURCE_2.read(raw, at)
+            at += 4
+            magnitude = v[0]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, source, magnitude), at
+
+    def _write(self) -> bytes:
+        out = _MAG_FIELD_MAGNITUDE_SOURCE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _MAG_FIELD_MAGNITUDE_SOURCE_GROUPS)
+        if there >= 1:
+            out += _MAG_FIELD_MAGNITUDE_SOURCE_1.write(self.source)
+        if there >= 2:
+            out += _MAG_FIELD_MAGNITUDE_SOURCE_2.write(self.magnitude)
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_ROTATION_DCM_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_ROTATION_DCM_1 = codec.Block(
+    "fffffffff", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm"
+)
+_SENSOR_TO_VEHICLE_ROTATION_DCM_GROUPS = ((1, ("dcm",), False),)
+
+
+@dataclass(slots=True)
+class SensorToVehicleRotationDcm(Command):
+    """Sensor to vehicle rotation, matrix (0x0D,0x4E).
+
+    Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
+    It is the inverse of the matrix that (0x0C,0x33) takes.
+    It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+    velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
+    filter.
+    The device refuses a matrix that is not orthonormal to 0.001.
+    The device keeps a quaternion, so the elements read back may differ a little from those written.
+
+    - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x4E
+    NAME = "filter.sensor_to_vehicle_rotation_dcm"
+    ROLE = "command"
+    RESPONSES = (SensorToVehicleRotationDcmResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    dcm: types.Matrix3f | None = None
+    """Rotation matrix in row-major order. [1]"""
+
+    @classmethod
+    def write(cls, dcm: types.Matrix3f) -> SensorToVehicleRotationDcm:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, dcm=dcm)
+
+    @classmethod
+    def read(cls) -> SensorToVehicleRotationDcm:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> SensorToVehicleRotationDcm:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> SensorToVehicleRotationDcm:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> SensorToVehicleRotationDcm:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcm, int]:
+        dcm: types.Matrix3f | None = None
+        v = _SENSOR_TO_VEHICLE_ROTATION_DCM_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SENSOR_TO_VEHICLE_ROTATION_DCM_1.read(raw, at)
+            at += 36
+            dcm = v[0:9]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, dcm), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_ROTATION_DCM_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_DCM_GROUPS)
+        if there >= 1:
+            out += _SENSOR_TO_VEHICLE_ROTATION_DCM_1.write(*codec.exactly("dcm", self.dcm, 9))
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1 = codec.Block("ffff", "quat", "quat", "quat", "quat")
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS = ((1, ("quat",), False),)
+
+
+@dataclass(slots=True)
+class SensorToVehicleRotationQuaternion(Command):
+    """Sensor to vehicle rotation, quaternion (0x0D,0x4F).
+
+    Rotation from the sensor frame to the vehicle frame as a quaternion.
+    It is the inverse of the quaternion that (0x0C,0x32) takes.
+    It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+    velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
+    filter.
+    The device refuses a quaternion whose length is not 1 to 0.001.
+    The device normalizes it, so the elements read back may differ a little from those written.
+
+    - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x4F
+    NAME = "filter.sensor_to_vehicle_rotation_quaternion"
+    ROLE = "command"
+    RESPONSES = (SensorToVehicleRotationQuaternionResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    quat: types.Quatf | None = None
+    """Unit quaternion, scalar part first. [1]"""
+
+    @classmethod
+    def write(cls, quat: types.Quatf) -> SensorToVehicleRotationQuaternion:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, quat=quat)
+
+    @classmethod
+    def read(cls) -> SensorToVehicleRotationQuaternion:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> SensorToVehicleRotationQuaternion:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> SensorToVehicleRotationQuaternion:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> SensorToVehicleRotationQuaternion:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternion, int]:
+        quat: types.Quatf | None = None
+        v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.read(raw, at)
+            at += 16
+            quat = v[0:4]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, quat), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS)
+        if there >= 1:
+            out += _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.write(
+                *codec.exactly("quat", self.quat, 4)
+            )
         return codec.finished(out)
 
 
@@ -3372,6 +5605,125 @@ class AidingMeasurementControl(Command):
             out += _AIDING_MEASUREMENT_CONTROL_1.write(self.aiding_source)
         if there >= 2:
             out += _AIDING_MEASUREMENT_CONTROL_2.write(self.enable)
+        return codec.finished(out)
+
+
+_KINEMATIC_CONSTRAINT_0 = codec.Block("B", "function")
+_KINEMATIC_CONSTRAINT_1 = codec.Block("B", "accel_constraint")
+_KINEMATIC_CONSTRAINT_2 = codec.Block("B", "velocity_constraint")
+_KINEMATIC_CONSTRAINT_3 = codec.Block("B", "angular_constraint")
+_KINEMATIC_CONSTRAINT_GROUPS = (
+    (1, ("accel_constraint",), False),
+    (2, ("velocity_constraint",), False),
+    (3, ("angular_constraint",), False),
+)
+
+
+@dataclass(slots=True)
+class KinematicConstraint(Command):
+    """Kinematic constraint (0x0D,0x51).
+
+    Assumptions about the motion that the filter uses as measurements.
+
+    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x51
+    NAME = "filter.kinematic_constraint"
+    ROLE = "command"
+    RESPONSES = (KinematicConstraintResponse,)
+    REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    accel_constraint: AccelConstraint | None = None
+    """Assumption about the acceleration. Factory default: none."""
+    velocity_constraint: VelocityConstraint | None = None
+    """Assumption about the velocity. Factory default: none."""
+    angular_constraint: AngularConstraint | None = None
+    """Assumption about the angular rate. Factory default: none."""
+
+    @classmethod
+    def write(
+        cls,
+        accel_constraint: AccelConstraint,
+        velocity_constraint: VelocityConstraint,
+        angular_constraint: AngularConstraint,
+    ) -> KinematicConstraint:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE,
+            accel_constraint=accel_constraint,
+            velocity_constraint=velocity_constraint,
+            angular_constraint=angular_constraint,
+        )
+
+    @classmethod
+    def read(cls) -> KinematicConstraint:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> KinematicConstraint:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> KinematicConstraint:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> KinematicConstraint:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraint, int]:
+        accel_constraint: AccelConstraint | None = None
+        velocity_constraint: VelocityConstraint | None = None
+        angular_constraint: AngularConstraint | None = None
+        v = _KINEMATIC_CONSTRAINT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _KINEMATIC_CONSTRAINT_1.read(raw, at)
+            at += 1
+            accel_constraint = AccelConstraint(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _KINEMATIC_CONSTRAINT_2.read(raw, at)
+            at += 1
+            velocity_constraint = VelocityConstraint(v[0])
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _KINEMATIC_CONSTRAINT_3.read(raw, at)
+            at += 1
+            angular_constraint = AngularConstraint(v[0])
+            done, end = 3, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, accel_constraint, velocity_constraint, angular_constraint), at
+
+    def _write(self) -> bytes:
+        out = _KINEMATIC_CONSTRAINT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _KINEMATIC_CONSTRAINT_GROUPS)
+        if there >= 1:
+            out += _KINEMATIC_CONSTRAINT_1.write(self.accel_constraint)
+        if there >= 2:
+            out += _KINEMATIC_CONSTRAINT_2.write(self.velocity_constraint)
+        if there >= 3:
+            out += _KINEMATIC_CONSTRAINT_3.write(self.angular_constraint)
         return codec.finished(out)
 
 
@@ -4047,6 +6399,49 @@ class ReferencePointLeverArm(Command):
         return codec.finished(out)
 
 
+_SPEED_MEASUREMENT_0 = codec.Block("Bfff", "source", "tow", "speed", "speed_uncertainty")
+
+
+@dataclass(slots=True)
+class SpeedMeasurement(Command):
+    """Speed measurement (0x0D,0x60).
+
+    Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
+    It must not be used together with the odometer of the device.
+    Single precision resolves the time of week to 0.0625 s at the end of the week.
+
+    - mip-sdk-4: Speed Measurement (0x0D,0x60)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x60
+    NAME = "filter.speed_measurement"
+    ROLE = "command"
+
+    source: int = field(default=1, kw_only=True)
+    """Send 1."""
+    tow: float
+    """GPS time of week of the measurement. [s]"""
+    speed: float
+    """Speed, negative in reverse. [m/s] Frame: vehicle."""
+    speed_uncertainty: float
+    """Standard deviation of the speed. [m/s]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SpeedMeasurement, int]:
+        v = _SPEED_MEASUREMENT_0.read(raw, at)
+        at += 13
+        source = v[0]
+        tow = v[1]
+        speed = v[2]
+        speed_uncertainty = v[3]
+        return cls(tow, speed, speed_uncertainty, source=source), at
+
+    def _write(self) -> bytes:
+        out = _SPEED_MEASUREMENT_0.write(self.source, self.tow, self.speed, self.speed_uncertainty)
+        return codec.finished(out)
+
+
 _MEASUREMENT_SPEED_LEVER_ARM_0 = codec.Block("B", "function")
 _MEASUREMENT_SPEED_LEVER_ARM_1 = codec.Block("B", "source")
 _MEASUREMENT_SPEED_LEVER_ARM_2 = codec.Block(
@@ -4143,6 +6538,88 @@ class MeasurementSpeedLeverArm(Command):
             out += _MEASUREMENT_SPEED_LEVER_ARM_2.write(
                 *codec.exactly("lever_arm_offset", self.lever_arm_offset, 3)
             )
+        return codec.finished(out)
+
+
+_VERTICAL_GYRO_CONSTRAINT_CONTROL_0 = codec.Block("B", "function")
+_VERTICAL_GYRO_CONSTRAINT_CONTROL_1 = codec.Block("B", "enable")
+_VERTICAL_GYRO_CONSTRAINT_CONTROL_GROUPS = ((1, ("enable",), False),)
+
+
+@dataclass(slots=True)
+class VerticalGyroConstraintControl(Command):
+    """Vertical gyro constraint (0x0D,0x62).
+
+    Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
+    It takes the linear acceleration as zero.
+
+    - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x62
+    NAME = "filter.vertical_gyro_constraint_control"
+    ROLE = "command"
+    RESPONSES = (VerticalGyroConstraintControlResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    enable: int | None = None
+    """0 disables, 1 enables. Range: 0 to 1."""
+
+    @classmethod
+    def write(cls, enable: int) -> VerticalGyroConstraintControl:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, enable=enable)
+
+    @classmethod
+    def read(cls) -> VerticalGyroConstraintControl:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> VerticalGyroConstraintControl:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> VerticalGyroConstraintControl:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> VerticalGyroConstraintControl:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[VerticalGyroConstraintControl, int]:
+        enable: int | None = None
+        v = _VERTICAL_GYRO_CONSTRAINT_CONTROL_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _VERTICAL_GYRO_CONSTRAINT_CONTROL_1.read(raw, at)
+            at += 1
+            enable = v[0]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, enable), at
+
+    def _write(self) -> bytes:
+        out = _VERTICAL_GYRO_CONSTRAINT_CONTROL_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _VERTICAL_GYRO_CONSTRAINT_CONTROL_GROUPS)
+        if there >= 1:
+            out += _VERTICAL_GYRO_CONSTRAINT_CONTROL_1.write(self.enable)
         return codec.finished(out)
 
 
@@ -4330,7 +6807,9 @@ class GnssAntennaOffsetCalibrationControl(Command):
         return codec.finished(out)
 
 
+VehicleDynamicsModeResponse.COMMANDS = (VehicleDynamicsMode,)
 SensorToVehicleFrameTransformationResponse.COMMANDS = (SensorToVehicleFrameTransformation,)
+SensorToVehicleOffsetResponse.COMMANDS = (SensorToVehicleOffset,)
 GnssAntennaOffsetControlResponse.COMMANDS = (GnssAntennaOffsetControl,)
 EstimationControlFlagsResponse.COMMANDS = (EstimationControlFlags,)
 GnssAidingSourceControlResponse.COMMANDS = (GnssAidingSourceControl,)
@@ -4340,22 +6819,37 @@ AccelerometerNoiseStandardDeviationResponse.COMMANDS = (AccelerometerNoiseStanda
 GyroscopeNoiseStandardDeviationResponse.COMMANDS = (GyroscopeNoiseStandardDeviation,)
 AccelerometerBiasModelParametersResponse.COMMANDS = (AccelerometerBiasModelParameters,)
 GyroscopeBiasModelParametersResponse.COMMANDS = (GyroscopeBiasModelParameters,)
+AutoZuptResponse.COMMANDS = (AutoZupt,)
 ZeroAngularRateUpdateControlResponse.COMMANDS = (ZeroAngularRateUpdateControl,)
 SetReferencePositionResponse.COMMANDS = (SetReferencePosition,)
 GravityNoiseStandardDeviationResponse.COMMANDS = (GravityNoiseStandardDeviation,)
+PressureAltitudeNoiseResponse.COMMANDS = (PressureAltitudeNoise,)
+HardIronOffsetNoiseResponse.COMMANDS = (HardIronOffsetNoise,)
+SoftIronMatrixNoiseResponse.COMMANDS = (SoftIronMatrixNoise,)
+TareOrientationResponse.COMMANDS = (TareOrientation,)
 EnableDisableMeasurementsResponse.COMMANDS = (EnableDisableMeasurements,)
+MagNoiseResponse.COMMANDS = (MagNoise,)
 MagneticFieldDeclinationSourceControlResponse.COMMANDS = (MagneticFieldDeclinationSourceControl,)
 GravityMagnitudeErrorAdaptiveMeasurementResponse.COMMANDS = (
     GravityMagnitudeErrorAdaptiveMeasurement,
 )
+MagMagnitudeErrorAdaptiveMeasurementResponse.COMMANDS = (MagMagnitudeErrorAdaptiveMeasurement,)
+MagDipAngleErrorAdaptiveMeasurementResponse.COMMANDS = (MagDipAngleErrorAdaptiveMeasurement,)
+AltitudeAidingResponse.COMMANDS = (AltitudeAiding,)
 PitchRollAidingControlResponse.COMMANDS = (PitchRollAidingControl,)
+InclinationSourceResponse.COMMANDS = (InclinationSource,)
+MagFieldMagnitudeSourceResponse.COMMANDS = (MagFieldMagnitudeSource,)
+SensorToVehicleRotationDcmResponse.COMMANDS = (SensorToVehicleRotationDcm,)
+SensorToVehicleRotationQuaternionResponse.COMMANDS = (SensorToVehicleRotationQuaternion,)
 AidingMeasurementControlResponse.COMMANDS = (AidingMeasurementControl,)
+KinematicConstraintResponse.COMMANDS = (KinematicConstraint,)
 NavigationFilterInitializationResponse.COMMANDS = (NavigationFilterInitialization,)
 AdaptiveFilterControlResponse.COMMANDS = (AdaptiveFilterControl,)
 GnssMultiAntennaOffsetControlResponse.COMMANDS = (GnssMultiAntennaOffsetControl,)
 RelativePositionConfigurationResponse.COMMANDS = (RelativePositionConfiguration,)
 ReferencePointLeverArmResponse.COMMANDS = (ReferencePointLeverArm,)
 MeasurementSpeedLeverArmResponse.COMMANDS = (MeasurementSpeedLeverArm,)
+VerticalGyroConstraintControlResponse.COMMANDS = (VerticalGyroConstraintControl,)
 WheeledVehicleConstraintControlResponse.COMMANDS = (WheeledVehicleConstraintControl,)
 GnssAntennaOffsetCalibrationControlResponse.COMMANDS = (GnssAntennaOffsetCalibrationControl,)
 
@@ -4366,10 +6860,13 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x02: (SetInitialAttitude,),
     0x03: (SetInitialHeadingControl,),
     0x05: (RunNavigationFilter,),
+    0x10: (VehicleDynamicsMode,),
     0x11: (SensorToVehicleFrameTransformation,),
+    0x12: (SensorToVehicleOffset,),
     0x13: (GnssAntennaOffsetControl,),
     0x14: (EstimationControlFlags,),
     0x15: (GnssAidingSourceControl,),
+    0x16: (ExternalGnssUpdate,),
     0x17: (ExternalHeadingUpdate,),
     0x18: (HeadingUpdateControl,),
     0x19: (AutoInitializationControl,),
@@ -4377,26 +6874,45 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x1B: (GyroscopeNoiseStandardDeviation,),
     0x1C: (AccelerometerBiasModelParameters,),
     0x1D: (GyroscopeBiasModelParameters,),
+    0x1E: (AutoZupt,),
     0x1F: (ExternalHeadingUpdateWithTime,),
     0x20: (ZeroAngularRateUpdateControl,),
     0x21: (TareOrientation,),
+    0x22: (CommandedZupt,),
     0x23: (CommandedZeroAngularRateUpdate,),
     0x26: (SetReferencePosition,),
+    0x27: (MagCaptureAutoCal,),
     0x28: (GravityNoiseStandardDeviation,),
+    0x29: (PressureAltitudeNoise,),
+    0x2B: (HardIronOffsetNoise,),
+    0x2C: (SoftIronMatrixNoise,),
     0x41: (EnableDisableMeasurements,),
+    0x42: (MagNoise,),
     0x43: (MagneticFieldDeclinationSourceControl,),
     0x44: (GravityMagnitudeErrorAdaptiveMeasurement,),
+    0x45: (MagMagnitudeErrorAdaptiveMeasurement,),
+    0x46: (MagDipAngleErrorAdaptiveMeasurement,),
+    0x47: (AltitudeAiding,),
     0x4B: (PitchRollAidingControl,),
+    0x4C: (InclinationSource,),
+    0x4D: (MagFieldMagnitudeSource,),
+    0x4E: (SensorToVehicleRotationDcm,),
+    0x4F: (SensorToVehicleRotationQuaternion,),
     0x50: (AidingMeasurementControl,),
+    0x51: (KinematicConstraint,),
     0x52: (NavigationFilterInitialization,),
     0x53: (AdaptiveFilterControl,),
     0x54: (GnssMultiAntennaOffsetControl,),
     0x55: (RelativePositionConfiguration,),
     0x56: (ReferencePointLeverArm,),
+    0x60: (SpeedMeasurement,),
     0x61: (MeasurementSpeedLeverArm,),
+    0x62: (VerticalGyroConstraintControl,),
     0x63: (WheeledVehicleConstraintControl,),
     0x64: (GnssAntennaOffsetCalibrationControl,),
+    0x80: (VehicleDynamicsModeResponse,),
     0x81: (SensorToVehicleFrameTransformationResponse,),
+    0x82: (SensorToVehicleOffsetResponse,),
     0x83: (GnssAntennaOffsetControlResponse,),
     0x84: (EstimationControlFlagsResponse,),
     0x86: (GnssAidingSourceControlResponse,),
@@ -4406,20 +6922,35 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x8A: (GyroscopeNoiseStandardDeviationResponse,),
     0x8B: (AccelerometerBiasModelParametersResponse,),
     0x8C: (GyroscopeBiasModelParametersResponse,),
+    0x8D: (AutoZuptResponse,),
     0x8E: (ZeroAngularRateUpdateControlResponse,),
     0x90: (SetReferencePositionResponse,),
     0x93: (GravityNoiseStandardDeviationResponse,),
+    0x94: (PressureAltitudeNoiseResponse,),
+    0x96: (HardIronOffsetNoiseResponse,),
+    0x97: (SoftIronMatrixNoiseResponse,),
+    0xA1: (TareOrientationResponse,),
     0xB0: (EnableDisableMeasurementsResponse,),
+    0xB1: (MagNoiseResponse,),
     0xB2: (MagneticFieldDeclinationSourceControlResponse,),
     0xB3: (GravityMagnitudeErrorAdaptiveMeasurementResponse,),
+    0xB4: (MagMagnitudeErrorAdaptiveMeasurementResponse,),
+    0xB5: (MagDipAngleErrorAdaptiveMeasurementResponse,),
+    0xB7: (AltitudeAidingResponse,),
     0xBB: (PitchRollAidingControlResponse,),
+    0xBC: (InclinationSourceResponse,),
+    0xBD: (MagFieldMagnitudeSourceResponse,),
+    0xBE: (SensorToVehicleRotationDcmResponse,),
+    0xBF: (SensorToVehicleRotationQuaternionResponse,),
     0xD0: (AidingMeasurementControlResponse,),
+    0xD1: (KinematicConstraintResponse,),
     0xD2: (NavigationFilterInitializationResponse,),
     0xD3: (AdaptiveFilterControlResponse,),
     0xD4: (GnssMultiAntennaOffsetControlResponse,),
     0xD5: (RelativePositionConfigurationResponse,),
     0xD6: (ReferencePointLeverArmResponse,),
     0xE1: (MeasurementSpeedLeverArmResponse,),
+    0xE2: (VerticalGyroConstraintControlResponse,),
     0xE3: (WheeledVehicleConstraintControlResponse,),
     0xE4: (GnssAntennaOffsetCalibrationControlResponse,),
 }

@@ -211,6 +211,15 @@ class GnssAidingStatus(IntFlag):
     """The antenna offset of the receiver is probably wrong."""
 
 
+class HeadingAidingType(codec.OpenEnum):
+    """Where a heading measurement comes from."""
+
+    DUAL_ANTENNA = 1
+    """Two GNSS antennas."""
+    EXTERNAL_MESSAGE = 2
+    """A heading message of the user."""
+
+
 class AidingMeasurementType(codec.OpenEnum):
     """Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
     `aiding` that give the measurement.
@@ -1181,6 +1190,246 @@ class MagneticModel(Data):
         return codec.finished(out)
 
 
+_GYRO_SCALE_FACTOR_0 = codec.Block(
+    "fffH", "scale_factor", "scale_factor", "scale_factor", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class GyroScaleFactor(Data):
+    """Gyroscope scale factor (0x82,0x16).
+
+    Estimated scale factor of the gyroscope.
+
+    - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x16
+    NAME = "filter_data.gyro_scale_factor"
+    ROLE = "data"
+
+    scale_factor: types.Vector3f
+    """Scale factor per axis. [1] Frame: sensor. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroScaleFactor, int]:
+        v = _GYRO_SCALE_FACTOR_0.read(raw, at)
+        at += 14
+        scale_factor = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(scale_factor, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GYRO_SCALE_FACTOR_0.write(
+            *codec.exactly("scale_factor", self.scale_factor, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_ACCEL_SCALE_FACTOR_0 = codec.Block(
+    "fffH", "scale_factor", "scale_factor", "scale_factor", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class AccelScaleFactor(Data):
+    """Accelerometer scale factor (0x82,0x17).
+
+    Estimated scale factor of the accelerometer.
+
+    - mip-sdk-4: Accel Scale Factor (0x82,0x17)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x17
+    NAME = "filter_data.accel_scale_factor"
+    ROLE = "data"
+
+    scale_factor: types.Vector3f
+    """Scale factor per axis. [1] Frame: sensor. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelScaleFactor, int]:
+        v = _ACCEL_SCALE_FACTOR_0.read(raw, at)
+        at += 14
+        scale_factor = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(scale_factor, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ACCEL_SCALE_FACTOR_0.write(
+            *codec.exactly("scale_factor", self.scale_factor, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_GYRO_SCALE_FACTOR_UNCERTAINTY_0 = codec.Block(
+    "fffH",
+    "scale_factor_uncertainty",
+    "scale_factor_uncertainty",
+    "scale_factor_uncertainty",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class GyroScaleFactorUncertainty(Data):
+    """Gyroscope scale factor uncertainty (0x82,0x18).
+
+    Standard deviation of the estimated scale factor of the gyroscope.
+
+    - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x18
+    NAME = "filter_data.gyro_scale_factor_uncertainty"
+    ROLE = "data"
+
+    scale_factor_uncertainty: types.Vector3f
+    """Standard deviation per axis. [1] Frame: sensor. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroScaleFactorUncertainty, int]:
+        v = _GYRO_SCALE_FACTOR_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        scale_factor_uncertainty = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(scale_factor_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GYRO_SCALE_FACTOR_UNCERTAINTY_0.write(
+            *codec.exactly("scale_factor_uncertainty", self.scale_factor_uncertainty, 3),
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_ACCEL_SCALE_FACTOR_UNCERTAINTY_0 = codec.Block(
+    "fffH",
+    "scale_factor_uncertainty",
+    "scale_factor_uncertainty",
+    "scale_factor_uncertainty",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class AccelScaleFactorUncertainty(Data):
+    """Accelerometer scale factor uncertainty (0x82,0x19).
+
+    Standard deviation of the estimated scale factor of the accelerometer.
+
+    - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x19
+    NAME = "filter_data.accel_scale_factor_uncertainty"
+    ROLE = "data"
+
+    scale_factor_uncertainty: types.Vector3f
+    """Standard deviation per axis. [1] Frame: sensor. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelScaleFactorUncertainty, int]:
+        v = _ACCEL_SCALE_FACTOR_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        scale_factor_uncertainty = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(scale_factor_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ACCEL_SCALE_FACTOR_UNCERTAINTY_0.write(
+            *codec.exactly("scale_factor_uncertainty", self.scale_factor_uncertainty, 3),
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_MAG_BIAS_0 = codec.Block("fffH", "bias", "bias", "bias", "valid_flags")
+
+
+@dataclass(slots=True)
+class MagBias(Data):
+    """Magnetometer bias (0x82,0x1A).
+
+    Estimated bias of the magnetometer.
+
+    - mip-sdk-4: Mag Bias (0x82,0x1A)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x1A
+    NAME = "filter_data.mag_bias"
+    ROLE = "data"
+
+    bias: types.Vector3f
+    """Bias. [gauss] Frame: sensor. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagBias, int]:
+        v = _MAG_BIAS_0.read(raw, at)
+        at += 14
+        bias = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(bias, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_BIAS_0.write(*codec.exactly("bias", self.bias, 3), self.valid_flags)
+        return codec.finished(out)
+
+
+_MAG_BIAS_UNCERTAINTY_0 = codec.Block(
+    "fffH", "bias_uncertainty", "bias_uncertainty", "bias_uncertainty", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class MagBiasUncertainty(Data):
+    """Magnetometer bias uncertainty (0x82,0x1B).
+
+    Standard deviation of the estimated bias of the magnetometer.
+
+    - mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x1B
+    NAME = "filter_data.mag_bias_uncertainty"
+    ROLE = "data"
+
+    bias_uncertainty: types.Vector3f
+    """Standard deviation per axis. [gauss] Frame: sensor. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagBiasUncertainty, int]:
+        v = _MAG_BIAS_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        bias_uncertainty = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(bias_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_BIAS_UNCERTAINTY_0.write(
+            *codec.exactly("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
 _COMPENSATED_ACCELERATION_0 = codec.Block("fffH", "accel", "accel", "accel", "valid_flags")
 
 
@@ -1220,6 +1469,76 @@ class CompensatedAcceleration(Data):
         return codec.finished(out)
 
 
+_STANDARD_ATMOSPHERE_0 = codec.Block(
+    "fffffH",
+    "geometric_altitude",
+    "geopotential_altitude",
+    "standard_temperature",
+    "standard_pressure",
+    "standard_density",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class StandardAtmosphere(Data):
+    """Standard atmosphere (0x82,0x20).
+
+    US Standard Atmosphere of 1976 at the altitude of the device.
+    It is valid only with a valid GNSS position.
+
+    - mip-sdk-4: Standard Atmosphere (0x82,0x20)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x20
+    NAME = "filter_data.standard_atmosphere"
+    ROLE = "data"
+
+    geometric_altitude: float
+    """Altitude that goes into the model. [m] Valid if valid_flags.valid."""
+    geopotential_altitude: float
+    """Geopotential altitude. [m] Valid if valid_flags.valid."""
+    standard_temperature: float
+    """Temperature. [degC] Valid if valid_flags.valid."""
+    standard_pressure: float
+    """Pressure. [mbar] Valid if valid_flags.valid."""
+    standard_density: float
+    """Density. [kg/m^3] Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[StandardAtmosphere, int]:
+        v = _STANDARD_ATMOSPHERE_0.read(raw, at)
+        at += 22
+        geometric_altitude = v[0]
+        geopotential_altitude = v[1]
+        standard_temperature = v[2]
+        standard_pressure = v[3]
+        standard_density = v[4]
+        valid_flags = ValidFlags(v[5])
+        return cls(
+            geometric_altitude,
+            geopotential_altitude,
+            standard_temperature,
+            standard_pressure,
+            standard_density,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _STANDARD_ATMOSPHERE_0.write(
+            self.geometric_altitude,
+            self.geopotential_altitude,
+            self.standard_temperature,
+            self.standard_pressure,
+            self.standard_density,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
 _PRESSURE_ALTITUDE_0 = codec.Block("fH", "pressure_altitude", "valid_flags")
 
 
@@ -1255,6 +1574,464 @@ class PressureAltitude(Data):
 
     def _write(self) -> bytes:
         out = _PRESSURE_ALTITUDE_0.write(self.pressure_altitude, self.valid_flags)
+        return codec.finished(out)
+
+
+_DENSITY_ALTITUDE_0 = codec.Block("fH", "density_altitude", "valid_flags")
+
+
+@dataclass(slots=True)
+class DensityAltitude(Data):
+    """Density altitude (0x82,0x22).
+
+    Altitude at which the standard atmosphere has the density of the air around the device.
+
+    - mip-sdk-4: Density Altitude (0x82,0x22)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x22
+    NAME = "filter_data.density_altitude"
+    ROLE = "data"
+
+    density_altitude: float
+    """Altitude. [m] Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DensityAltitude, int]:
+        v = _DENSITY_ALTITUDE_0.read(raw, at)
+        at += 6
+        density_altitude = v[0]
+        valid_flags = ValidFlags(v[1])
+        return cls(density_altitude, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _DENSITY_ALTITUDE_0.write(self.density_altitude, self.valid_flags)
+        return codec.finished(out)
+
+
+_MAG_OFFSET_0 = codec.Block("fffH", "hard_iron", "hard_iron", "hard_iron", "valid_flags")
+
+
+@dataclass(slots=True)
+class MagOffset(Data):
+    """Magnetometer offset (0x82,0x25).
+
+    Estimated hard iron offset of the magnetometer.
+    The filter adds it to the stored hard iron offset (0x0C,0x3A).
+
+    - mip-sdk-4: Magnetometer Offset (0x82,0x25)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x25
+    NAME = "filter_data.mag_offset"
+    ROLE = "data"
+
+    hard_iron: types.Vector3f
+    """Hard iron offset. [gauss] Frame: sensor. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagOffset, int]:
+        v = _MAG_OFFSET_0.read(raw, at)
+        at += 14
+        hard_iron = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(hard_iron, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_OFFSET_0.write(*codec.exactly("hard_iron", self.hard_iron, 3), self.valid_flags)
+        return codec.finished(out)
+
+
+_MAG_MATRIX_0 = codec.Block(
+    "fffffffffH",
+    "soft_iron",
+    "soft_iron",
+    "soft_iron",
+    "soft_iron",
+    "soft_iron",
+    "soft_iron",
+    "soft_iron",
+    "soft_iron",
+    "soft_iron",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class MagMatrix(Data):
+    """Magnetometer matrix (0x82,0x26).
+
+    Estimated soft iron matrix of the magnetometer.
+    The filter multiplies the stored soft iron matrix (0x0C,0x3B) by it, from the right.
+
+    - mip-sdk-4: Magnetometer Matrix (0x82,0x26)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x26
+    NAME = "filter_data.mag_matrix"
+    ROLE = "data"
+
+    soft_iron: types.Matrix3f
+    """Soft iron matrix in row-major order. [1] Frame: sensor. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagMatrix, int]:
+        v = _MAG_MATRIX_0.read(raw, at)
+        at += 38
+        soft_iron = v[0:9]
+        valid_flags = ValidFlags(v[9])
+        return cls(soft_iron, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_MATRIX_0.write(*codec.exactly("soft_iron", self.soft_iron, 9), self.valid_flags)
+        return codec.finished(out)
+
+
+_MAG_OFFSET_UNCERTAINTY_0 = codec.Block(
+    "fffH", "hard_iron_uncertainty", "hard_iron_uncertainty", "hard_iron_uncertainty", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class MagOffsetUncertainty(Data):
+    """Magnetometer offset uncertainty (0x82,0x28).
+
+    Standard deviation of the estimated hard iron offset.
+
+    - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x28
+    NAME = "filter_data.mag_offset_uncertainty"
+    ROLE = "data"
+
+    hard_iron_uncertainty: types.Vector3f
+    """Standard deviation per axis. [gauss] Frame: sensor. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagOffsetUncertainty, int]:
+        v = _MAG_OFFSET_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        hard_iron_uncertainty = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(hard_iron_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_OFFSET_UNCERTAINTY_0.write(
+            *codec.exactly("hard_iron_uncertainty", self.hard_iron_uncertainty, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_MAG_MATRIX_UNCERTAINTY_0 = codec.Block(
+    "fffffffffH",
+    "soft_iron_uncertainty",
+    "soft_iron_uncertainty",
+    "soft_iron_uncertainty",
+    "soft_iron_uncertainty",
+    "soft_iron_uncertainty",
+    "soft_iron_uncertainty",
+    "soft_iron_uncertainty",
+    "soft_iron_uncertainty",
+    "soft_iron_uncertainty",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class MagMatrixUncertainty(Data):
+    """Magnetometer matrix uncertainty (0x82,0x29).
+
+    Standard deviation of the estimated soft iron matrix.
+
+    - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x29
+    NAME = "filter_data.mag_matrix_uncertainty"
+    ROLE = "data"
+
+    soft_iron_uncertainty: types.Matrix3f
+    """Standard deviation per element. [1] Frame: sensor. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagMatrixUncertainty, int]:
+        v = _MAG_MATRIX_UNCERTAINTY_0.read(raw, at)
+        at += 38
+        soft_iron_uncertainty = v[0:9]
+        valid_flags = ValidFlags(v[9])
+        return cls(soft_iron_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_MATRIX_UNCERTAINTY_0.write(
+            *codec.exactly("soft_iron_uncertainty", self.soft_iron_uncertainty, 9), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_MAG_COVARIANCE_MATRIX_0 = codec.Block(
+    "fffffffffH",
+    "covariance",
+    "covariance",
+    "covariance",
+    "covariance",
+    "covariance",
+    "covariance",
+    "covariance",
+    "covariance",
+    "covariance",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class MagCovarianceMatrix(Data):
+    """Magnetometer covariance matrix (0x82,0x2A).
+
+    Covariance of the magnetometer measurement.
+
+    - mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x2A
+    NAME = "filter_data.mag_covariance_matrix"
+    ROLE = "data"
+
+    covariance: types.Matrix3f
+    """Covariance matrix in row-major order. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagCovarianceMatrix, int]:
+        v = _MAG_COVARIANCE_MATRIX_0.read(raw, at)
+        at += 38
+        covariance = v[0:9]
+        valid_flags = ValidFlags(v[9])
+        return cls(covariance, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_COVARIANCE_MATRIX_0.write(
+            *codec.exactly("covariance", self.covariance, 9), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_MAG_RESIDUAL_VECTOR_0 = codec.Block("fffH", "residual", "residual", "residual", "valid_flags")
+
+
+@dataclass(slots=True)
+class MagResidualVector(Data):
+    """Magnetometer residual vector (0x82,0x2C).
+
+    Residual of the magnetometer measurement.
+
+    - mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x2C
+    NAME = "filter_data.mag_residual_vector"
+    ROLE = "data"
+
+    residual: types.Vector3f
+    """Residual. [gauss] Frame: vehicle. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagResidualVector, int]:
+        v = _MAG_RESIDUAL_VECTOR_0.read(raw, at)
+        at += 14
+        residual = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(residual, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_RESIDUAL_VECTOR_0.write(
+            *codec.exactly("residual", self.residual, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_ANTENNA_OFFSET_CORRECTION_0 = codec.Block("fffH", "offset", "offset", "offset", "valid_flags")
+
+
+@dataclass(slots=True)
+class AntennaOffsetCorrection(Data):
+    """Antenna offset correction (0x82,0x30).
+
+    Estimated error of the offset of the GNSS antenna.
+    The filter adds it to the stored offset (0x0D,0x13).
+
+    - mip-sdk-4: Antenna Offset Correction (0x82,0x30)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x30
+    NAME = "filter_data.antenna_offset_correction"
+    ROLE = "data"
+
+    offset: types.Vector3f
+    """Correction of the offset. [m] Frame: vehicle. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetCorrection, int]:
+        v = _ANTENNA_OFFSET_CORRECTION_0.read(raw, at)
+        at += 14
+        offset = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(offset, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ANTENNA_OFFSET_CORRECTION_0.write(
+            *codec.exactly("offset", self.offset, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0 = codec.Block(
+    "fffH", "offset_uncertainty", "offset_uncertainty", "offset_uncertainty", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class AntennaOffsetCorrectionUncertainty(Data):
+    """Antenna offset correction uncertainty (0x82,0x31).
+
+    Standard deviation of the estimated error of the offset of the GNSS antenna.
+
+    - mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x31
+    NAME = "filter_data.antenna_offset_correction_uncertainty"
+    ROLE = "data"
+
+    offset_uncertainty: types.Vector3f
+    """Standard deviation per axis. [m] Frame: vehicle. Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetCorrectionUncertainty, int]:
+        v = _ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        offset_uncertainty = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(offset_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.write(
+            *codec.exactly("offset_uncertainty", self.offset_uncertainty, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_CLOCK_CORRECTION_0 = codec.Block("BffH", "receiver_id", "bias", "bias_drift", "valid_flags")
+
+
+@dataclass(slots=True)
+class ClockCorrection(Data):
+    """Clock correction (0x82,0x32).
+
+    Estimated clock error of one GNSS receiver.
+
+    - mip-sdk-4: Clock Correction (0x82,0x32)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x32
+    NAME = "filter_data.clock_correction"
+    ROLE = "data"
+
+    receiver_id: int
+    """Receiver, counted from 1. Range: 1 to …."""
+    bias: float
+    """Bias of the clock. [s] Valid if valid_flags.valid."""
+    bias_drift: float
+    """Drift of the clock. [s/s] Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ClockCorrection, int]:
+        v = _CLOCK_CORRECTION_0.read(raw, at)
+        at += 11
+        receiver_id = v[0]
+        bias = v[1]
+        bias_drift = v[2]
+        valid_flags = ValidFlags(v[3])
+        return cls(receiver_id, bias, bias_drift, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _CLOCK_CORRECTION_0.write(
+            self.receiver_id, self.bias, self.bias_drift, self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_CLOCK_CORRECTION_UNCERTAINTY_0 = codec.Block(
+    "BffH", "receiver_id", "bias_uncertainty", "bias_drift_uncertainty", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class ClockCorrectionUncertainty(Data):
+    """Clock correction uncertainty (0x82,0x33).
+
+    Standard deviation of the estimated clock error of one GNSS receiver.
+
+    - mip-sdk-4: Clock Correction Uncertainty (0x82,0x33)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x33
+    NAME = "filter_data.clock_correction_uncertainty"
+    ROLE = "data"
+
+    receiver_id: int
+    """Receiver, counted from 1. Range: 1 to …."""
+    bias_uncertainty: float
+    """Standard deviation of the bias. [s] Valid if valid_flags.valid."""
+    bias_drift_uncertainty: float
+    """Standard deviation of the drift. [s/s] Valid if valid_flags.valid."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ClockCorrectionUncertainty, int]:
+        v = _CLOCK_CORRECTION_UNCERTAINTY_0.read(raw, at)
+        at += 11
+        receiver_id = v[0]
+        bias_uncertainty = v[1]
+        bias_drift_uncertainty = v[2]
+        valid_flags = ValidFlags(v[3])
+        return cls(receiver_id, bias_uncertainty, bias_drift_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _CLOCK_CORRECTION_UNCERTAINTY_0.write(
+            self.receiver_id, self.bias_uncertainty, self.bias_drift_uncertainty, self.valid_flags
+        )
         return codec.finished(out)
 
 
@@ -1608,6 +2385,100 @@ class GnssPositionAidingStatus(Data):
         return codec.finished(out)
 
 
+_GNSS_ATTITUDE_AIDING_STATUS_0 = codec.Block(
+    "fHBBBBBBBB",
+    "tow",
+    "status",
+    "reserved",
+    "reserved",
+    "reserved",
+    "reserved",
+    "reserved",
+    "reserved",
+    "reserved",
+    "reserved",
+)
+
+
+@dataclass(slots=True)
+class GnssAttitudeAidingStatus(Data):
+    """GNSS attitude aiding status (0x82,0x44).
+
+    How the filter uses the attitude that two GNSS antennas give.
+    Single precision resolves the time of week to 0.0625 s at the end of the week.
+
+    - mip-sdk-4: Gnss Att Aid Status (0x82,0x44)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x44
+    NAME = "filter_data.gnss_attitude_aiding_status"
+    ROLE = "data"
+
+    tow: float
+    """GPS time of week of the last valid measurement. [s]"""
+    status: GnssAidingStatus
+    """How the measurements are used."""
+    reserved: tuple[int, ...] = (0,) * 8
+    """Reserved."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssAttitudeAidingStatus, int]:
+        v = _GNSS_ATTITUDE_AIDING_STATUS_0.read(raw, at)
+        at += 14
+        tow = v[0]
+        status = GnssAidingStatus(v[1])
+        reserved = v[2:10]
+        return cls(tow, status, reserved), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_ATTITUDE_AIDING_STATUS_0.write(
+            self.tow, self.status, *codec.exactly("reserved", self.reserved, 8)
+        )
+        return codec.finished(out)
+
+
+_HEADING_AIDING_STATUS_0 = codec.Block("fBff", "tow", "type", "reserved", "reserved")
+
+
+@dataclass(slots=True)
+class HeadingAidingStatus(Data):
+    """Heading aiding status (0x82,0x45).
+
+    The heading measurement that the filter used last.
+    Single precision resolves the time of week to 0.0625 s at the end of the week.
+
+    - mip-sdk-4: Head Aid Status (0x82,0x45)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x45
+    NAME = "filter_data.heading_aiding_status"
+    ROLE = "data"
+
+    tow: float
+    """GPS time of week of the last valid measurement. [s]"""
+    type: HeadingAidingType
+    """Source of the heading."""
+    reserved: tuple[float, float] = (0.0,) * 2
+    """Reserved."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[HeadingAidingStatus, int]:
+        v = _HEADING_AIDING_STATUS_0.read(raw, at)
+        at += 13
+        tow = v[0]
+        type = HeadingAidingType(v[1])
+        reserved = v[2:4]
+        return cls(tow, type, reserved), at
+
+    def _write(self) -> bytes:
+        out = _HEADING_AIDING_STATUS_0.write(
+            self.tow, self.type, *codec.exactly("reserved", self.reserved, 2)
+        )
+        return codec.finished(out)
+
+
 _AIDING_MEASUREMENT_SUMMARY_0 = codec.Block("fBBB", "time_of_week", "source", "type", "indicator")
 
 
@@ -1916,8 +2787,26 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x13: (GravityVector,),
     0x14: (HeadingUpdateSourceState,),
     0x15: (MagneticModel,),
+    0x16: (GyroScaleFactor,),
+    0x17: (AccelScaleFactor,),
+    0x18: (GyroScaleFactorUncertainty,),
+    0x19: (AccelScaleFactorUncertainty,),
+    0x1A: (MagBias,),
+    0x1B: (MagBiasUncertainty,),
     0x1C: (CompensatedAcceleration,),
+    0x20: (StandardAtmosphere,),
     0x21: (PressureAltitude,),
+    0x22: (DensityAltitude,),
+    0x25: (MagOffset,),
+    0x26: (MagMatrix,),
+    0x28: (MagOffsetUncertainty,),
+    0x29: (MagMatrixUncertainty,),
+    0x2A: (MagCovarianceMatrix,),
+    0x2C: (MagResidualVector,),
+    0x30: (AntennaOffsetCorrection,),
+    0x31: (AntennaOffsetCorrectionUncertainty,),
+    0x32: (ClockCorrection,),
+    0x33: (ClockCorrectionUncertainty,),
     0x34: (MultiAntennaOffsetCorrection,),
     0x35: (MultiAntennaOffsetCorrectionUncertainty,),
     0x36: (EcefPositionUncertainty,),
@@ -1926,6 +2815,8 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x41: (EcefVelocity,),
     0x42: (NedRelativePosition,),
     0x43: (GnssPositionAidingStatus,),
+    0x44: (GnssAttitudeAidingStatus,),
+    0x45: (HeadingAidingStatus,),
     0x46: (AidingMeasurementSummary,),
     0x47: (OdometerScaleFactorError,),
     0x48: (OdometerScaleFactorErrorUncertainty,),

@@ -202,6 +202,44 @@ class SignalConfigurationResponse(Response):
         return codec.finished(out)
 
 
+_RTK_DONGLE_CONFIGURATION_RESPONSE_0 = codec.Block(
+    "BBBB", "enable", "reserved", "reserved", "reserved"
+)
+
+
+@dataclass(slots=True)
+class RtkDongleConfigurationResponse(Response):
+    """RTK dongle configuration response (0x0E,0x90).
+
+    Answers RTK dongle configuration (0x0E,0x10).
+
+    - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
+    """
+
+    SET = 0x0E
+    DESCRIPTOR = 0x90
+    NAME = "gnss.rtk_dongle_configuration_response"
+    ROLE = "response"
+
+    enable: int
+    """1 enables the dongle, 0 disables it. Range: 0 to 1."""
+    reserved: tuple[int, int, int] = (0,) * 3
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfigurationResponse, int]:
+        v = _RTK_DONGLE_CONFIGURATION_RESPONSE_0.read(raw, at)
+        at += 4
+        enable = v[0]
+        reserved = v[1:4]
+        return cls(enable, reserved), at
+
+    def _write(self) -> bytes:
+        out = _RTK_DONGLE_CONFIGURATION_RESPONSE_0.write(
+            self.enable, *codec.exactly("reserved", self.reserved, 3)
+        )
+        return codec.finished(out)
+
+
 _SPARTN_CONFIGURATION_RESPONSE_0 = codec.Block(
     "BBIHBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBIHBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB",
     "enable",
@@ -526,6 +564,98 @@ class SignalConfiguration(Command):
         return codec.finished(out)
 
 
+_RTK_DONGLE_CONFIGURATION_0 = codec.Block("B", "function")
+_RTK_DONGLE_CONFIGURATION_1 = codec.Block("B", "enable")
+_RTK_DONGLE_CONFIGURATION_2 = codec.Block("BBB", "reserved", "reserved", "reserved")
+_RTK_DONGLE_CONFIGURATION_GROUPS = ((1, ("enable",), False), (2, ("reserved",), False))
+
+
+@dataclass(slots=True)
+class RtkDongleConfiguration(Command):
+    """RTK dongle configuration (0x0E,0x10).
+
+    Whether the device talks to the RTK dongle that is connected to it.
+
+    - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
+    """
+
+    SET = 0x0E
+    DESCRIPTOR = 0x10
+    NAME = "gnss.rtk_dongle_configuration"
+    ROLE = "command"
+    RESPONSES = (RtkDongleConfigurationResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    enable: int | None = None
+    """1 enables the dongle, 0 disables it. Range: 0 to 1."""
+    reserved: tuple[int, int, int] | None = None
+
+    @classmethod
+    def write(cls, enable: int) -> RtkDongleConfiguration:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, enable=enable, reserved=(0,) * 3)
+
+    @classmethod
+    def read(cls) -> RtkDongleConfiguration:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> RtkDongleConfiguration:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> RtkDongleConfiguration:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> RtkDongleConfiguration:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfiguration, int]:
+        enable: int | None = None
+        reserved: tuple[int, int, int] | None = None
+        v = _RTK_DONGLE_CONFIGURATION_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _RTK_DONGLE_CONFIGURATION_1.read(raw, at)
+            at += 1
+            enable = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _RTK_DONGLE_CONFIGURATION_2.read(raw, at)
+            at += 3
+            reserved = v[0:3]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, enable, reserved), at
+
+    def _write(self) -> bytes:
+        out = _RTK_DONGLE_CONFIGURATION_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _RTK_DONGLE_CONFIGURATION_GROUPS)
+        if there >= 1:
+            out += _RTK_DONGLE_CONFIGURATION_1.write(self.enable)
+        if there >= 2:
+            out += _RTK_DONGLE_CONFIGURATION_2.write(*codec.exactly("reserved", self.reserved, 3))
+        return codec.finished(out)
+
+
 _SPARTN_CONFIGURATION_0 = codec.Block("B", "function")
 _SPARTN_CONFIGURATION_1 = codec.Block("B", "enable")
 _SPARTN_CONFIGURATION_2 = codec.Block("B", "type")
@@ -809,6 +939,7 @@ class SpartnConfiguration(Command):
 
 ReceiverInfoResponse.COMMANDS = (ReceiverInfo,)
 SignalConfigurationResponse.COMMANDS = (SignalConfiguration,)
+RtkDongleConfigurationResponse.COMMANDS = (RtkDongleConfiguration,)
 SpartnConfigurationResponse.COMMANDS = (SpartnConfiguration,)
 
 
@@ -816,8 +947,10 @@ SpartnConfigurationResponse.COMMANDS = (SpartnConfiguration,)
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (ReceiverInfo,),
     0x02: (SignalConfiguration,),
+    0x10: (RtkDongleConfiguration,),
     0x20: (SpartnConfiguration,),
     0x81: (ReceiverInfoResponse,),
     0x82: (SignalConfigurationResponse,),
+    0x90: (RtkDongleConfigurationResponse,),
     0xA0: (SpartnConfigurationResponse,),
 }

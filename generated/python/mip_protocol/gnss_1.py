@@ -5,7 +5,7 @@ Measurements and status of the first internal GNSS receiver.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import IntFlag
 
 from . import codec, types
@@ -121,6 +121,20 @@ class GpsTimeFlags(IntFlag):
 
 
 @codec.open_flag(16)
+class ClockInfoFlags(IntFlag):
+    """Which clock parameters are valid."""
+
+    BIAS = 1 << 0
+    """Bias."""
+    DRIFT = 1 << 1
+    """Drift."""
+    ACCURACY_ESTIMATE = 1 << 2
+    """Accuracy."""
+    FLAGS = 0x7
+    """All of them."""
+
+
+@codec.open_flag(16)
 class FixFlags(IntFlag):
     """What the fix makes use of."""
 
@@ -141,6 +155,36 @@ class FixInfoFlags(IntFlag):
     FIX_FLAGS = 1 << 2
     """Fix flags."""
     FLAGS = 0x7
+    """All of them."""
+
+
+@codec.open_flag(16)
+class SvFlags(IntFlag):
+    """State of a satellite."""
+
+    USED_FOR_NAVIGATION = 1 << 0
+    """The position fix uses it."""
+    HEALTHY = 1 << 1
+    """It is healthy."""
+
+
+@codec.open_flag(16)
+class SvInfoFlags(IntFlag):
+    """Which parts of the satellite info are valid."""
+
+    CHANNEL = 1 << 0
+    """Channel."""
+    SATELLITE_ID = 1 << 1
+    """Satellite."""
+    CARRIER_NOISE_RATIO = 1 << 2
+    """Carrier to noise density ratio."""
+    AZIMUTH = 1 << 3
+    """Azimuth."""
+    ELEVATION = 1 << 4
+    """Elevation."""
+    SV_FLAGS = 1 << 5
+    """State of the satellite."""
+    FLAGS = 0x3F
     """All of them."""
 
 
@@ -192,6 +236,38 @@ class GnssHardwareStatusFlags(IntFlag):
     ANTENNA_POWER = 1 << 2
     """Supply of the antenna."""
     FLAGS = 0x7
+    """All of them."""
+
+
+@codec.open_flag(16)
+class DgpsInfoFlags(IntFlag):
+    """Which parts of the state of the corrections are valid."""
+
+    AGE = 1 << 0
+    """Age."""
+    BASE_STATION_ID = 1 << 1
+    """Number of the base station."""
+    BASE_STATION_STATUS = 1 << 2
+    """State of the base station."""
+    NUM_CHANNELS = 1 << 3
+    """Number of channels."""
+    FLAGS = 0xF
+    """All of them."""
+
+
+@codec.open_flag(16)
+class DgpsChannelFlags(IntFlag):
+    """Which parts of a differential correction are valid."""
+
+    SATELLITE_ID = 1 << 0
+    """Satellite."""
+    AGE = 1 << 1
+    """Age."""
+    RANGE_CORRECTION = 1 << 2
+    """Correction of the range."""
+    RANGE_RATE_CORRECTION = 1 << 3
+    """Correction of the range rate."""
+    FLAGS = 0xF
     """All of them."""
 
 
@@ -265,6 +341,73 @@ class SbasInfoFlags(IntFlag):
     SBAS_STATUS = 1 << 5
     """Status of the service."""
     FLAGS = 0x3F
+    """All of them."""
+
+
+@codec.open_flag(16)
+class SbasCorrectionFlags(IntFlag):
+    """Which parts of an SBAS correction are valid."""
+
+    UDREI = 1 << 0
+    """Indicator of the range error."""
+    PSEUDORANGE_CORRECTION = 1 << 1
+    """Correction of the pseudorange."""
+    IONO_CORRECTION = 1 << 2
+    """Correction of the ionospheric delay."""
+    FLAGS = 0x7
+    """All of them."""
+
+
+class RfBand(codec.OpenEnum):
+    """Frequency band of GNSS signals."""
+
+    UNKNOWN = 0
+    """Not known."""
+    L1 = 1
+    """L1."""
+    L2 = 2
+    """L2."""
+    L5 = 5
+    """L5."""
+
+
+class JammingState(codec.OpenEnum):
+    """How much the reception is jammed."""
+
+    UNKNOWN = 0
+    """Not known."""
+    NONE = 1
+    """Not at all."""
+    PARTIAL = 2
+    """In part."""
+    SIGNIFICANT = 3
+    """Badly."""
+
+
+class SpoofingState(codec.OpenEnum):
+    """How much the signals are spoofed."""
+
+    UNKNOWN = 0
+    """Not known."""
+    NONE = 1
+    """Not at all."""
+    PARTIAL = 2
+    """In part."""
+    SIGNIFICANT = 3
+    """Badly."""
+
+
+@codec.open_flag(16)
+class RfErrorDetectionFlags(IntFlag):
+    """Which parts of the detection are valid."""
+
+    RF_BAND = 1 << 0
+    """Band."""
+    JAMMING_STATE = 1 << 1
+    """Jamming."""
+    SPOOFING_STATE = 1 << 2
+    """Spoofing."""
+    FLAGS = 0x7
     """All of them."""
 
 
@@ -348,6 +491,98 @@ class RawFlags(IntFlag):
 
 
 @codec.open_flag(16)
+class BaseStationIndicators(IntFlag):
+    """Properties of a base station, as its RTCM message gives them."""
+
+    GPS = 1 << 0
+    """GPS is supported."""
+    GLONASS = 1 << 1
+    """GLONASS is supported."""
+    GALILEO = 1 << 2
+    """Galileo is supported."""
+    BEIDOU = 1 << 3
+    """BeiDou is supported."""
+    REF_STATION = 1 << 4
+    """Reference station indicator."""
+    SINGLE_RECEIVER = 1 << 5
+    """Single receiver oscillator indicator."""
+    QUARTER_CYCLE_BIT1 = 1 << 6
+    """First bit of the quarter cycle indicator."""
+    QUARTER_CYCLE_BIT2 = 1 << 7
+    """Second bit of the quarter cycle indicator."""
+    QUARTER_CYCLE_BITS = 0xC0
+    """Quarter cycle indicator."""
+
+
+@codec.open_flag(16)
+class BaseStationInfoFlags(IntFlag):
+    """Which values are valid."""
+
+    TOW = 1 << 0
+    """Time of week."""
+    WEEK_NUMBER = 1 << 1
+    """Week number."""
+    ECEF_POSITION = 1 << 2
+    """Position."""
+    HEIGHT = 1 << 3
+    """Antenna height."""
+    STATION_ID = 1 << 4
+    """Station."""
+    INDICATORS = 1 << 5
+    """Indicators."""
+    FLAGS = 0x3F
+    """All of them."""
+
+
+@codec.open_flag(16)
+class RtkEpochStatus(IntFlag):
+    """Corrections that came during an epoch."""
+
+    ANTENNA_LOCATION_RECEIVED = 1 << 0
+    """Antenna location."""
+    ANTENNA_DESCRIPTION_RECEIVED = 1 << 1
+    """Antenna description."""
+    GPS_RECEIVED = 1 << 2
+    """GPS corrections."""
+    GLONASS_RECEIVED = 1 << 3
+    """GLONASS corrections."""
+    GALILEO_RECEIVED = 1 << 4
+    """Galileo corrections."""
+    BEIDOU_RECEIVED = 1 << 5
+    """BeiDou corrections."""
+    USING_GPS_MSM_MESSAGES = 1 << 6
+    """GPS corrections come in MSM messages, not in the RTCM messages 1001-1004."""
+    USING_GLONASS_MSM_MESSAGES = 1 << 7
+    """GLONASS corrections come in MSM messages, not in the RTCM messages 1009-1012."""
+    DONGLE_STATUS_READ_FAILED = 1 << 8
+    """The status of the dongle could not be read."""
+
+
+@codec.open_flag(16)
+class RtkCorrectionsStatusFlags(IntFlag):
+    """Which values are valid."""
+
+    TOW = 1 << 0
+    """Time of week."""
+    WEEK_NUMBER = 1 << 1
+    """Week number."""
+    EPOCH_STATUS = 1 << 2
+    """Epoch status."""
+    DONGLE_STATUS = 1 << 3
+    """Status of the dongle."""
+    GPS_LATENCY = 1 << 4
+    """Latency of GPS corrections."""
+    GLONASS_LATENCY = 1 << 5
+    """Latency of GLONASS corrections."""
+    GALILEO_LATENCY = 1 << 6
+    """Latency of Galileo corrections."""
+    BEIDOU_LATENCY = 1 << 7
+    """Latency of BeiDou corrections."""
+    FLAGS = 0xFF
+    """All of them."""
+
+
+@codec.open_flag(16)
 class EphemerisFlags(IntFlag):
     """What an ephemeris of GPS, Galileo or BeiDou holds."""
 
@@ -377,6 +612,56 @@ class GlonassEphemerisFlags(IntFlag):
     EPHEMERIS = 1 << 0
     """The ephemeris is valid."""
     FLAGS = 1 << 0
+    """All of them."""
+
+
+@codec.open_flag(16)
+class GpsIonoCorrectionFlags(IntFlag):
+    """Which parts of the model are valid."""
+
+    TOW = 1 << 0
+    """Time of week."""
+    WEEK_NUMBER = 1 << 1
+    """Week number."""
+    ALPHA = 1 << 2
+    """Coefficients alpha."""
+    BETA = 1 << 3
+    """Coefficients beta."""
+    FLAGS = 0xF
+    """All of them."""
+
+
+@codec.open_flag(16)
+class GalileoIonoCorrectionFlags(IntFlag):
+    """Which parts of the model are valid."""
+
+    TOW = 1 << 0
+    """Time of week."""
+    WEEK_NUMBER = 1 << 1
+    """Week number."""
+    ALPHA = 1 << 2
+    """Coefficients."""
+    DISTURBANCE_FLAGS = 1 << 3
+    """Storm flags."""
+    FLAGS = 0xF
+    """All of them."""
+
+
+@codec.open_flag(16)
+class BeidouIonoCorrectionFlags(IntFlag):
+    """Which parts of the model are valid."""
+
+    TOW = 1 << 0
+    """Time of week."""
+    WEEK_NUMBER = 1 << 1
+    """Week number."""
+    ALPHA = 1 << 2
+    """Coefficients alpha."""
+    BETA = 1 << 3
+    """Coefficients beta."""
+    ALPHA_CORRECTION = 1 << 4
+    """Further coefficients."""
+    FLAGS = 0x1F
     """All of them."""
 
 
@@ -779,6 +1064,48 @@ class GpsTime(Data):
         return codec.finished(out)
 
 
+_CLOCK_INFO_0 = codec.Block("dddH", "bias", "drift", "accuracy_estimate", "valid_flags")
+
+
+@dataclass(slots=True)
+class ClockInfo(Data):
+    """Clock info (0x91,0x0A).
+
+    Bias and drift of the receiver clock.
+    Clock info 2 replaces it and tells more.
+
+    - mip-sdk-4: Clock Info (0x81,0x0A)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x0A
+    NAME = "gnss_1.clock_info"
+    ROLE = "data"
+
+    bias: float
+    """Bias of the clock. [s] Valid if valid_flags.bias."""
+    drift: float
+    """Drift of the clock. [s/s] Valid if valid_flags.drift."""
+    accuracy_estimate: float
+    """Estimated accuracy. [s] Valid if valid_flags.accuracy_estimate."""
+    valid_flags: ClockInfoFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ClockInfo, int]:
+        v = _CLOCK_INFO_0.read(raw, at)
+        at += 26
+        bias = v[0]
+        drift = v[1]
+        accuracy_estimate = v[2]
+        valid_flags = ClockInfoFlags(v[3])
+        return cls(bias, drift, accuracy_estimate, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _CLOCK_INFO_0.write(self.bias, self.drift, self.accuracy_estimate, self.valid_flags)
+        return codec.finished(out)
+
+
 _FIX_INFO_0 = codec.Block("BBHH", "fix_type", "num_sv", "fix_flags", "valid_flags")
 
 
@@ -818,6 +1145,76 @@ class FixInfo(Data):
 
     def _write(self) -> bytes:
         out = _FIX_INFO_0.write(self.fix_type, self.num_sv, self.fix_flags, self.valid_flags)
+        return codec.finished(out)
+
+
+_SV_INFO_0 = codec.Block(
+    "BBHhhHH",
+    "channel",
+    "satellite_id",
+    "carrier_noise_ratio",
+    "azimuth",
+    "elevation",
+    "sv_flags",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class SvInfo(Data):
+    """Satellite info (0x91,0x0C).
+
+    One satellite that is tracked.
+    The satellites come as one field each, in packets apart from other GNSS data.
+
+    - mip-sdk-4: Sv Info (0x81,0x0C)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x0C
+    NAME = "gnss_1.sv_info"
+    ROLE = "data"
+
+    channel: int
+    """Channel of the receiver that tracks the satellite. Valid if valid_flags.channel."""
+    satellite_id: int
+    """Number of the satellite. Valid if valid_flags.satellite_id."""
+    carrier_noise_ratio: int
+    """Carrier to noise density ratio. [dB-Hz] Valid if valid_flags.carrier_noise_ratio."""
+    azimuth: int
+    """Azimuth. [deg] Valid if valid_flags.azimuth."""
+    elevation: int
+    """Elevation. [deg] Valid if valid_flags.elevation."""
+    sv_flags: SvFlags
+    """State of the satellite. Valid if valid_flags.sv_flags."""
+    valid_flags: SvInfoFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SvInfo, int]:
+        v = _SV_INFO_0.read(raw, at)
+        at += 12
+        channel = v[0]
+        satellite_id = v[1]
+        carrier_noise_ratio = v[2]
+        azimuth = v[3]
+        elevation = v[4]
+        sv_flags = SvFlags(v[5])
+        valid_flags = SvInfoFlags(v[6])
+        return cls(
+            channel, satellite_id, carrier_noise_ratio, azimuth, elevation, sv_flags, valid_flags
+        ), at
+
+    def _write(self) -> bytes:
+        out = _SV_INFO_0.write(
+            self.channel,
+            self.satellite_id,
+            self.carrier_noise_ratio,
+            self.azimuth,
+            self.elevation,
+            self.sv_flags,
+            self.valid_flags,
+        )
         return codec.finished(out)
 
 
@@ -867,6 +1264,115 @@ class GnssHardwareStatus(Data):
         return codec.finished(out)
 
 
+_DGPS_INFO_0 = codec.Block(
+    "fhhHH", "age", "base_station_id", "base_station_status", "num_channels", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class DgpsInfo(Data):
+    """DGPS info (0x91,0x0E).
+
+    State of the differential corrections.
+
+    - 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
+    - mip-sdk-4: Dgps Info (0x81,0x0E)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x0E
+    NAME = "gnss_1.dgps_info"
+    ROLE = "data"
+
+    age: float
+    """Age of the corrections. [s] Valid if valid_flags.age."""
+    base_station_id: int
+    """Number of the base station. Valid if valid_flags.base_station_id."""
+    base_station_status: int
+    """State of the base station: 0 to 5 are factors of the user differential range error, which
+    are 1.0, 0.75, 0.5, 0.3, 0.2 and 0.1; 6 is not monitored, 7 not working. Valid if
+    valid_flags.base_station_status.
+    """
+    num_channels: int
+    """Number of channels that have corrections. [1] Valid if valid_flags.num_channels."""
+    valid_flags: DgpsInfoFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DgpsInfo, int]:
+        v = _DGPS_INFO_0.read(raw, at)
+        at += 12
+        age = v[0]
+        base_station_id = v[1]
+        base_station_status = v[2]
+        num_channels = v[3]
+        valid_flags = DgpsInfoFlags(v[4])
+        return cls(age, base_station_id, base_station_status, num_channels, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _DGPS_INFO_0.write(
+            self.age,
+            self.base_station_id,
+            self.base_station_status,
+            self.num_channels,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_DGPS_CHANNEL_0 = codec.Block(
+    "BfffH", "satellite_id", "age", "range_correction", "range_rate_correction", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class DgpsChannel(Data):
+    """DGPS channel (0x91,0x0F).
+
+    Differential correction for one satellite.
+    The active satellites come as one field each, all in one packet.
+
+    - mip-sdk-4: Dgps Channel (0x81,0x0F)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x0F
+    NAME = "gnss_1.dgps_channel"
+    ROLE = "data"
+
+    satellite_id: int
+    """Number of the satellite. Valid if valid_flags.satellite_id."""
+    age: float
+    """Age of the correction. [s] Valid if valid_flags.age."""
+    range_correction: float
+    """Correction of the range. [m] Valid if valid_flags.range_correction."""
+    range_rate_correction: float
+    """Correction of the range rate. [m/s] Valid if valid_flags.range_rate_correction."""
+    valid_flags: DgpsChannelFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DgpsChannel, int]:
+        v = _DGPS_CHANNEL_0.read(raw, at)
+        at += 15
+        satellite_id = v[0]
+        age = v[1]
+        range_correction = v[2]
+        range_rate_correction = v[3]
+        valid_flags = DgpsChannelFlags(v[4])
+        return cls(satellite_id, age, range_correction, range_rate_correction, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _DGPS_CHANNEL_0.write(
+            self.satellite_id,
+            self.age,
+            self.range_correction,
+            self.range_rate_correction,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
 _CLOCK_INFO_2_0 = codec.Block(
     "ddddH", "bias", "drift", "bias_accuracy_estimate", "drift_accuracy_estimate", "valid_flags"
 )
@@ -877,7 +1383,7 @@ class ClockInfo2(Data):
     """Clock info 2 (0x91,0x10).
 
     Bias and drift of the receiver clock.
-    It supersedes an older field, which the manual does not define.
+    It supersedes clock info.
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10)
@@ -1022,6 +1528,164 @@ class SbasInfo(Data):
             self.sbas_id,
             self.count,
             self.sbas_status,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_SBAS_CORRECTION_0 = codec.Block(
+    "BBdHBBBffH",
+    "index",
+    "count",
+    "tow",
+    "week_number",
+    "gnss_id",
+    "satellite_id",
+    "udrei",
+    "pseudorange_correction",
+    "iono_correction",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class SbasCorrection(Data):
+    """SBAS correction (0x91,0x13).
+
+    SBAS correction for one satellite.
+    An epoch is sent as one field for each satellite; index and count number the fields.
+    udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
+    1.2992, 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
+
+    - mip-sdk-4: Sbas Correction (0x81,0x13)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x13
+    NAME = "gnss_1.sbas_correction"
+    ROLE = "data"
+
+    index: int
+    """Number of this field within the epoch."""
+    count: int
+    """How many of these fields the epoch has."""
+    tow: float
+    """GPS time of week of the reception. [s]"""
+    week_number: int
+    """GPS week number. [week]"""
+    gnss_id: types.GnssConstellation
+    """Constellation."""
+    satellite_id: int
+    """Satellite within the constellation."""
+    udrei: int
+    """Indicator of the range error that is left after fast and long-term corrections, the
+    atmosphere apart; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
+    valid_flags.udrei.
+    """
+    pseudorange_correction: float
+    """Correction of the pseudorange. [m] Valid if valid_flags.pseudorange_correction."""
+    iono_correction: float
+    """Correction of the ionospheric delay. [m] Valid if valid_flags.iono_correction."""
+    valid_flags: SbasCorrectionFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SbasCorrection, int]:
+        v = _SBAS_CORRECTION_0.read(raw, at)
+        at += 25
+        index = v[0]
+        count = v[1]
+        tow = v[2]
+        week_number = v[3]
+        gnss_id = types.GnssConstellation(v[4])
+        satellite_id = v[5]
+        udrei = v[6]
+        pseudorange_correction = v[7]
+        iono_correction = v[8]
+        valid_flags = SbasCorrectionFlags(v[9])
+        return cls(
+            index,
+            count,
+            tow,
+            week_number,
+            gnss_id,
+            satellite_id,
+            udrei,
+            pseudorange_correction,
+            iono_correction,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _SBAS_CORRECTION_0.write(
+            self.index,
+            self.count,
+            self.tow,
+            self.week_number,
+            self.gnss_id,
+            self.satellite_id,
+            self.udrei,
+            self.pseudorange_correction,
+            self.iono_correction,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_RF_ERROR_DETECTION_0 = codec.Block(
+    "BBBBBBBH",
+    "rf_band",
+    "jamming_state",
+    "spoofing_state",
+    "reserved",
+    "reserved",
+    "reserved",
+    "reserved",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class RfErrorDetection(Data):
+    """RF error detection (0x91,0x14).
+
+    Jamming and spoofing as the receiver detects them in one band.
+
+    - mip-sdk-4: Rf Error Detection (0x81,0x14)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x14
+    NAME = "gnss_1.rf_error_detection"
+    ROLE = "data"
+
+    rf_band: RfBand
+    """Band. Valid if valid_flags.rf_band."""
+    jamming_state: JammingState
+    """Jamming. Valid if valid_flags.jamming_state."""
+    spoofing_state: SpoofingState
+    """Spoofing. Valid if valid_flags.spoofing_state."""
+    reserved: tuple[int, int, int, int] = field(default=(0,) * 4, kw_only=True)
+    valid_flags: RfErrorDetectionFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RfErrorDetection, int]:
+        v = _RF_ERROR_DETECTION_0.read(raw, at)
+        at += 9
+        rf_band = RfBand(v[0])
+        jamming_state = JammingState(v[1])
+        spoofing_state = SpoofingState(v[2])
+        reserved = v[3:7]
+        valid_flags = RfErrorDetectionFlags(v[7])
+        return cls(rf_band, jamming_state, spoofing_state, valid_flags, reserved=reserved), at
+
+    def _write(self) -> bytes:
+        out = _RF_ERROR_DETECTION_0.write(
+            self.rf_band,
+            self.jamming_state,
+            self.spoofing_state,
+            *codec.exactly("reserved", self.reserved, 4),
             self.valid_flags,
         )
         return codec.finished(out)
@@ -1271,6 +1935,175 @@ class Raw(Data):
             self.phase_uncert,
             self.doppler_uncert,
             self.lock_time,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_BASE_STATION_INFO_0 = codec.Block(
+    "dHdddfHHH",
+    "time_of_week",
+    "week_number",
+    "ecef_pos",
+    "ecef_pos",
+    "ecef_pos",
+    "height",
+    "station_id",
+    "indicators",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class BaseStationInfo(Data):
+    """Base station info (0x91,0x30).
+
+    The base station of the corrections, from an RTCM message 1005 or 1006.
+
+    - mip-sdk-4: Base Station Info (0x81,0x30)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x30
+    NAME = "gnss_1.base_station_info"
+    ROLE = "data"
+
+    time_of_week: float
+    """GPS time of week at which the message was received. [s] Valid if valid_flags.tow."""
+    week_number: int
+    """GPS week number. [week] Valid if valid_flags.week_number."""
+    ecef_pos: types.Vector3d
+    """Position of the station. [m] Frame: ecef. Valid if valid_flags.ecef_position."""
+    height: float
+    """Height of the antenna above the marker that was surveyed. [m] Valid if valid_flags.height."""
+    station_id: int
+    """Number of the station. Range: 0 to 4095. Valid if valid_flags.station_id."""
+    indicators: BaseStationIndicators
+    """Properties of the station. Valid if valid_flags.indicators."""
+    valid_flags: BaseStationInfoFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[BaseStationInfo, int]:
+        v = _BASE_STATION_INFO_0.read(raw, at)
+        at += 44
+        time_of_week = v[0]
+        week_number = v[1]
+        ecef_pos = v[2:5]
+        height = v[5]
+        station_id = v[6]
+        indicators = BaseStationIndicators(v[7])
+        valid_flags = BaseStationInfoFlags(v[8])
+        return cls(
+            time_of_week, week_number, ecef_pos, height, station_id, indicators, valid_flags
+        ), at
+
+    def _write(self) -> bytes:
+        out = _BASE_STATION_INFO_0.write(
+            self.time_of_week,
+            self.week_number,
+            *codec.exactly("ecef_pos", self.ecef_pos, 3),
+            self.height,
+            self.station_id,
+            self.indicators,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_RTK_CORRECTIONS_STATUS_0 = codec.Block(
+    "dHHIffffIIIIH",
+    "time_of_week",
+    "week_number",
+    "epoch_status",
+    "dongle_status",
+    "gps_correction_latency",
+    "glonass_correction_latency",
+    "galileo_correction_latency",
+    "beidou_correction_latency",
+    "reserved",
+    "reserved",
+    "reserved",
+    "reserved",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class RtkCorrectionsStatus(Data):
+    """RTK corrections status (0x91,0x31).
+
+    Which corrections come, and how old they are.
+
+    - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x31
+    NAME = "gnss_1.rtk_corrections_status"
+    ROLE = "data"
+
+    time_of_week: float
+    """GPS time of week. [s] Valid if valid_flags.tow."""
+    week_number: int
+    """GPS week number. [week] Valid if valid_flags.week_number."""
+    epoch_status: RtkEpochStatus
+    """Corrections that came during this epoch. Valid if valid_flags.epoch_status."""
+    dongle_status: types.RtkStatusFlags
+    """Status flags of the RTK dongle; of use only with a dongle. Valid if
+    valid_flags.dongle_status. The same word as that of get status flags (0x0F,0x01), in one of
+    its two forms.
+    """
+    gps_correction_latency: float
+    """Latency of the last GPS correction. [s] Valid if valid_flags.gps_latency."""
+    glonass_correction_latency: float
+    """Latency of the last GLONASS correction. [s] Valid if valid_flags.glonass_latency."""
+    galileo_correction_latency: float
+    """Latency of the last Galileo correction. [s] Valid if valid_flags.galileo_latency."""
+    beidou_correction_latency: float
+    """Latency of the last BeiDou correction. [s] Valid if valid_flags.beidou_latency."""
+    reserved: tuple[int, int, int, int] = field(default=(0,) * 4, kw_only=True)
+    valid_flags: RtkCorrectionsStatusFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RtkCorrectionsStatus, int]:
+        v = _RTK_CORRECTIONS_STATUS_0.read(raw, at)
+        at += 50
+        time_of_week = v[0]
+        week_number = v[1]
+        epoch_status = RtkEpochStatus(v[2])
+        dongle_status = types.RtkStatusFlags(v[3])
+        gps_correction_latency = v[4]
+        glonass_correction_latency = v[5]
+        galileo_correction_latency = v[6]
+        beidou_correction_latency = v[7]
+        reserved = v[8:12]
+        valid_flags = RtkCorrectionsStatusFlags(v[12])
+        return cls(
+            time_of_week,
+            week_number,
+            epoch_status,
+            dongle_status,
+            gps_correction_latency,
+            glonass_correction_latency,
+            galileo_correction_latency,
+            beidou_correction_latency,
+            valid_flags,
+            reserved=reserved,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _RTK_CORRECTIONS_STATUS_0.write(
+            self.time_of_week,
+            self.week_number,
+            self.epoch_status,
+            self.dongle_status,
+            self.gps_correction_latency,
+            self.glonass_correction_latency,
+            self.galileo_correction_latency,
+            self.beidou_correction_latency,
+            *codec.exactly("reserved", self.reserved, 4),
             self.valid_flags,
         )
         return codec.finished(out)
@@ -2213,6 +3046,197 @@ class BeidouEphemeris(Data):
         return codec.finished(out)
 
 
+_GPS_IONO_CORRECTION_0 = codec.Block(
+    "dHddddddddH",
+    "tow",
+    "week_number",
+    "alpha",
+    "alpha",
+    "alpha",
+    "alpha",
+    "beta",
+    "beta",
+    "beta",
+    "beta",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class GpsIonoCorrection(Data):
+    """GPS ionospheric correction (0x91,0x71).
+
+    Model of the ionosphere that GPS broadcasts.
+
+    - mip-sdk-4: Gps Iono Corr (0x81,0x71)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x71
+    NAME = "gnss_1.gps_iono_correction"
+    ROLE = "data"
+
+    tow: float
+    """GPS time of week. [s] Valid if valid_flags.tow."""
+    week_number: int
+    """GPS week number. [week] Valid if valid_flags.week_number."""
+    alpha: tuple[float, float, float, float]
+    """Coefficients alpha 0 to 3. Valid if valid_flags.alpha."""
+    beta: tuple[float, float, float, float]
+    """Coefficients beta 0 to 3. Valid if valid_flags.beta."""
+    valid_flags: GpsIonoCorrectionFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpsIonoCorrection, int]:
+        v = _GPS_IONO_CORRECTION_0.read(raw, at)
+        at += 76
+        tow = v[0]
+        week_number = v[1]
+        alpha = v[2:6]
+        beta = v[6:10]
+        valid_flags = GpsIonoCorrectionFlags(v[10])
+        return cls(tow, week_number, alpha, beta, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GPS_IONO_CORRECTION_0.write(
+            self.tow,
+            self.week_number,
+            *codec.exactly("alpha", self.alpha, 4),
+            *codec.exactly("beta", self.beta, 4),
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_GALILEO_IONO_CORRECTION_0 = codec.Block(
+    "dHdddBH", "tow", "week_number", "alpha", "alpha", "alpha", "disturbance_flags", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class GalileoIonoCorrection(Data):
+    """Galileo ionospheric correction (0x91,0x73).
+
+    Model of the ionosphere that Galileo broadcasts.
+
+    - mip-sdk-4: Galileo Iono Corr (0x81,0x73)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x73
+    NAME = "gnss_1.galileo_iono_correction"
+    ROLE = "data"
+
+    tow: float
+    """GPS time of week. [s] Valid if valid_flags.tow."""
+    week_number: int
+    """GPS week number. [week] Valid if valid_flags.week_number."""
+    alpha: tuple[float, float, float]
+    """The three coefficients of the model. Valid if valid_flags.alpha."""
+    disturbance_flags: int
+    """Storm flags of five regions, in bits 1 to 5. Valid if valid_flags.disturbance_flags."""
+    valid_flags: GalileoIonoCorrectionFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GalileoIonoCorrection, int]:
+        v = _GALILEO_IONO_CORRECTION_0.read(raw, at)
+        at += 37
+        tow = v[0]
+        week_number = v[1]
+        alpha = v[2:5]
+        disturbance_flags = v[5]
+        valid_flags = GalileoIonoCorrectionFlags(v[6])
+        return cls(tow, week_number, alpha, disturbance_flags, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GALILEO_IONO_CORRECTION_0.write(
+            self.tow,
+            self.week_number,
+            *codec.exactly("alpha", self.alpha, 3),
+            self.disturbance_flags,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_BEIDOU_IONO_CORRECTION_0 = codec.Block(
+    "dHdddddddddddddddddH",
+    "tow",
+    "week_number",
+    "alpha",
+    "alpha",
+    "alpha",
+    "alpha",
+    "beta",
+    "beta",
+    "beta",
+    "beta",
+    "alpha_correction",
+    "alpha_correction",
+    "alpha_correction",
+    "alpha_correction",
+    "alpha_correction",
+    "alpha_correction",
+    "alpha_correction",
+    "alpha_correction",
+    "alpha_correction",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class BeidouIonoCorrection(Data):
+    """BeiDou ionospheric correction (0x91,0x74).
+
+    Model of the ionosphere that BeiDou broadcasts.
+
+    - mip-sdk-4: Beidou Iono Corr (0x81,0x74)
+    """
+
+    SET = 0x91
+    DESCRIPTOR = 0x74
+    NAME = "gnss_1.beidou_iono_correction"
+    ROLE = "data"
+
+    tow: float
+    """GPS time of week. [s] Valid if valid_flags.tow."""
+    week_number: int
+    """GPS week number. [week] Valid if valid_flags.week_number."""
+    alpha: tuple[float, float, float, float]
+    """Coefficients alpha 0 to 3. Valid if valid_flags.alpha."""
+    beta: tuple[float, float, float, float]
+    """Coefficients beta 0 to 3. Valid if valid_flags.beta."""
+    alpha_correction: tuple[float, ...]
+    """Nine further coefficients of the delay. Valid if valid_flags.alpha_correction."""
+    valid_flags: BeidouIonoCorrectionFlags
+    """Which values are valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[BeidouIonoCorrection, int]:
+        v = _BEIDOU_IONO_CORRECTION_0.read(raw, at)
+        at += 148
+        tow = v[0]
+        week_number = v[1]
+        alpha = v[2:6]
+        beta = v[6:10]
+        alpha_correction = v[10:19]
+        valid_flags = BeidouIonoCorrectionFlags(v[19])
+        return cls(tow, week_number, alpha, beta, alpha_correction, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _BEIDOU_IONO_CORRECTION_0.write(
+            self.tow,
+            self.week_number,
+            *codec.exactly("alpha", self.alpha, 4),
+            *codec.exactly("beta", self.beta, 4),
+            *codec.exactly("alpha_correction", self.alpha_correction, 9),
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x03: (GnssLlhPosition,),
@@ -2222,15 +3246,26 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x07: (Dop,),
     0x08: (UtcTime,),
     0x09: (GpsTime,),
+    0x0A: (ClockInfo,),
     0x0B: (FixInfo,),
+    0x0C: (SvInfo,),
     0x0D: (GnssHardwareStatus,),
+    0x0E: (DgpsInfo,),
+    0x0F: (DgpsChannel,),
     0x10: (ClockInfo2,),
     0x11: (GpsLeapSeconds,),
     0x12: (SbasInfo,),
+    0x13: (SbasCorrection,),
+    0x14: (RfErrorDetection,),
     0x20: (SatelliteStatus,),
     0x22: (Raw,),
+    0x30: (BaseStationInfo,),
+    0x31: (RtkCorrectionsStatus,),
     0x61: (GpsEphemeris,),
     0x62: (GlonassEphemeris,),
     0x63: (GalileoEphemeris,),
     0x64: (BeidouEphemeris,),
+    0x71: (GpsIonoCorrection,),
+    0x73: (GalileoIonoCorrection,),
+    0x74: (BeidouIonoCorrection,),
 }

@@ -114,6 +114,20 @@ class GpsTime(gnss_1.GpsTime):
     NAME = "gnss_2.gps_time"
 
 
+class ClockInfo(gnss_1.ClockInfo):
+    """Clock info (0x92,0x0A).
+
+    Has the values of gnss_1.ClockInfo.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.clock_info"
+
+
 class FixInfo(gnss_1.FixInfo):
     """Fix info (0x92,0x0B).
 
@@ -129,6 +143,20 @@ class FixInfo(gnss_1.FixInfo):
     NAME = "gnss_2.fix_info"
 
 
+class SvInfo(gnss_1.SvInfo):
+    """Satellite info (0x92,0x0C).
+
+    Has the values of gnss_1.SvInfo.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.sv_info"
+
+
 class GnssHardwareStatus(gnss_1.GnssHardwareStatus):
     """GNSS hardware status (0x92,0x0D).
 
@@ -142,6 +170,34 @@ class GnssHardwareStatus(gnss_1.GnssHardwareStatus):
 
     SET = 0x92
     NAME = "gnss_2.gnss_hardware_status"
+
+
+class DgpsInfo(gnss_1.DgpsInfo):
+    """DGPS info (0x92,0x0E).
+
+    Has the values of gnss_1.DgpsInfo.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.dgps_info"
+
+
+class DgpsChannel(gnss_1.DgpsChannel):
+    """DGPS channel (0x92,0x0F).
+
+    Has the values of gnss_1.DgpsChannel.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.dgps_channel"
 
 
 class ClockInfo2(gnss_1.ClockInfo2):
@@ -189,6 +245,34 @@ class SbasInfo(gnss_1.SbasInfo):
     NAME = "gnss_2.sbas_info"
 
 
+class SbasCorrection(gnss_1.SbasCorrection):
+    """SBAS correction (0x92,0x13).
+
+    Has the values of gnss_1.SbasCorrection.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.sbas_correction"
+
+
+class RfErrorDetection(gnss_1.RfErrorDetection):
+    """RF error detection (0x92,0x14).
+
+    Has the values of gnss_1.RfErrorDetection.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.rf_error_detection"
+
+
 class SatelliteStatus(gnss_1.SatelliteStatus):
     """Satellite status (0x92,0x20).
 
@@ -217,6 +301,34 @@ class Raw(gnss_1.Raw):
 
     SET = 0x92
     NAME = "gnss_2.raw"
+
+
+class BaseStationInfo(gnss_1.BaseStationInfo):
+    """Base station info (0x92,0x30).
+
+    Has the values of gnss_1.BaseStationInfo.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.base_station_info"
+
+
+class RtkCorrectionsStatus(gnss_1.RtkCorrectionsStatus):
+    """RTK corrections status (0x92,0x31).
+
+    Has the values of gnss_1.RtkCorrectionsStatus.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.rtk_corrections_status"
 
 
 class GpsEphemeris(gnss_1.GpsEphemeris):
@@ -279,6 +391,48 @@ class BeidouEphemeris(gnss_1.BeidouEphemeris):
     NAME = "gnss_2.beidou_ephemeris"
 
 
+class GpsIonoCorrection(gnss_1.GpsIonoCorrection):
+    """GPS ionospheric correction (0x92,0x71).
+
+    Has the values of gnss_1.GpsIonoCorrection.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.gps_iono_correction"
+
+
+class GalileoIonoCorrection(gnss_1.GalileoIonoCorrection):
+    """Galileo ionospheric correction (0x92,0x73).
+
+    Has the values of gnss_1.GalileoIonoCorrection.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.galileo_iono_correction"
+
+
+class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
+    """BeiDou ionospheric correction (0x92,0x74).
+
+    Has the values of gnss_1.BeidouIonoCorrection.
+
+    - mip-sdk-4: Gnss2 Data (0x92)
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "gnss_2.beidou_iono_correction"
+
+
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x03: (GnssLlhPosition,),
@@ -288,15 +442,26 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x07: (Dop,),
     0x08: (UtcTime,),
     0x09: (GpsTime,),
+    0x0A: (ClockInfo,),
     0x0B: (FixInfo,),
+    0x0C: (SvInfo,),
     0x0D: (GnssHardwareStatus,),
+    0x0E: (DgpsInfo,),
+    0x0F: (DgpsChannel,),
     0x10: (ClockInfo2,),
     0x11: (GpsLeapSeconds,),
     0x12: (SbasInfo,),
+    0x13: (SbasCorrection,),
+    0x14: (RfErrorDetection,),
     0x20: (SatelliteStatus,),
     0x22: (Raw,),
+    0x30: (BaseStationInfo,),
+    0x31: (RtkCorrectionsStatus,),
     0x61: (GpsEphemeris,),
     0x62: (GlonassEphemeris,),
     0x63: (GalileoEphemeris,),
     0x64: (BeidouEphemeris,),
+    0x71: (GpsIonoCorrection,),
+    0x73: (GalileoIonoCorrection,),
+    0x74: (BeidouIonoCorrection,),
 }

@@ -62,6 +62,75 @@ class LegacyDataStream(codec.OpenEnum):
     """Estimation filter data (0x82)."""
 
 
+class ConstellationId(codec.OpenEnum):
+    """Constellation in the settings of a receiver. The values are not those of
+    gnss_constellation, which GNSS data use.
+    """
+
+    GPS = 0
+    """GPS, satellites G1 to G32."""
+    SBAS = 1
+    """SBAS, satellites S120 to S158."""
+    GALILEO = 2
+    """Galileo, satellites E1 to E36."""
+    BEIDOU = 3
+    """BeiDou, satellites B1 to B37."""
+    QZSS = 5
+    """QZSS, satellites Q1 to Q5."""
+    GLONASS = 6
+    """GLONASS, satellites R1 to R32."""
+
+
+@codec.open_flag(16)
+class ConstellationOptions(IntFlag):
+    """Options of a constellation."""
+
+    L1SAIF = 1 << 0
+    """The L1-SAIF signal; QZSS only."""
+
+
+_CONSTELLATION_SETTINGS_ENTRY_0 = codec.Block(
+    "BBBBH", "constellation_id", "enable", "reserved_channels", "max_channels", "option_flags"
+)
+
+
+@dataclass(slots=True)
+class ConstellationSettingsEntry(Structure):
+    """How a receiver tracks one constellation."""
+
+    constellation_id: ConstellationId
+    """Constellation."""
+    enable: int
+    """1 switches it on, 0 off. Range: 0 to 1."""
+    reserved_channels: int
+    """Channels that are kept for it. [1] Range: 0 to 32."""
+    max_channels: int
+    """Channels that it takes at most. [1] Range: 0 to 32."""
+    option_flags: ConstellationOptions
+    """Options."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettingsEntry, int]:
+        v = _CONSTELLATION_SETTINGS_ENTRY_0.read(raw, at)
+        at += 6
+        constellation_id = ConstellationId(v[0])
+        enable = v[1]
+        reserved_channels = v[2]
+        max_channels = v[3]
+        option_flags = ConstellationOptions(v[4])
+        return cls(constellation_id, enable, reserved_channels, max_channels, option_flags), at
+
+    def _write(self) -> bytes:
+        out = _CONSTELLATION_SETTINGS_ENTRY_0.write(
+            self.constellation_id,
+            self.enable,
+            self.reserved_channels,
+            self.max_channels,
+            self.option_flags,
+        )
+        return out
+
+
 @codec.open_flag(16)
 class SbasOptions(IntFlag):
     """How SBAS is used."""
@@ -72,6 +141,15 @@ class SbasOptions(IntFlag):
     """SBAS differential corrections are applied."""
     APPLY_INTEGRITY = 1 << 2
     """Only GPS satellites with SBAS integrity information are used."""
+
+
+class AssistedFixOption(codec.OpenEnum):
+    """Whether a receiver keeps its last fix."""
+
+    NONE = 0
+    """The receiver starts without it."""
+    ENABLED = 1
+    """The receiver starts from its last fix."""
 
 
 class PpsSource(codec.OpenEnum):
@@ -269,6 +347,46 @@ class ImuMessageFormatResponse(Response):
         return codec.finished(out)
 
 
+_GNSS_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
+
+
+@dataclass(slots=True)
+class GnssMessageFormatResponse(Response):
+    """GNSS Message Format response (0x0C,0x81).
+
+    Answers GNSS Message Format (0x0C,0x09).
+
+    - mip-sdk-4: Gnss Message Format (0x0C,0x09)
+    - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x81
+    NAME = "3dm.gnss_message_format_response"
+    ROLE = "response"
+
+    descriptors: tuple[types.DescriptorRate, ...]
+    """Fields and decimations."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssMessageFormatResponse, int]:
+        v = _GNSS_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
+        at += 1
+        num_descriptors = v[0]
+        n = codec.counted(raw, at, num_descriptors, 3)
+        descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
+        return cls(descriptors), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_MESSAGE_FORMAT_RESPONSE_0.write(
+            codec.count("descriptors", self.descriptors, 84)
+        )
+        out += codec.write_structures(
+            "descriptors", codec.at_most("descriptors", self.descriptors, 84), types.DescriptorRate
+        )
+        return codec.finished(out)
+
+
 _ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 
 
@@ -339,6 +457,38 @@ class GetImuDataBaseRateResponse(Response):
 
     def _write(self) -> bytes:
         out = _GET_IMU_DATA_BASE_RATE_RESPONSE_0.write(self.rate)
+        return codec.finished(out)
+
+
+_GET_GNSS_DATA_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
+
+
+@dataclass(slots=True)
+class GetGnssDataBaseRateResponse(Response):
+    """Get GNSS Data Base Rate response (0x0C,0x84).
+
+    Answers Get GNSS Data Base Rate (0x0C,0x07).
+
+    - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x84
+    NAME = "3dm.get_gnss_data_base_rate_response"
+    ROLE = "response"
+
+    rate: int
+    """Base rate of the GNSS data. [Hz]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetGnssDataBaseRateResponse, int]:
+        v = _GET_GNSS_DATA_BASE_RATE_RESPONSE_0.read(raw, at)
+        at += 2
+        rate = v[0]
+        return cls(rate), at
+
+    def _write(self) -> bytes:
+        out = _GET_GNSS_DATA_BASE_RATE_RESPONSE_0.write(self.rate)
         return codec.finished(out)
 
 
@@ -1061,6 +1211,56 @@ class ConingAndScullingEnableResponse(Response):
         return codec.finished(out)
 
 
+_CONSTELLATION_SETTINGS_RESPONSE_0 = codec.Block(
+    "HHB", "max_channels_available", "max_channels_use", "config_count"
+)
+
+
+@dataclass(slots=True)
+class ConstellationSettingsResponse(Response):
+    """Constellation Settings response (0x0C,0xA0).
+
+    Tracking channels of the receiver and the setting of each constellation.
+
+    - mip-sdk-4: Constellation Settings (0x0C,0x21)
+    - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xA0
+    NAME = "3dm.constellation_settings_response"
+    ROLE = "response"
+
+    max_channels_available: int
+    """Channels that the receiver has. [1]"""
+    max_channels_use: int
+    """Channels in use at most. [1]"""
+    settings: tuple[ConstellationSettingsEntry, ...]
+    """One entry for each constellation."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettingsResponse, int]:
+        v = _CONSTELLATION_SETTINGS_RESPONSE_0.read(raw, at)
+        at += 5
+        max_channels_available = v[0]
+        max_channels_use = v[1]
+        config_count = v[2]
+        n = codec.counted(raw, at, config_count, 6)
+        settings, at = codec.read_structures(ConstellationSettingsEntry, raw, at, n)
+        return cls(max_channels_available, max_channels_use, settings), at
+
+    def _write(self) -> bytes:
+        out = _CONSTELLATION_SETTINGS_RESPONSE_0.write(
+            self.max_channels_available,
+            self.max_channels_use,
+            codec.count("settings", self.settings, 41),
+        )
+        out += codec.write_structures(
+            "settings", codec.at_most("settings", self.settings, 41), ConstellationSettingsEntry
+        )
+        return codec.finished(out)
+
+
 _GNSS_SBAS_SETTINGS_RESPONSE_0 = codec.Block(
     "BHB", "enable_sbas", "sbas_options", "num_included_prns"
 )
@@ -1109,6 +1309,78 @@ class GnssSbasSettingsResponse(Response):
         out += codec.write_numbers(
             "included_prns", "H", codec.at_most("included_prns", self.included_prns, 124)
         )
+        return codec.finished(out)
+
+
+_GNSS_ASSISTED_FIX_RESPONSE_0 = codec.Block("BB", "option", "flags")
+
+
+@dataclass(slots=True)
+class GnssAssistedFixResponse(Response):
+    """GNSS Assisted Fix response (0x0C,0xA2).
+
+    Answers GNSS Assisted Fix (0x0C,0x23).
+
+    - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xA2
+    NAME = "3dm.gnss_assisted_fix_response"
+    ROLE = "response"
+
+    option: AssistedFixOption
+    """Assisted fix. Factory default: none."""
+    flags: int = 255
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFixResponse, int]:
+        v = _GNSS_ASSISTED_FIX_RESPONSE_0.read(raw, at)
+        at += 2
+        option = AssistedFixOption(v[0])
+        flags = v[1]
+        return cls(option, flags), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_ASSISTED_FIX_RESPONSE_0.write(self.option, self.flags)
+        return codec.finished(out)
+
+
+_GNSS_TIME_ASSISTANCE_RESPONSE_0 = codec.Block("dHf", "tow", "week_number", "accuracy")
+
+
+@dataclass(slots=True)
+class GnssTimeAssistanceResponse(Response):
+    """GNSS Time Assistance response (0x0C,0xA3).
+
+    Answers GNSS Time Assistance (0x0C,0x24).
+
+    - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xA3
+    NAME = "3dm.gnss_time_assistance_response"
+    ROLE = "response"
+
+    tow: float
+    """GPS time of week. [s]"""
+    week_number: int
+    """GPS week number since 1980. [week]"""
+    accuracy: float
+    """Accuracy of the time. [s]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistanceResponse, int]:
+        v = _GNSS_TIME_ASSISTANCE_RESPONSE_0.read(raw, at)
+        at += 14
+        tow = v[0]
+        week_number = v[1]
+        accuracy = v[2]
+        return cls(tow, week_number, accuracy), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_TIME_ASSISTANCE_RESPONSE_0.write(self.tow, self.week_number, self.accuracy)
         return codec.finished(out)
 
 
@@ -1862,6 +2134,55 @@ class PollImuData(Command):
         return codec.finished(out)
 
 
+_POLL_GNSS_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
+
+
+@dataclass(slots=True)
+class PollGnssData(Command):
+    """Poll GNSS Data (0x0C,0x02).
+
+    Asks for one GNSS data packet with the fields listed, in their order.
+    An empty list polls the stored GNSS message format (0x0C,0x09); without one the device refuses.
+    Descriptors that the device does not know are left out.
+    The data comes in a packet of its own behind the reply.
+
+    - mip-sdk-4: Poll Gnss Message (0x0C,0x02)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x02
+    NAME = "3dm.poll_gnss_data"
+    ROLE = "command"
+
+    suppress_ack: bool
+    """Send no acknowledge."""
+    descriptors: tuple[PollEntry, ...]
+    """Fields to send."""
+
+    @property
+    def answered(self) -> bool:
+        return not (self.suppress_ack == 1)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PollGnssData, int]:
+        v = _POLL_GNSS_DATA_0.read(raw, at)
+        at += 2
+        suppress_ack = codec.truth(v[0])
+        num_descriptors = v[1]
+        n = codec.counted(raw, at, num_descriptors, 3)
+        descriptors, at = codec.read_structures(PollEntry, raw, at, n)
+        return cls(suppress_ack, descriptors), at
+
+    def _write(self) -> bytes:
+        out = _POLL_GNSS_DATA_0.write(
+            self.suppress_ack, codec.count("descriptors", self.descriptors, 83)
+        )
+        out += codec.write_structures(
+            "descriptors", codec.at_most("descriptors", self.descriptors, 83), PollEntry
+        )
+        return codec.finished(out)
+
+
 _POLL_ESTIMATION_FILTER_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
 
 
@@ -1989,6 +2310,29 @@ class GetImuDataBaseRate(Command):
         return b""
 
 
+@dataclass(slots=True)
+class GetGnssDataBaseRate(Command):
+    """Get GNSS Data Base Rate (0x0C,0x07).
+
+    Asks for the rate that the decimations of the GNSS message format divide.
+
+    - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x07
+    NAME = "3dm.get_gnss_data_base_rate"
+    ROLE = "command"
+    RESPONSES = (GetGnssDataBaseRateResponse,)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetGnssDataBaseRate, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
 _IMU_MESSAGE_FORMAT_0 = codec.Block("B", "function")
 _IMU_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
 _IMU_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
@@ -2074,6 +2418,97 @@ class ImuMessageFormat(Command):
         there = codec.present(self, required, _IMU_MESSAGE_FORMAT_GROUPS)
         if there >= 2:
             out += _IMU_MESSAGE_FORMAT_1.write(codec.count("descriptors", self.descriptors, 83))
+            out += codec.write_structures(
+                "descriptors",
+                codec.at_most("descriptors", self.descriptors, 83),
+                types.DescriptorRate,
+            )
+        return codec.finished(out)
+
+
+_GNSS_MESSAGE_FORMAT_0 = codec.Block("B", "function")
+_GNSS_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
+_GNSS_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
+
+
+@dataclass(slots=True)
+class GnssMessageFormat(Command):
+    """GNSS Message Format (0x0C,0x09).
+
+    Fields of the GNSS data packets, in order, with their decimations.
+    The decimation is the base rate, as the get GNSS data base rate command reports it, divided by
+    the wanted rate.
+
+    - mip-sdk-4: Gnss Message Format (0x0C,0x09)
+    - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x09
+    NAME = "3dm.gnss_message_format"
+    ROLE = "command"
+    RESPONSES = (GnssMessageFormatResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    descriptors: tuple[types.DescriptorRate, ...] | None = None
+    """Fields and decimations."""
+
+    @classmethod
+    def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> GnssMessageFormat:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, descriptors=descriptors)
+
+    @classmethod
+    def read(cls) -> GnssMessageFormat:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> GnssMessageFormat:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> GnssMessageFormat:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> GnssMessageFormat:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssMessageFormat, int]:
+        descriptors: tuple[types.DescriptorRate, ...] | None = None
+        v = _GNSS_MESSAGE_FORMAT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _GNSS_MESSAGE_FORMAT_1.read(raw, at)
+            at += 1
+            num_descriptors = v[0]
+            n = codec.counted(raw, at, num_descriptors, 3)
+            descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, descriptors), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_MESSAGE_FORMAT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _GNSS_MESSAGE_FORMAT_GROUPS)
+        if there >= 2:
+            out += _GNSS_MESSAGE_FORMAT_1.write(codec.count("descriptors", self.descriptors, 83))
             out += codec.write_structures(
                 "descriptors",
                 codec.at_most("descriptors", self.descriptors, 83),
@@ -2626,6 +3061,115 @@ class DataStreamControl(Command):
         return codec.finished(out)
 
 
+_CONSTELLATION_SETTINGS_0 = codec.Block("B", "function")
+_CONSTELLATION_SETTINGS_1 = codec.Block("H", "max_channels")
+_CONSTELLATION_SETTINGS_2 = codec.Block("B", "config_count")
+_CONSTELLATION_SETTINGS_GROUPS = ((1, ("max_channels",), False), (3, ("settings",), False))
+
+
+@dataclass(slots=True)
+class ConstellationSettings(Command):
+    """Constellation Settings (0x0C,0x21).
+
+    Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
+    The device refuses entries whose reserved channels exceed 32 in all. No entry may have fewer
+    channels at most than it reserves.
+    GLONASS and BeiDou exclude each other.
+    If the antenna or its filter is made for GPS alone, leave GLONASS and BeiDou off.
+    SBAS and QZSS improve the accuracy of GPS. SBAS does not make the device fit for safety-of-life
+    use.
+    Factory default: GPS and GLONASS are enabled. Channels reserved and at most: GPS 8 and 16,
+    GLONASS 8 and 14, SBAS 1 and 3, QZSS 0 and 3.
+
+    - mip-sdk-4: Constellation Settings (0x0C,0x21)
+    - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x21
+    NAME = "3dm.constellation_settings"
+    ROLE = "command"
+    RESPONSES = (ConstellationSettingsResponse,)
+    REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    max_channels: int | None = None
+    """Tracking channels in use at most; no more than the response reports as available. [1]"""
+    settings: tuple[ConstellationSettingsEntry, ...] | None = None
+    """One entry for each constellation."""
+
+    @classmethod
+    def write(
+        cls, max_channels: int, settings: tuple[ConstellationSettingsEntry, ...]
+    ) -> ConstellationSettings:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, max_channels=max_channels, settings=settings)
+
+    @classmethod
+    def read(cls) -> ConstellationSettings:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> ConstellationSettings:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> ConstellationSettings:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> ConstellationSettings:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettings, int]:
+        max_channels: int | None = None
+        settings: tuple[ConstellationSettingsEntry, ...] | None = None
+        v = _CONSTELLATION_SETTINGS_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _CONSTELLATION_SETTINGS_1.read(raw, at)
+            at += 2
+            max_channels = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _CONSTELLATION_SETTINGS_2.read(raw, at)
+            at += 1
+            config_count = v[0]
+            n = codec.counted(raw, at, config_count, 6)
+            settings, at = codec.read_structures(ConstellationSettingsEntry, raw, at, n)
+            done, end = 3, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, max_channels, settings), at
+
+    def _write(self) -> bytes:
+        out = _CONSTELLATION_SETTINGS_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _CONSTELLATION_SETTINGS_GROUPS)
+        if there >= 1:
+            out += _CONSTELLATION_SETTINGS_1.write(self.max_channels)
+        if there >= 3:
+            out += _CONSTELLATION_SETTINGS_2.write(codec.count("settings", self.settings, 41))
+            out += codec.write_structures(
+                "settings", codec.at_most("settings", self.settings, 41), ConstellationSettingsEntry
+            )
+        return codec.finished(out)
+
+
 _GNSS_SBAS_SETTINGS_0 = codec.Block("B", "function")
 _GNSS_SBAS_SETTINGS_1 = codec.Block("B", "enable_sbas")
 _GNSS_SBAS_SETTINGS_2 = codec.Block("H", "sbas_options")
@@ -2748,6 +3292,199 @@ class GnssSbasSettings(Command):
             out += codec.write_numbers(
                 "included_prns", "H", codec.at_most("included_prns", self.included_prns, 124)
             )
+        return codec.finished(out)
+
+
+_GNSS_ASSISTED_FIX_0 = codec.Block("B", "function")
+_GNSS_ASSISTED_FIX_1 = codec.Block("B", "option")
+_GNSS_ASSISTED_FIX_2 = codec.Block("B", "flags")
+_GNSS_ASSISTED_FIX_GROUPS = ((1, ("option",), False), (2, ("flags",), False))
+
+
+@dataclass(slots=True)
+class GnssAssistedFix(Command):
+    """GNSS Assisted Fix (0x0C,0x23).
+
+    Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
+    The last fix is kept in the flash memory and the FRAM of the receiver.
+    With the time of GNSS time assistance (0x0C,0x24) right after power-up, the first fix takes 1 s
+    at best.
+    A change from enabled to none erases the flash memory of the receiver, which stands 100 000
+    erasures.
+    It takes slightly more power.
+
+    - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x23
+    NAME = "3dm.gnss_assisted_fix"
+    ROLE = "command"
+    RESPONSES = (GnssAssistedFixResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    option: AssistedFixOption | None = None
+    """Assisted fix. Factory default: none."""
+    flags: int | None = None
+
+    @classmethod
+    def write(cls, option: AssistedFixOption) -> GnssAssistedFix:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, option=option, flags=255)
+
+    @classmethod
+    def read(cls) -> GnssAssistedFix:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> GnssAssistedFix:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> GnssAssistedFix:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> GnssAssistedFix:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFix, int]:
+        option: AssistedFixOption | None = None
+        flags: int | None = None
+        v = _GNSS_ASSISTED_FIX_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _GNSS_ASSISTED_FIX_1.read(raw, at)
+            at += 1
+            option = AssistedFixOption(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _GNSS_ASSISTED_FIX_2.read(raw, at)
+            at += 1
+            flags = v[0]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, option, flags), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_ASSISTED_FIX_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _GNSS_ASSISTED_FIX_GROUPS)
+        if there >= 1:
+            out += _GNSS_ASSISTED_FIX_1.write(self.option)
+        if there >= 2:
+            out += _GNSS_ASSISTED_FIX_2.write(self.flags)
+        return codec.finished(out)
+
+
+_GNSS_TIME_ASSISTANCE_0 = codec.Block("B", "function")
+_GNSS_TIME_ASSISTANCE_1 = codec.Block("d", "tow")
+_GNSS_TIME_ASSISTANCE_2 = codec.Block("H", "week_number")
+_GNSS_TIME_ASSISTANCE_3 = codec.Block("f", "accuracy")
+_GNSS_TIME_ASSISTANCE_GROUPS = (
+    (1, ("tow",), False),
+    (2, ("week_number",), False),
+    (3, ("accuracy",), False),
+)
+
+
+@dataclass(slots=True)
+class GnssTimeAssistance(Command):
+    """GNSS Time Assistance (0x0C,0x24).
+
+    Tells the GNSS receiver the present GPS time.
+    It is needed right after power-up if the assisted fix (0x0C,0x23) was on at power-off.
+
+    - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x24
+    NAME = "3dm.gnss_time_assistance"
+    ROLE = "command"
+    RESPONSES = (GnssTimeAssistanceResponse,)
+    REQUIRED = {1: 3, 2: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    tow: float | None = None
+    """GPS time of week. [s]"""
+    week_number: int | None = None
+    """GPS week number since 1980. [week]"""
+    accuracy: float | None = None
+    """Accuracy of the time. [s]"""
+
+    @classmethod
+    def write(cls, tow: float, week_number: int, accuracy: float) -> GnssTimeAssistance:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, tow=tow, week_number=week_number, accuracy=accuracy)
+
+    @classmethod
+    def read(cls) -> GnssTimeAssistance:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistance, int]:
+        tow: float | None = None
+        week_number: int | None = None
+        accuracy: float | None = None
+        v = _GNSS_TIME_ASSISTANCE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _GNSS_TIME_ASSISTANCE_1.read(raw, at)
+            at += 8
+            tow = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _GNSS_TIME_ASSISTANCE_2.read(raw, at)
+            at += 2
+            week_number = v[0]
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _GNSS_TIME_ASSISTANCE_3.read(raw, at)
+            at += 4
+            accuracy = v[0]
+            done, end = 3, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, tow, week_number, accuracy), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_TIME_ASSISTANCE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _GNSS_TIME_ASSISTANCE_GROUPS)
+        if there >= 1:
+            out += _GNSS_TIME_ASSISTANCE_1.write(self.tow)
+        if there >= 2:
+            out += _GNSS_TIME_ASSISTANCE_2.write(self.week_number)
+        if there >= 3:
+            out += _GNSS_TIME_ASSISTANCE_3.write(self.accuracy)
         return codec.finished(out)
 
 
@@ -5243,8 +5980,10 @@ class DeviceStatus(Command):
 
 
 ImuMessageFormatResponse.COMMANDS = (ImuMessageFormat,)
+GnssMessageFormatResponse.COMMANDS = (GnssMessageFormat,)
 EstimationFilterMessageFormatResponse.COMMANDS = (EstimationFilterMessageFormat,)
 GetImuDataBaseRateResponse.COMMANDS = (GetImuDataBaseRate,)
+GetGnssDataBaseRateResponse.COMMANDS = (GetGnssDataBaseRate,)
 DataStreamControlResponse.COMMANDS = (DataStreamControl,)
 UartBaudRateResponse.COMMANDS = (UartBaudRate,)
 GetEstimationFilterDataBaseRateResponse.COMMANDS = (GetEstimationFilterDataBaseRate,)
@@ -5260,7 +5999,10 @@ GyroscopeBiasConfigurationResponse.COMMANDS = (GyroscopeBiasConfiguration, Captu
 MagnetometerHardIronOffsetResponse.COMMANDS = (MagnetometerHardIronOffset,)
 MagnetometerSoftIronMatrixResponse.COMMANDS = (MagnetometerSoftIronMatrix,)
 ConingAndScullingEnableResponse.COMMANDS = (ConingAndScullingEnable,)
+ConstellationSettingsResponse.COMMANDS = (ConstellationSettings,)
 GnssSbasSettingsResponse.COMMANDS = (GnssSbasSettings,)
+GnssAssistedFixResponse.COMMANDS = (GnssAssistedFix,)
+GnssTimeAssistanceResponse.COMMANDS = (GnssTimeAssistance,)
 PpsSourceControlResponse.COMMANDS = (PpsSourceControl,)
 SensorToVehicleFrameTransformationEulerResponse.COMMANDS = (
     SensorToVehicleFrameTransformationEuler,
@@ -5288,10 +6030,13 @@ LowPassAntiAliasingFilterResponse.COMMANDS = (LowPassAntiAliasingFilter,)
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (PollImuData,),
+    0x02: (PollGnssData,),
     0x03: (PollEstimationFilterData,),
     0x04: (PollNmeaData,),
     0x06: (GetImuDataBaseRate,),
+    0x07: (GetGnssDataBaseRate,),
     0x08: (ImuMessageFormat,),
+    0x09: (GnssMessageFormat,),
     0x0A: (EstimationFilterMessageFormat,),
     0x0B: (GetEstimationFilterDataBaseRate,),
     0x0C: (NmeaMessageFormat,),
@@ -5300,7 +6045,10 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x0F: (MessageFormat,),
     0x10: (FactoryStreaming,),
     0x11: (DataStreamControl,),
+    0x21: (ConstellationSettings,),
     0x22: (GnssSbasSettings,),
+    0x23: (GnssAssistedFix,),
+    0x24: (GnssTimeAssistance,),
     0x28: (PpsSourceControl,),
     0x2A: (GetSupportedEvents,),
     0x2B: (EventControl,),
@@ -5329,8 +6077,10 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x54: (LowPassAntiAliasingFilter,),
     0x64: (DeviceStatus,),
     0x80: (ImuMessageFormatResponse,),
+    0x81: (GnssMessageFormatResponse,),
     0x82: (EstimationFilterMessageFormatResponse,),
     0x83: (GetImuDataBaseRateResponse,),
+    0x84: (GetGnssDataBaseRateResponse,),
     0x85: (DataStreamControlResponse,),
     0x87: (UartBaudRateResponse,),
     0x8A: (GetEstimationFilterDataBaseRateResponse,),
@@ -5345,7 +6095,10 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x9C: (MagnetometerHardIronOffsetResponse,),
     0x9D: (MagnetometerSoftIronMatrixResponse,),
     0x9E: (ConingAndScullingEnableResponse,),
+    0xA0: (ConstellationSettingsResponse,),
     0xA1: (GnssSbasSettingsResponse,),
+    0xA2: (GnssAssistedFixResponse,),
+    0xA3: (GnssTimeAssistanceResponse,),
     0xA8: (PpsSourceControlResponse,),
     0xB1: (SensorToVehicleFrameTransformationEulerResponse,),
     0xB2: (SensorToVehicleFrameTransformationQuaternionResponse,),

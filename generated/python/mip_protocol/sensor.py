@@ -46,6 +46,102 @@ class OdometerFlags(IntFlag):
     """The odometer is configured."""
 
 
+_RAW_ACCEL_0 = codec.Block("fff", "raw_accel", "raw_accel", "raw_accel")
+
+
+@dataclass(slots=True)
+class RawAccel(Data):
+    """Raw accel (0x80,0x01).
+
+    Raw acceleration in counts of the sensor, temperature compensated.
+
+    - mip-sdk-4: Raw Accel (0x80,0x01)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x01
+    NAME = "sensor.raw_accel"
+    ROLE = "data"
+
+    raw_accel: types.Vector3f
+    """Acceleration in counts. [1] Frame: sensor."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RawAccel, int]:
+        v = _RAW_ACCEL_0.read(raw, at)
+        at += 12
+        raw_accel = v[0:3]
+        return cls(raw_accel), at
+
+    def _write(self) -> bytes:
+        out = _RAW_ACCEL_0.write(*codec.exactly("raw_accel", self.raw_accel, 3))
+        return codec.finished(out)
+
+
+_RAW_GYRO_0 = codec.Block("fff", "raw_gyro", "raw_gyro", "raw_gyro")
+
+
+@dataclass(slots=True)
+class RawGyro(Data):
+    """Raw gyro (0x80,0x02).
+
+    Raw angular rate in counts of the sensor, temperature compensated.
+
+    - mip-sdk-4: Raw Gyro (0x80,0x02)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x02
+    NAME = "sensor.raw_gyro"
+    ROLE = "data"
+
+    raw_gyro: types.Vector3f
+    """Angular rate in counts. [1] Frame: sensor."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RawGyro, int]:
+        v = _RAW_GYRO_0.read(raw, at)
+        at += 12
+        raw_gyro = v[0:3]
+        return cls(raw_gyro), at
+
+    def _write(self) -> bytes:
+        out = _RAW_GYRO_0.write(*codec.exactly("raw_gyro", self.raw_gyro, 3))
+        return codec.finished(out)
+
+
+_RAW_MAG_0 = codec.Block("fff", "raw_mag", "raw_mag", "raw_mag")
+
+
+@dataclass(slots=True)
+class RawMag(Data):
+    """Raw mag (0x80,0x03).
+
+    Raw magnetic field in counts of the sensor, temperature compensated.
+
+    - mip-sdk-4: Raw Mag (0x80,0x03)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x03
+    NAME = "sensor.raw_mag"
+    ROLE = "data"
+
+    raw_mag: types.Vector3f
+    """Magnetic field in counts. [1] Frame: vehicle."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RawMag, int]:
+        v = _RAW_MAG_0.read(raw, at)
+        at += 12
+        raw_mag = v[0:3]
+        return cls(raw_mag), at
+
+    def _write(self) -> bytes:
+        out = _RAW_MAG_0.write(*codec.exactly("raw_mag", self.raw_mag, 3))
+        return codec.finished(out)
+
+
 _SCALED_ACCEL_0 = codec.Block("fff", "scaled_accel", "scaled_accel", "scaled_accel")
 
 
@@ -292,6 +388,41 @@ class ComplementaryFilterQuaternion(Data):
         return codec.finished(out)
 
 
+_COMP_ORIENTATION_UPDATE_MATRIX_0 = codec.Block(
+    "fffffffff", "m", "m", "m", "m", "m", "m", "m", "m", "m"
+)
+
+
+@dataclass(slots=True)
+class CompOrientationUpdateMatrix(Data):
+    """Complementary filter orientation update matrix (0x80,0x0B).
+
+    Change of the attitude by the complementary filter as a matrix.
+    Deprecated: the SDK marks it so and names no replacement
+
+    - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x0B
+    NAME = "sensor.comp_orientation_update_matrix"
+    ROLE = "data"
+
+    m: types.Matrix3f
+    """Matrix in row-major order. [1]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[CompOrientationUpdateMatrix, int]:
+        v = _COMP_ORIENTATION_UPDATE_MATRIX_0.read(raw, at)
+        at += 36
+        m = v[0:9]
+        return cls(m), at
+
+    def _write(self) -> bytes:
+        out = _COMP_ORIENTATION_UPDATE_MATRIX_0.write(*codec.exactly("m", self.m, 9))
+        return codec.finished(out)
+
+
 _COMPLEMENTARY_FILTER_EULER_ANGLES_0 = codec.Block("fff", "roll", "pitch", "yaw")
 
 
@@ -330,6 +461,108 @@ class ComplementaryFilterEulerAngles(Data):
 
     def _write(self) -> bytes:
         out = _COMPLEMENTARY_FILTER_EULER_ANGLES_0.write(self.roll, self.pitch, self.yaw)
+        return codec.finished(out)
+
+
+_ORIENTATION_RAW_TEMP_0 = codec.Block("HHHH", "raw_temp", "raw_temp", "raw_temp", "raw_temp")
+
+
+@dataclass(slots=True)
+class OrientationRawTemp(Data):
+    """Orientation raw temperatures (0x80,0x0D).
+
+    Raw readings of four temperature sensors.
+    Deprecated: the SDK marks it so and names no replacement
+
+    - mip-sdk-4: Orientation Raw Temp (0x80,0x0D)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x0D
+    NAME = "sensor.orientation_raw_temp"
+    ROLE = "data"
+
+    raw_temp: tuple[int, int, int, int]
+    """Temperatures in counts. [1]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[OrientationRawTemp, int]:
+        v = _ORIENTATION_RAW_TEMP_0.read(raw, at)
+        at += 8
+        raw_temp = v[0:4]
+        return cls(raw_temp), at
+
+    def _write(self) -> bytes:
+        out = _ORIENTATION_RAW_TEMP_0.write(*codec.exactly("raw_temp", self.raw_temp, 4))
+        return codec.finished(out)
+
+
+_INTERNAL_TIMESTAMP_0 = codec.Block("I", "counts")
+
+
+@dataclass(slots=True)
+class InternalTimestamp(Data):
+    """Internal timestamp (0x80,0x0E).
+
+    Free-running counter of the device.
+    Deprecated: the SDK marks it so and names no replacement
+
+    - mip-sdk-4: Internal Timestamp (0x80,0x0E)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x0E
+    NAME = "sensor.internal_timestamp"
+    ROLE = "data"
+
+    counts: int
+    """Counter. [1]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[InternalTimestamp, int]:
+        v = _INTERNAL_TIMESTAMP_0.read(raw, at)
+        at += 4
+        counts = v[0]
+        return cls(counts), at
+
+    def _write(self) -> bytes:
+        out = _INTERNAL_TIMESTAMP_0.write(self.counts)
+        return codec.finished(out)
+
+
+_PPS_TIMESTAMP_0 = codec.Block("II", "seconds", "useconds")
+
+
+@dataclass(slots=True)
+class PpsTimestamp(Data):
+    """PPS timestamp (0x80,0x0F).
+
+    Time that is counted with the pulse per second.
+    Deprecated: the SDK marks it so and names no replacement
+
+    - mip-sdk-4: Pps Timestamp (0x80,0x0F)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x0F
+    NAME = "sensor.pps_timestamp"
+    ROLE = "data"
+
+    seconds: int
+    """Whole seconds. [s]"""
+    useconds: int
+    """Fraction of the second. [us]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PpsTimestamp, int]:
+        v = _PPS_TIMESTAMP_0.read(raw, at)
+        at += 8
+        seconds = v[0]
+        useconds = v[1]
+        return cls(seconds, useconds), at
+
+    def _write(self) -> bytes:
+        out = _PPS_TIMESTAMP_0.write(self.seconds, self.useconds)
         return codec.finished(out)
 
 
@@ -495,6 +728,38 @@ class TemperatureStatistics(Data):
         return codec.finished(out)
 
 
+_RAW_PRESSURE_0 = codec.Block("f", "raw_pressure")
+
+
+@dataclass(slots=True)
+class RawPressure(Data):
+    """Raw pressure (0x80,0x16).
+
+    Raw ambient pressure in counts of the sensor, temperature compensated.
+
+    - mip-sdk-4: Raw Pressure (0x80,0x16)
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x16
+    NAME = "sensor.raw_pressure"
+    ROLE = "data"
+
+    raw_pressure: float
+    """Pressure in counts. [1]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[RawPressure, int]:
+        v = _RAW_PRESSURE_0.read(raw, at)
+        at += 4
+        raw_pressure = v[0]
+        return cls(raw_pressure), at
+
+    def _write(self) -> bytes:
+        out = _RAW_PRESSURE_0.write(self.raw_pressure)
+        return codec.finished(out)
+
+
 _SCALED_PRESSURE_0 = codec.Block("f", "scaled_pressure")
 
 
@@ -605,6 +870,9 @@ class Odometer(Data):
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
+    0x01: (RawAccel,),
+    0x02: (RawGyro,),
+    0x03: (RawMag,),
     0x04: (ScaledAccel,),
     0x05: (ScaledGyro,),
     0x06: (ScaledMag,),
@@ -612,11 +880,16 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x08: (DeltaVelocity,),
     0x09: (ComplementaryFilterOrientationMatrix,),
     0x0A: (ComplementaryFilterQuaternion,),
+    0x0B: (CompOrientationUpdateMatrix,),
     0x0C: (ComplementaryFilterEulerAngles,),
+    0x0D: (OrientationRawTemp,),
+    0x0E: (InternalTimestamp,),
+    0x0F: (PpsTimestamp,),
     0x10: (ComplementaryFilterStabilizedNorthVector,),
     0x11: (ComplementaryFilterStabilizedUpVector,),
     0x12: (GpsTimestamp,),
     0x14: (TemperatureStatistics,),
+    0x16: (RawPressure,),
     0x17: (ScaledPressure,),
     0x18: (OverrangeStatus,),
     0x40: (Odometer,),

@@ -77,6 +77,72 @@ class EventSource(Data):
         return codec.finished(out)
 
 
+_TICKS_0 = codec.Block("I", "ticks")
+
+
+@dataclass(slots=True)
+class Ticks(Data):
+    """Ticks (0xFF,0xD1).
+
+    Base periods since power-up.
+    One tick is one period of the base rate.
+
+    - mip-sdk-4: Ticks (0xFF,0xD1)
+    """
+
+    SET = 0xFF
+    DESCRIPTOR = 0xD1
+    NAME = "shared.ticks"
+    ROLE = "data"
+
+    ticks: int
+    """Ticks. [1]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Ticks, int]:
+        v = _TICKS_0.read(raw, at)
+        at += 4
+        ticks = v[0]
+        return cls(ticks), at
+
+    def _write(self) -> bytes:
+        out = _TICKS_0.write(self.ticks)
+        return codec.finished(out)
+
+
+_DELTA_TICKS_0 = codec.Block("I", "ticks")
+
+
+@dataclass(slots=True)
+class DeltaTicks(Data):
+    """Delta ticks (0xFF,0xD2).
+
+    Base periods since this field was last sent.
+    One tick is one period of the base rate.
+
+    - mip-sdk-4: Delta Ticks (0xFF,0xD2)
+    """
+
+    SET = 0xFF
+    DESCRIPTOR = 0xD2
+    NAME = "shared.delta_ticks"
+    ROLE = "data"
+
+    ticks: int
+    """Ticks. [1]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DeltaTicks, int]:
+        v = _DELTA_TICKS_0.read(raw, at)
+        at += 4
+        ticks = v[0]
+        return cls(ticks), at
+
+    def _write(self) -> bytes:
+        out = _DELTA_TICKS_0.write(self.ticks)
+        return codec.finished(out)
+
+
 _GPS_TIMESTAMP_0 = codec.Block("dHH", "tow", "week_number", "valid_flags")
 
 
@@ -304,6 +370,8 @@ class ExternalTimeDelta(Data):
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0xD0: (EventSource,),
+    0xD1: (Ticks,),
+    0xD2: (DeltaTicks,),
     0xD3: (GpsTimestamp,),
     0xD4: (DeltaTime,),
     0xD5: (ReferenceTimestamp,),

@@ -163,9 +163,46 @@ class GpioState(Data):
         return codec.finished(out)
 
 
+_GPIO_ANALOG_VALUE_0 = codec.Block("Bf", "gpio_id", "value")
+
+
+@dataclass(slots=True)
+class GpioAnalogValue(Data):
+    """GPIO analog value (0xA0,0x04).
+
+    Voltage at one GPIO pin.
+    Only for pins that are configured as analog inputs.
+
+    - mip-sdk-4: Gpio Analog Value (0xA0,0x04)
+    """
+
+    SET = 0xA0
+    DESCRIPTOR = 0x04
+    NAME = "system_data.gpio_analog_value"
+    ROLE = "data"
+
+    gpio_id: int
+    """GPIO pin, counted from 1. Range: 1 to …."""
+    value: float
+    """Scaled voltage. [V]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GpioAnalogValue, int]:
+        v = _GPIO_ANALOG_VALUE_0.read(raw, at)
+        at += 5
+        gpio_id = v[0]
+        value = v[1]
+        return cls(gpio_id, value), at
+
+    def _write(self) -> bytes:
+        out = _GPIO_ANALOG_VALUE_0.write(self.gpio_id, self.value)
+        return codec.finished(out)
+
+
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (BuiltInTest,),
     0x02: (TimeSyncStatus,),
     0x03: (GpioState,),
+    0x04: (GpioAnalogValue,),
 }

@@ -810,6 +810,222 @@ class NmeaMessage(Structure):
         return out
 
 
+@codec.open_flag(32)
+class RtkStatusFlags(IntFlag):
+    """State of the modem and of the corrections. Models of another kind send
+    rtk_status_flags_legacy.
+    """
+
+    MODEM_STATE = 0xF
+    """State of the modem."""
+    CONNECTION_TYPE = 0xF0
+    """Kind of the cellular connection."""
+    RSSI = 0xFF00
+    """Received signal strength."""
+    SIGNAL_QUALITY = 0xF0000
+    """Signal quality."""
+    TOWER_CHANGE_INDICATOR = 0xF00000
+    """Changes of the cell tower."""
+    NMEA_TIMEOUT = 1 << 24
+    """No NMEA came from the device in time."""
+    SERVER_TIMEOUT = 1 << 25
+    """The server did not answer in time."""
+    CORRECTIONS_TIMEOUT = 1 << 26
+    """No corrections came in time."""
+    DEVICE_OUT_OF_RANGE = 1 << 27
+    """The device is outside of the area of the service."""
+    CORRECTIONS_UNAVAILABLE = 1 << 28
+    """There are no corrections."""
+    VERSION = 0xC0000000
+    """Form of these flags."""
+
+    @property
+    def modem_state(self) -> int:
+        """Bits 0 to 3 as a number."""
+        return int((self >> 0) & 0xF)
+
+    def with_modem_state(self, value: int) -> RtkStatusFlags:
+        """The same with bits 0 to 3 set to a number."""
+        value = codec.fits("modem_state", value, 4)
+        return RtkStatusFlags(int(self) & ~0xF | value << 0)
+
+    @property
+    def connection_type(self) -> int:
+        """Bits 4 to 7 as a number."""
+        return int((self >> 4) & 0xF)
+
+    def with_connection_type(self, value: int) -> RtkStatusFlags:
+        """The same with bits 4 to 7 set to a number."""
+        value = codec.fits("connection_type", value, 4)
+        return RtkStatusFlags(int(self) & ~0xF0 | value << 4)
+
+    @property
+    def rssi(self) -> int:
+        """Bits 8 to 15 as a number."""
+        return int((self >> 8) & 0xFF)
+
+    def with_rssi(self, value: int) -> RtkStatusFlags:
+        """The same with bits 8 to 15 set to a number."""
+        value = codec.fits("rssi", value, 8)
+        return RtkStatusFlags(int(self) & ~0xFF00 | value << 8)
+
+    @property
+    def signal_quality(self) -> int:
+        """Bits 16 to 19 as a number."""
+        return int((self >> 16) & 0xF)
+
+    def with_signal_quality(self, value: int) -> RtkStatusFlags:
+        """The same with bits 16 to 19 set to a number."""
+        value = codec.fits("signal_quality", value, 4)
+        return RtkStatusFlags(int(self) & ~0xF0000 | value << 16)
+
+    @property
+    def tower_change_indicator(self) -> int:
+        """Bits 20 to 23 as a number."""
+        return int((self >> 20) & 0xF)
+
+    def with_tower_change_indicator(self, value: int) -> RtkStatusFlags:
+        """The same with bits 20 to 23 set to a number."""
+        value = codec.fits("tower_change_indicator", value, 4)
+        return RtkStatusFlags(int(self) & ~0xF00000 | value << 20)
+
+    @property
+    def version(self) -> int:
+        """Bits 30 to 31 as a number."""
+        return int((self >> 30) & 0x3)
+
+    def with_version(self, value: int) -> RtkStatusFlags:
+        """The same with bits 30 to 31 set to a number."""
+        value = codec.fits("version", value, 2)
+        return RtkStatusFlags(int(self) & ~0xC0000000 | value << 30)
+
+
+@codec.open_flag(32)
+class RtkStatusFlagsLegacy(IntFlag):
+    """State of the modem and of the corrections, in its older form."""
+
+    CONTROLLER_STATE = 0x7
+    """State of the controller."""
+    PLATFORM_STATE = 0xF8
+    """State of the platform."""
+    CONTROLLER_STATUS_CODE = 0x700
+    """Status code of the controller."""
+    PLATFORM_STATUS_CODE = 0x3800
+    """Status code of the platform."""
+    RESET_CODE = 0xC000
+    """Reason of the last reset."""
+    SIGNAL_QUALITY = 0xF0000
+    """Signal quality."""
+    RSSI = 0x3F00000
+    """Received signal strength."""
+    RSRP = 0xC000000
+    """Received power of the reference signal."""
+    RSRQ = 0x30000000
+    """Received quality of the reference signal."""
+    SINR = 0xC0000000
+    """Signal to interference and noise ratio."""
+
+    @property
+    def controller_state(self) -> int:
+        """Bits 0 to 2 as a number."""
+        return int((self >> 0) & 0x7)
+
+    def with_controller_state(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 0 to 2 set to a number."""
+        value = codec.fits("controller_state", value, 3)
+        return RtkStatusFlagsLegacy(int(self) & ~0x7 | value << 0)
+
+    @property
+    def platform_state(self) -> int:
+        """Bits 3 to 7 as a number."""
+        return int((self >> 3) & 0x1F)
+
+    def with_platform_state(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 3 to 7 set to a number."""
+        value = codec.fits("platform_state", value, 5)
+        return RtkStatusFlagsLegacy(int(self) & ~0xF8 | value << 3)
+
+    @property
+    def controller_status_code(self) -> int:
+        """Bits 8 to 10 as a number."""
+        return int((self >> 8) & 0x7)
+
+    def with_controller_status_code(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 8 to 10 set to a number."""
+        value = codec.fits("controller_status_code", value, 3)
+        return RtkStatusFlagsLegacy(int(self) & ~0x700 | value << 8)
+
+    @property
+    def platform_status_code(self) -> int:
+        """Bits 11 to 13 as a number."""
+        return int((self >> 11) & 0x7)
+
+    def with_platform_status_code(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 11 to 13 set to a number."""
+        value = codec.fits("platform_status_code", value, 3)
+        return RtkStatusFlagsLegacy(int(self) & ~0x3800 | value << 11)
+
+    @property
+    def reset_code(self) -> int:
+        """Bits 14 to 15 as a number."""
+        return int((self >> 14) & 0x3)
+
+    def with_reset_code(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 14 to 15 set to a number."""
+        value = codec.fits("reset_code", value, 2)
+        return RtkStatusFlagsLegacy(int(self) & ~0xC000 | value << 14)
+
+    @property
+    def signal_quality(self) -> int:
+        """Bits 16 to 19 as a number."""
+        return int((self >> 16) & 0xF)
+
+    def with_signal_quality(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 16 to 19 set to a number."""
+        value = codec.fits("signal_quality", value, 4)
+        return RtkStatusFlagsLegacy(int(self) & ~0xF0000 | value << 16)
+
+    @property
+    def rssi(self) -> int:
+        """Bits 20 to 25 as a number."""
+        return int((self >> 20) & 0x3F)
+
+    def with_rssi(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 20 to 25 set to a number."""
+        value = codec.fits("rssi", value, 6)
+        return RtkStatusFlagsLegacy(int(self) & ~0x3F00000 | value << 20)
+
+    @property
+    def rsrp(self) -> int:
+        """Bits 26 to 27 as a number."""
+        return int((self >> 26) & 0x3)
+
+    def with_rsrp(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 26 to 27 set to a number."""
+        value = codec.fits("rsrp", value, 2)
+        return RtkStatusFlagsLegacy(int(self) & ~0xC000000 | value << 26)
+
+    @property
+    def rsrq(self) -> int:
+        """Bits 28 to 29 as a number."""
+        return int((self >> 28) & 0x3)
+
+    def with_rsrq(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 28 to 29 set to a number."""
+        value = codec.fits("rsrq", value, 2)
+        return RtkStatusFlagsLegacy(int(self) & ~0x30000000 | value << 28)
+
+    @property
+    def sinr(self) -> int:
+        """Bits 30 to 31 as a number."""
+        return int((self >> 30) & 0x3)
+
+    def with_sinr(self, value: int) -> RtkStatusFlagsLegacy:
+        """The same with bits 30 to 31 set to a number."""
+        value = codec.fits("sinr", value, 2)
+        return RtkStatusFlagsLegacy(int(self) & ~0xC0000000 | value << 30)
+
+
 Vector3f: TypeAlias = tuple[float, float, float]
 """Three floats. Order: x, y, z."""
 Vector3d: TypeAlias = tuple[float, float, float]

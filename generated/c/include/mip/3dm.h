@@ -62,6 +62,58 @@ typedef uint8_t mip_3dm_legacy_data_stream;
 #define MIP_3DM_LEGACY_DATA_STREAM_FILTER 3
 
 /**
+ * Constellation in the settings of a receiver. The values are not those of gnss_constellation,
+ * which GNSS data use.
+ *
+ * - mip-sdk-4: Constellation Settings (0x0C,0x21)
+ */
+typedef uint8_t mip_3dm_constellation_id;
+/** GPS, satellites G1 to G32. */
+#define MIP_3DM_CONSTELLATION_ID_GPS 0
+/** SBAS, satellites S120 to S158. */
+#define MIP_3DM_CONSTELLATION_ID_SBAS 1
+/** Galileo, satellites E1 to E36. */
+#define MIP_3DM_CONSTELLATION_ID_GALILEO 2
+/** BeiDou, satellites B1 to B37. */
+#define MIP_3DM_CONSTELLATION_ID_BEIDOU 3
+/** QZSS, satellites Q1 to Q5. */
+#define MIP_3DM_CONSTELLATION_ID_QZSS 5
+/** GLONASS, satellites R1 to R32. */
+#define MIP_3DM_CONSTELLATION_ID_GLONASS 6
+
+/**
+ * Options of a constellation.
+ *
+ * - mip-sdk-4: Constellation Settings (0x0C,0x21)
+ */
+typedef uint16_t mip_3dm_constellation_options;
+/** Bit 0: The L1-SAIF signal; QZSS only. */
+#define MIP_3DM_CONSTELLATION_OPTIONS_L1SAIF 0x0001U
+
+/**
+ * How a receiver tracks one constellation.
+ *
+ * - mip-sdk-4: Constellation Settings (0x0C,0x21)
+ */
+struct mip_3dm_constellation_settings_entry {
+    /** Constellation. */
+    mip_3dm_constellation_id constellation_id;
+    /** 1 switches it on, 0 off. Range: 0 to 1. */
+    uint8_t enable;
+    /** Channels that are kept for it. Unit: 1. Range: 0 to 32. */
+    uint8_t reserved_channels;
+    /** Channels that it takes at most. Unit: 1. Range: 0 to 32. */
+    uint8_t max_channels;
+    /** Options. */
+    mip_3dm_constellation_options option_flags;
+};
+
+void mip_3dm_constellation_settings_entry_read(struct mip_reader *r,
+                                               struct mip_3dm_constellation_settings_entry *v);
+void mip_3dm_constellation_settings_entry_write(
+    struct mip_writer *w, const struct mip_3dm_constellation_settings_entry *v);
+
+/**
  * How SBAS is used.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
@@ -73,6 +125,17 @@ typedef uint16_t mip_3dm_sbas_options;
 #define MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS 0x0002U
 /** Bit 2: Only GPS satellites with SBAS integrity information are used. */
 #define MIP_3DM_SBAS_OPTIONS_APPLY_INTEGRITY 0x0004U
+
+/**
+ * Whether a receiver keeps its last fix.
+ *
+ * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+ */
+typedef uint8_t mip_3dm_assisted_fix_option;
+/** The receiver starts without it. */
+#define MIP_3DM_ASSISTED_FIX_OPTION_NONE 0
+/** The receiver starts from its last fix. */
+#define MIP_3DM_ASSISTED_FIX_OPTION_ENABLED 1
 
 /**
  * Where the pulse per second comes from.
@@ -245,6 +308,42 @@ struct mip_3dm_poll_imu_data mip_3dm_poll_imu_data_make(
     mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]);
 
 /**
+ * Poll GNSS Data: command (0x0C,0x02).
+ *
+ * Asks for one GNSS data packet with the fields listed, in their order.
+ *
+ * An empty list polls the stored GNSS message format (0x0C,0x09); without one the device refuses.
+ *
+ * Descriptors that the device does not know are left out.
+ *
+ * The data comes in a packet of its own behind the reply.
+ *
+ * Not acknowledged if suppress_ack is true.
+ *
+ * - mip-sdk-4: Poll Gnss Message (0x0C,0x02)
+ */
+struct mip_3dm_poll_gnss_data {
+    /** Send no acknowledge. */
+    mip_bool suppress_ack;
+    /** Number of fields. Range: 0 to 83. */
+    uint8_t num_descriptors;
+    /** Fields to send. */
+    struct mip_3dm_poll_entry descriptors[83];
+};
+
+#define MIP_3DM_POLL_GNSS_DATA_DESCRIPTOR 0x02
+#define MIP_3DM_POLL_GNSS_DATA_NAME "3dm.poll_gnss_data"
+
+extern const struct mip_codec mip_3dm_poll_gnss_data_codec;
+mip_error mip_3dm_poll_gnss_data_decode(struct mip_3dm_poll_gnss_data *value,
+                                        const struct mip_field *field);
+mip_error mip_3dm_poll_gnss_data_encode(const struct mip_3dm_poll_gnss_data *value,
+                                        struct mip_builder *builder);
+/** Poll GNSS Data. */
+struct mip_3dm_poll_gnss_data mip_3dm_poll_gnss_data_make(
+    mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]);
+
+/**
  * Poll Estimation Filter Data: command (0x0C,0x03).
  *
  * Asks for one filter data packet (0x82) with the fields listed, in their order.
@@ -364,6 +463,50 @@ mip_error mip_3dm_get_imu_data_base_rate_response_encode(
     const struct mip_3dm_get_imu_data_base_rate_response *value, struct mip_builder *builder);
 
 /**
+ * Get GNSS Data Base Rate: command (0x0C,0x07).
+ *
+ * Asks for the rate that the decimations of the GNSS message format divide.
+ *
+ * Answered by mip_3dm_get_gnss_data_base_rate_response.
+ *
+ * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
+ */
+struct mip_3dm_get_gnss_data_base_rate {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_3DM_GET_GNSS_DATA_BASE_RATE_DESCRIPTOR 0x07
+#define MIP_3DM_GET_GNSS_DATA_BASE_RATE_NAME "3dm.get_gnss_data_base_rate"
+
+extern const struct mip_codec mip_3dm_get_gnss_data_base_rate_codec;
+mip_error mip_3dm_get_gnss_data_base_rate_decode(struct mip_3dm_get_gnss_data_base_rate *value,
+                                                 const struct mip_field *field);
+mip_error mip_3dm_get_gnss_data_base_rate_encode(
+    const struct mip_3dm_get_gnss_data_base_rate *value, struct mip_builder *builder);
+
+/**
+ * Get GNSS Data Base Rate response: response (0x0C,0x84).
+ *
+ * Answers Get GNSS Data Base Rate (0x0C,0x07).
+ *
+ * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
+ */
+struct mip_3dm_get_gnss_data_base_rate_response {
+    /** Base rate of the GNSS data. Unit: Hz. */
+    uint16_t rate;
+};
+
+#define MIP_3DM_GET_GNSS_DATA_BASE_RATE_RESPONSE_DESCRIPTOR 0x84
+#define MIP_3DM_GET_GNSS_DATA_BASE_RATE_RESPONSE_NAME "3dm.get_gnss_data_base_rate_response"
+
+extern const struct mip_codec mip_3dm_get_gnss_data_base_rate_response_codec;
+mip_error mip_3dm_get_gnss_data_base_rate_response_decode(
+    struct mip_3dm_get_gnss_data_base_rate_response *value, const struct mip_field *field);
+mip_error mip_3dm_get_gnss_data_base_rate_response_encode(
+    const struct mip_3dm_get_gnss_data_base_rate_response *value, struct mip_builder *builder);
+
+/**
  * IMU Message Format: command (0x0C,0x08).
  *
  * Fields of the sensor data packets (0x80), in order, with their decimations.
@@ -434,6 +577,74 @@ mip_error mip_3dm_imu_message_format_response_decode(
     struct mip_3dm_imu_message_format_response *value, const struct mip_field *field);
 mip_error mip_3dm_imu_message_format_response_encode(
     const struct mip_3dm_imu_message_format_response *value, struct mip_builder *builder);
+
+/**
+ * GNSS Message Format: command (0x0C,0x09).
+ *
+ * Fields of the GNSS data packets, in order, with their decimations.
+ *
+ * The decimation is the base rate, as the get GNSS data base rate command reports it, divided by
+ * the wanted rate.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_message_format_response.
+ *
+ * - mip-sdk-4: Gnss Message Format (0x0C,0x09)
+ * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
+ */
+struct mip_3dm_gnss_message_format {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Number of fields. Range: 0 to 82. For write. */
+    uint8_t num_descriptors;
+    /** Fields and decimations. For write. */
+    struct mip_descriptor_rate descriptors[83];
+};
+
+#define MIP_3DM_GNSS_MESSAGE_FORMAT_DESCRIPTOR 0x09
+#define MIP_3DM_GNSS_MESSAGE_FORMAT_NAME "3dm.gnss_message_format"
+
+extern const struct mip_codec mip_3dm_gnss_message_format_codec;
+mip_error mip_3dm_gnss_message_format_decode(struct mip_3dm_gnss_message_format *value,
+                                             const struct mip_field *field);
+mip_error mip_3dm_gnss_message_format_encode(const struct mip_3dm_gnss_message_format *value,
+                                             struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_write(
+    uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]);
+/** Send the current setting back in a response. */
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_save(void);
+/** Load the saved setting. */
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_default(void);
+
+/**
+ * GNSS Message Format response: response (0x0C,0x81).
+ *
+ * Answers GNSS Message Format (0x0C,0x09).
+ *
+ * - mip-sdk-4: Gnss Message Format (0x0C,0x09)
+ * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
+ */
+struct mip_3dm_gnss_message_format_response {
+    /** Number of fields. Range: 0 to 82. */
+    uint8_t num_descriptors;
+    /** Fields and decimations. */
+    struct mip_descriptor_rate descriptors[84];
+};
+
+#define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR 0x81
+#define MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_NAME "3dm.gnss_message_format_response"
+
+extern const struct mip_codec mip_3dm_gnss_message_format_response_codec;
+mip_error mip_3dm_gnss_message_format_response_decode(
+    struct mip_3dm_gnss_message_format_response *value, const struct mip_field *field);
+mip_error mip_3dm_gnss_message_format_response_encode(
+    const struct mip_3dm_gnss_message_format_response *value, struct mip_builder *builder);
 
 /**
  * Estimation Filter Message Format: command (0x0C,0x0A).
@@ -898,6 +1109,95 @@ mip_error mip_3dm_data_stream_control_response_encode(
     const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder);
 
 /**
+ * Constellation Settings: command (0x0C,0x21).
+ *
+ * Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
+ *
+ * The device refuses entries whose reserved channels exceed 32 in all. No entry may have fewer
+ * channels at most than it reserves.
+ *
+ * GLONASS and BeiDou exclude each other.
+ *
+ * If the antenna or its filter is made for GPS alone, leave GLONASS and BeiDou off.
+ *
+ * SBAS and QZSS improve the accuracy of GPS. SBAS does not make the device fit for safety-of-life
+ * use.
+ *
+ * Factory default: GPS and GLONASS are enabled. Channels reserved and at most: GPS 8 and 16,
+ * GLONASS 8 and 14, SBAS 1 and 3, QZSS 0 and 3.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_constellation_settings_response.
+ *
+ * - mip-sdk-4: Constellation Settings (0x0C,0x21)
+ * - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
+ */
+struct mip_3dm_constellation_settings {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * Tracking channels in use at most; no more than the response reports as available. Unit: 1.
+     * For write.
+     */
+    uint16_t max_channels;
+    /** Number of entries. Range: 0 to 41. For write. */
+    uint8_t config_count;
+    /** One entry for each constellation. For write. */
+    struct mip_3dm_constellation_settings_entry settings[41];
+};
+
+#define MIP_3DM_CONSTELLATION_SETTINGS_DESCRIPTOR 0x21
+#define MIP_3DM_CONSTELLATION_SETTINGS_NAME "3dm.constellation_settings"
+
+extern const struct mip_codec mip_3dm_constellation_settings_codec;
+mip_error mip_3dm_constellation_settings_decode(struct mip_3dm_constellation_settings *value,
+                                                const struct mip_field *field);
+mip_error mip_3dm_constellation_settings_encode(const struct mip_3dm_constellation_settings *value,
+                                                struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_constellation_settings mip_3dm_constellation_settings_write(
+    uint16_t max_channels, uint8_t config_count,
+    const struct mip_3dm_constellation_settings_entry settings[]);
+/** Send the current setting back in a response. */
+struct mip_3dm_constellation_settings mip_3dm_constellation_settings_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_constellation_settings mip_3dm_constellation_settings_save(void);
+/** Load the saved setting. */
+struct mip_3dm_constellation_settings mip_3dm_constellation_settings_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_constellation_settings mip_3dm_constellation_settings_default(void);
+
+/**
+ * Constellation Settings response: response (0x0C,0xA0).
+ *
+ * Tracking channels of the receiver and the setting of each constellation.
+ *
+ * - mip-sdk-4: Constellation Settings (0x0C,0x21)
+ * - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
+ */
+struct mip_3dm_constellation_settings_response {
+    /** Channels that the receiver has. Unit: 1. */
+    uint16_t max_channels_available;
+    /** Channels in use at most. Unit: 1. */
+    uint16_t max_channels_use;
+    /** Number of entries. Range: 0 to 41. */
+    uint8_t config_count;
+    /** One entry for each constellation. */
+    struct mip_3dm_constellation_settings_entry settings[41];
+};
+
+#define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_DESCRIPTOR 0xA0
+#define MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_NAME "3dm.constellation_settings_response"
+
+extern const struct mip_codec mip_3dm_constellation_settings_response_codec;
+mip_error mip_3dm_constellation_settings_response_decode(
+    struct mip_3dm_constellation_settings_response *value, const struct mip_field *field);
+mip_error mip_3dm_constellation_settings_response_encode(
+    const struct mip_3dm_constellation_settings_response *value, struct mip_builder *builder);
+
+/**
  * GNSS SBAS Settings: command (0x0C,0x22).
  *
  * How the GNSS receivers use satellite based augmentation.
@@ -971,6 +1271,143 @@ mip_error mip_3dm_gnss_sbas_settings_response_decode(
     struct mip_3dm_gnss_sbas_settings_response *value, const struct mip_field *field);
 mip_error mip_3dm_gnss_sbas_settings_response_encode(
     const struct mip_3dm_gnss_sbas_settings_response *value, struct mip_builder *builder);
+
+/**
+ * GNSS Assisted Fix: command (0x0C,0x23).
+ *
+ * Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
+ *
+ * The last fix is kept in the flash memory and the FRAM of the receiver.
+ *
+ * With the time of GNSS time assistance (0x0C,0x24) right after power-up, the first fix takes 1 s
+ * at best.
+ *
+ * A change from enabled to none erases the flash memory of the receiver, which stands 100 000
+ * erasures.
+ *
+ * It takes slightly more power.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_assisted_fix_response.
+ *
+ * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+ */
+struct mip_3dm_gnss_assisted_fix {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Assisted fix. Default: none. For write. */
+    mip_3dm_assisted_fix_option option;
+    /** Send 255. For write. */
+    uint8_t flags;
+};
+
+#define MIP_3DM_GNSS_ASSISTED_FIX_DESCRIPTOR 0x23
+#define MIP_3DM_GNSS_ASSISTED_FIX_NAME "3dm.gnss_assisted_fix"
+
+extern const struct mip_codec mip_3dm_gnss_assisted_fix_codec;
+mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_assisted_fix *value,
+                                           const struct mip_field *field);
+mip_error mip_3dm_gnss_assisted_fix_encode(const struct mip_3dm_gnss_assisted_fix *value,
+                                           struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_write(
+    mip_3dm_assisted_fix_option option);
+/** Send the current setting back in a response. */
+struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_save(void);
+/** Load the saved setting. */
+struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_load(void);
+/** Load the factory default setting. */
+struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_default(void);
+
+/**
+ * GNSS Assisted Fix response: response (0x0C,0xA2).
+ *
+ * Answers GNSS Assisted Fix (0x0C,0x23).
+ *
+ * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+ */
+struct mip_3dm_gnss_assisted_fix_response {
+    /** Assisted fix. Default: none. */
+    mip_3dm_assisted_fix_option option;
+    /** Send 255. */
+    uint8_t flags;
+};
+
+#define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_DESCRIPTOR 0xA2
+#define MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_NAME "3dm.gnss_assisted_fix_response"
+
+extern const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec;
+mip_error mip_3dm_gnss_assisted_fix_response_decode(
+    struct mip_3dm_gnss_assisted_fix_response *value, const struct mip_field *field);
+mip_error mip_3dm_gnss_assisted_fix_response_encode(
+    const struct mip_3dm_gnss_assisted_fix_response *value, struct mip_builder *builder);
+
+/**
+ * GNSS Time Assistance: command (0x0C,0x24).
+ *
+ * Tells the GNSS receiver the present GPS time.
+ *
+ * It is needed right after power-up if the assisted fix (0x0C,0x23) was on at power-off.
+ *
+ * Functions: write and read. Answered by mip_3dm_gnss_time_assistance_response.
+ *
+ * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
+ */
+struct mip_3dm_gnss_time_assistance {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** GPS time of week. Unit: s. For write. */
+    double tow;
+    /** GPS week number since 1980. Unit: week. For write. */
+    uint16_t week_number;
+    /** Accuracy of the time. Unit: s. For write. */
+    float accuracy;
+};
+
+#define MIP_3DM_GNSS_TIME_ASSISTANCE_DESCRIPTOR 0x24
+#define MIP_3DM_GNSS_TIME_ASSISTANCE_NAME "3dm.gnss_time_assistance"
+
+extern const struct mip_codec mip_3dm_gnss_time_assistance_codec;
+mip_error mip_3dm_gnss_time_assistance_decode(struct mip_3dm_gnss_time_assistance *value,
+                                              const struct mip_field *field);
+mip_error mip_3dm_gnss_time_assistance_encode(const struct mip_3dm_gnss_time_assistance *value,
+                                              struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_3dm_gnss_time_assistance mip_3dm_gnss_time_assistance_write(double tow,
+                                                                       uint16_t week_number,
+                                                                       float accuracy);
+/** Send the current setting back in a response. */
+struct mip_3dm_gnss_time_assistance mip_3dm_gnss_time_assistance_read(void);
+
+/**
+ * GNSS Time Assistance response: response (0x0C,0xA3).
+ *
+ * Answers GNSS Time Assistance (0x0C,0x24).
+ *
+ * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
+ */
+struct mip_3dm_gnss_time_assistance_response {
+    /** GPS time of week. Unit: s. */
+    double tow;
+    /** GPS week number since 1980. Unit: week. */
+    uint16_t week_number;
+    /** Accuracy of the time. Unit: s. */
+    float accuracy;
+};
+
+#define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_DESCRIPTOR 0xA3
+#define MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_NAME "3dm.gnss_time_assistance_response"
+
+extern const struct mip_codec mip_3dm_gnss_time_assistance_response_codec;
+mip_error mip_3dm_gnss_time_assistance_response_decode(
+    struct mip_3dm_gnss_time_assistance_response *value, const struct mip_field *field);
+mip_error mip_3dm_gnss_time_assistance_response_encode(
+    const struct mip_3dm_gnss_time_assistance_response *value, struct mip_builder *builder);
 
 /**
  * PPS Source Control: command (0x0C,0x28).

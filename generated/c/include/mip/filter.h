@@ -18,6 +18,21 @@ extern "C" {
 
 #define MIP_FILTER_SET 0x0D
 
+/**
+ * Kind of vehicle that the filter is tuned for.
+ *
+ * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+ */
+typedef uint8_t mip_filter_dynamics_mode;
+/** Carried by hand. */
+#define MIP_FILTER_DYNAMICS_MODE_PORTABLE 1
+/** Ground vehicle. */
+#define MIP_FILTER_DYNAMICS_MODE_AUTOMOTIVE 2
+/** Aircraft. */
+#define MIP_FILTER_DYNAMICS_MODE_AIRBORNE 3
+/** Aircraft under high acceleration. */
+#define MIP_FILTER_DYNAMICS_MODE_AIRBORNE_HIGH_G 4
+
 /** States that the filter estimates. */
 typedef uint16_t mip_filter_estimated_states;
 /** Bit 0: Estimate the gyroscope bias (recommended). */
@@ -64,16 +79,16 @@ typedef uint16_t mip_filter_measurement_flags;
 /** Bit 1: Magnetometer measurements, on models that have a magnetometer. */
 #define MIP_FILTER_MEASUREMENT_FLAGS_MAGNETOMETER 0x0002U
 
-/** Where the declination of the magnetic field comes from. */
-typedef uint8_t mip_filter_declination_source;
+/** Where the declination, the inclination or the magnitude of the magnetic field comes from. */
+typedef uint8_t mip_filter_mag_parameter_source;
 /** No source. */
-#define MIP_FILTER_DECLINATION_SOURCE_NONE 1
+#define MIP_FILTER_MAG_PARAMETER_SOURCE_NONE 1
 /** The World Magnetic Model, at the estimated position. */
-#define MIP_FILTER_DECLINATION_SOURCE_WMM 2
-/** The angle that the command gives. */
-#define MIP_FILTER_DECLINATION_SOURCE_MANUAL 3
+#define MIP_FILTER_MAG_PARAMETER_SOURCE_WMM 2
+/** The value that the command gives. */
+#define MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL 3
 
-/** How measurements of the gravity direction are weighted. */
+/** How measurements are weighted whose magnitude is not as expected. */
 typedef uint8_t mip_filter_adaptive_measurement_selector;
 /** No adaptation. */
 #define MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED 0
@@ -81,6 +96,17 @@ typedef uint8_t mip_filter_adaptive_measurement_selector;
 #define MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED 1
 /** Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later. */
 #define MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_AUTO 2
+
+/**
+ * What aids the altitude.
+ *
+ * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+ */
+typedef uint8_t mip_filter_altitude_aiding_source;
+/** No aiding. */
+#define MIP_FILTER_ALTITUDE_AIDING_SOURCE_NONE 0
+/** The pressure sensor. */
+#define MIP_FILTER_ALTITUDE_AIDING_SOURCE_PRESSURE 1
 
 /** What aids pitch and roll. */
 typedef uint8_t mip_filter_pitch_roll_aiding_source;
@@ -111,6 +137,41 @@ typedef uint16_t mip_filter_aiding_source;
 #define MIP_FILTER_AIDING_SOURCE_BODY_FRAME_VEL 8
 /** All sources, for save, load and default. */
 #define MIP_FILTER_AIDING_SOURCE_ALL 0xFFFF
+
+/**
+ * What the filter assumes about the acceleration.
+ *
+ * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+ */
+typedef uint8_t mip_filter_accel_constraint;
+/** Nothing. */
+#define MIP_FILTER_ACCEL_CONSTRAINT_NONE 0
+/** It is zero. */
+#define MIP_FILTER_ACCEL_CONSTRAINT_ZERO_ACCEL 1
+
+/**
+ * What the filter assumes about the velocity.
+ *
+ * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+ */
+typedef uint8_t mip_filter_velocity_constraint;
+/** Nothing. */
+#define MIP_FILTER_VELOCITY_CONSTRAINT_NONE 0
+/** It is zero. */
+#define MIP_FILTER_VELOCITY_CONSTRAINT_ZERO_VELOCITY 1
+/** It is that of a wheeled vehicle. */
+#define MIP_FILTER_VELOCITY_CONSTRAINT_WHEELED_VEHICLE 2
+
+/**
+ * What the filter assumes about the angular rate.
+ *
+ * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+ */
+typedef uint8_t mip_filter_angular_constraint;
+/** Nothing. */
+#define MIP_FILTER_ANGULAR_CONSTRAINT_NONE 0
+/** It is zero. */
+#define MIP_FILTER_ANGULAR_CONSTRAINT_ZERO_ANGULAR_RATE 1
 
 /** Which initial conditions the device finds itself and which the user gives. */
 typedef uint8_t mip_filter_initial_condition_source;
@@ -286,6 +347,66 @@ mip_error mip_filter_run_navigation_filter_encode(
     const struct mip_filter_run_navigation_filter *value, struct mip_builder *builder);
 
 /**
+ * Vehicle dynamics mode: command (0x0D,0x10).
+ *
+ * Kind of vehicle that the filter is tuned for.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_vehicle_dynamics_mode_response.
+ *
+ * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+ */
+struct mip_filter_vehicle_dynamics_mode {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Kind of vehicle. For write. */
+    mip_filter_dynamics_mode mode;
+};
+
+#define MIP_FILTER_VEHICLE_DYNAMICS_MODE_DESCRIPTOR 0x10
+#define MIP_FILTER_VEHICLE_DYNAMICS_MODE_NAME "filter.vehicle_dynamics_mode"
+
+extern const struct mip_codec mip_filter_vehicle_dynamics_mode_codec;
+mip_error mip_filter_vehicle_dynamics_mode_decode(struct mip_filter_vehicle_dynamics_mode *value,
+                                                  const struct mip_field *field);
+mip_error mip_filter_vehicle_dynamics_mode_encode(
+    const struct mip_filter_vehicle_dynamics_mode *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_write(
+    mip_filter_dynamics_mode mode);
+/** Send the current setting back in a response. */
+struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_save(void);
+/** Load the saved setting. */
+struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_load(void);
+/** Load the factory default setting. */
+struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_default(void);
+
+/**
+ * Vehicle dynamics mode response: response (0x0D,0x80).
+ *
+ * Answers Vehicle dynamics mode (0x0D,0x10).
+ *
+ * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+ */
+struct mip_filter_vehicle_dynamics_mode_response {
+    /** Kind of vehicle. */
+    mip_filter_dynamics_mode mode;
+};
+
+#define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_DESCRIPTOR 0x80
+#define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_NAME "filter.vehicle_dynamics_mode_response"
+
+extern const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec;
+mip_error mip_filter_vehicle_dynamics_mode_response_decode(
+    struct mip_filter_vehicle_dynamics_mode_response *value, const struct mip_field *field);
+mip_error mip_filter_vehicle_dynamics_mode_response_encode(
+    const struct mip_filter_vehicle_dynamics_mode_response *value, struct mip_builder *builder);
+
+/**
  * Sensor to vehicle frame transformation: command (0x0D,0x11).
  *
  * Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
@@ -369,6 +490,78 @@ mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_decode(
 mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_encode(
     const struct mip_filter_sensor_to_vehicle_frame_transformation_response *value,
     struct mip_builder *builder);
+
+/**
+ * Sensor to vehicle offset: command (0x0D,0x12).
+ *
+ * Origin of the vehicle frame, as seen from the sensor.
+ *
+ * It shifts the estimated position (0x82,0x01) and nothing else.
+ *
+ * The shift is constant. It does not follow the attitude, as a lever arm would.
+ *
+ * The magnitude of the vector is limited to 10 m.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_sensor_to_vehicle_offset_response.
+ *
+ * - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
+ */
+struct mip_filter_sensor_to_vehicle_offset {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+     * sensor. Range: -10 to 10. For write.
+     */
+    float offset[3];
+};
+
+#define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_DESCRIPTOR 0x12
+#define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_NAME "filter.sensor_to_vehicle_offset"
+
+extern const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec;
+mip_error mip_filter_sensor_to_vehicle_offset_decode(
+    struct mip_filter_sensor_to_vehicle_offset *value, const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_offset_encode(
+    const struct mip_filter_sensor_to_vehicle_offset *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_write(
+    const float offset[3]);
+/** Send the current setting back in a response. */
+struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_save(void);
+/** Load the saved setting. */
+struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_load(void);
+/** Load the factory default setting. */
+struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_default(void);
+
+/**
+ * Sensor to vehicle offset response: response (0x0D,0x82).
+ *
+ * Answers Sensor to vehicle offset (0x0D,0x12).
+ *
+ * - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
+ */
+struct mip_filter_sensor_to_vehicle_offset_response {
+    /**
+     * From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+     * sensor. Range: -10 to 10.
+     */
+    float offset[3];
+};
+
+#define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_DESCRIPTOR 0x82
+#define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_NAME "filter.sensor_to_vehicle_offset_response"
+
+extern const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec;
+mip_error mip_filter_sensor_to_vehicle_offset_response_decode(
+    struct mip_filter_sensor_to_vehicle_offset_response *value, const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
+    const struct mip_filter_sensor_to_vehicle_offset_response *value, struct mip_builder *builder);
 
 /**
  * GNSS antenna offset: command (0x0D,0x13).
@@ -577,6 +770,50 @@ mip_error mip_filter_gnss_aiding_source_control_response_encode(
     struct mip_builder *builder);
 
 /**
+ * External GNSS update: command (0x0D,0x16).
+ *
+ * Gives the filter one position and velocity of a GNSS receiver that the user provides.
+ *
+ * Refused unless the GNSS aiding source (0x0D,0x15) is the external one.
+ *
+ * The highest rate depends on the device.
+ *
+ * - mip-sdk-4: External Gnss Update (0x0D,0x16)
+ */
+struct mip_filter_external_gnss_update {
+    /** GPS time of week. Unit: s. */
+    double tow;
+    /** GPS week, counted without rollover. Unit: week. */
+    uint16_t week_number;
+    /** Latitude. Unit: deg. Frame: llh. */
+    double latitude;
+    /** Longitude. Unit: deg. Frame: llh. */
+    double longitude;
+    /** Height above the ellipsoid. Unit: m. Frame: llh. */
+    double height;
+    /** Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. */
+    float velocity[3];
+    /** Standard deviation of the position. Elements: x, y, z. Unit: m. Frame: ned. */
+    float position_uncertainty[3];
+    /** Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. */
+    float velocity_uncertainty[3];
+};
+
+#define MIP_FILTER_EXTERNAL_GNSS_UPDATE_DESCRIPTOR 0x16
+#define MIP_FILTER_EXTERNAL_GNSS_UPDATE_NAME "filter.external_gnss_update"
+
+extern const struct mip_codec mip_filter_external_gnss_update_codec;
+mip_error mip_filter_external_gnss_update_decode(struct mip_filter_external_gnss_update *value,
+                                                 const struct mip_field *field);
+mip_error mip_filter_external_gnss_update_encode(
+    const struct mip_filter_external_gnss_update *value, struct mip_builder *builder);
+/** External GNSS update. */
+struct mip_filter_external_gnss_update mip_filter_external_gnss_update_make(
+    double tow, uint16_t week_number, double latitude, double longitude, double height,
+    const float velocity[3], const float position_uncertainty[3],
+    const float velocity_uncertainty[3]);
+
+/**
  * External heading update: command (0x0D,0x17).
  *
  * Gives the filter one measurement of the heading of the sensor frame in the NED frame.
@@ -600,7 +837,7 @@ struct mip_filter_external_heading_update {
      * -3.141592653589793 to 3.141592653589793.
      */
     float heading;
-    /** Standard deviation; it must be greater than 0, other values are refused. Unit: rad. */
+    /** Standard deviation; the device refuses a value out of bounds. Unit: rad. */
     float heading_uncertainty;
     /** North that the heading refers to. */
     mip_filter_heading_type type;
@@ -751,7 +988,7 @@ mip_error mip_filter_auto_initialization_control_response_encode(
  *
  * Standard deviation of the accelerometer noise that the filter assumes (process noise).
  *
- * Every value must be greater than 0. The factory values suit most laboratory conditions.
+ * The factory values suit most laboratory conditions.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_accelerometer_noise_standard_deviation_response. Supported by 3DM-CV7-GNSS/INS and
@@ -827,7 +1064,7 @@ mip_error mip_filter_accelerometer_noise_standard_deviation_response_encode(
  *
  * Standard deviation of the gyroscope noise that the filter assumes (process noise).
  *
- * Every value must be greater than 0. The factory values suit most laboratory conditions.
+ * The factory values suit most laboratory conditions.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_gyroscope_noise_standard_deviation_response. Supported by 3DM-CV7-GNSS/INS and
@@ -901,8 +1138,6 @@ mip_error mip_filter_gyroscope_noise_standard_deviation_response_encode(
  * Accelerometer bias model: command (0x0D,0x1C).
  *
  * Parameters of the model by which the accelerometer bias drifts.
- *
- * Every noise value must be greater than 0.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_accelerometer_bias_model_parameters_response. Supported by 3DM-CV7-GNSS/INS.
@@ -979,8 +1214,6 @@ mip_error mip_filter_accelerometer_bias_model_parameters_response_encode(
  *
  * Parameters of the model by which the gyroscope bias drifts.
  *
- * Every noise value must be greater than 0.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_gyroscope_bias_model_parameters_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
@@ -1053,6 +1286,72 @@ mip_error mip_filter_gyroscope_bias_model_parameters_response_encode(
     struct mip_builder *builder);
 
 /**
+ * Automatic zero velocity update: command (0x0D,0x1E).
+ *
+ * Lets the filter take the device as standing still while its GNSS speed is small.
+ *
+ * The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
+ *
+ * The device refuses a negative threshold.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_filter_auto_zupt_response.
+ *
+ * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
+ */
+struct mip_filter_auto_zupt {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    uint8_t enable;
+    /** Largest speed that is taken as zero. Unit: m/s. At least 0. For write. */
+    float threshold;
+};
+
+#define MIP_FILTER_AUTO_ZUPT_DESCRIPTOR 0x1E
+#define MIP_FILTER_AUTO_ZUPT_NAME "filter.auto_zupt"
+
+extern const struct mip_codec mip_filter_auto_zupt_codec;
+mip_error mip_filter_auto_zupt_decode(struct mip_filter_auto_zupt *value,
+                                      const struct mip_field *field);
+mip_error mip_filter_auto_zupt_encode(const struct mip_filter_auto_zupt *value,
+                                      struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_auto_zupt mip_filter_auto_zupt_write(uint8_t enable, float threshold);
+/** Send the current setting back in a response. */
+struct mip_filter_auto_zupt mip_filter_auto_zupt_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_auto_zupt mip_filter_auto_zupt_save(void);
+/** Load the saved setting. */
+struct mip_filter_auto_zupt mip_filter_auto_zupt_load(void);
+/** Load the factory default setting. */
+struct mip_filter_auto_zupt mip_filter_auto_zupt_default(void);
+
+/**
+ * Automatic zero velocity update response: response (0x0D,0x8D).
+ *
+ * Answers Automatic zero velocity update (0x0D,0x1E).
+ *
+ * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
+ */
+struct mip_filter_auto_zupt_response {
+    /** 0 disables, 1 enables. Range: 0 to 1. */
+    uint8_t enable;
+    /** Largest speed that is taken as zero. Unit: m/s. At least 0. */
+    float threshold;
+};
+
+#define MIP_FILTER_AUTO_ZUPT_RESPONSE_DESCRIPTOR 0x8D
+#define MIP_FILTER_AUTO_ZUPT_RESPONSE_NAME "filter.auto_zupt_response"
+
+extern const struct mip_codec mip_filter_auto_zupt_response_codec;
+mip_error mip_filter_auto_zupt_response_decode(struct mip_filter_auto_zupt_response *value,
+                                               const struct mip_field *field);
+mip_error mip_filter_auto_zupt_response_encode(const struct mip_filter_auto_zupt_response *value,
+                                               struct mip_builder *builder);
+
+/**
  * External heading update with time: command (0x0D,0x1F).
  *
  * Gives the filter one measurement of the heading of the sensor frame with its GPS time.
@@ -1083,7 +1382,7 @@ struct mip_filter_external_heading_update_with_time {
      * -3.141592653589793 to 3.141592653589793.
      */
     float heading;
-    /** Standard deviation; it must be greater than 0, other values are refused. Unit: rad. */
+    /** Standard deviation; the device refuses a value out of bounds. Unit: rad. */
     float heading_uncertainty;
     /** North that the heading refers to. */
     mip_filter_heading_type type;
@@ -1188,9 +1487,11 @@ mip_error mip_filter_zero_angular_rate_update_control_response_encode(
  *
  * Refused while the filter has no valid attitude.
  *
- * Functions: write, save, load and default. Supported by 3DM-GX5-15.
+ * Functions: write, read, save, load and default. Answered by mip_filter_tare_orientation_response.
+ * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
+ * - mip-sdk-4: Tare Orientation (0x0D,0x21)
  */
 struct mip_filter_tare_orientation {
     /** Parameters that are there, the function selector not counted; 0: those that must be. */
@@ -1211,12 +1512,61 @@ mip_error mip_filter_tare_orientation_encode(const struct mip_filter_tare_orient
                                              struct mip_builder *builder);
 /** Apply the new setting. */
 struct mip_filter_tare_orientation mip_filter_tare_orientation_write(mip_filter_tare_axes axes);
+/** Send the current setting back in a response. */
+struct mip_filter_tare_orientation mip_filter_tare_orientation_read(void);
 /** Save the current setting to non-volatile memory. */
 struct mip_filter_tare_orientation mip_filter_tare_orientation_save(void);
 /** Load the saved setting. */
 struct mip_filter_tare_orientation mip_filter_tare_orientation_load(void);
 /** Load the factory default setting. */
 struct mip_filter_tare_orientation mip_filter_tare_orientation_default(void);
+
+/**
+ * Tare orientation response: response (0x0D,0xA1).
+ *
+ * Answers Tare orientation (0x0D,0x21).
+ *
+ * Supported by 3DM-GX5-15.
+ *
+ * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
+ * - mip-sdk-4: Tare Orientation (0x0D,0x21)
+ */
+struct mip_filter_tare_orientation_response {
+    /** Axes to tare; 0 resets all axes. */
+    mip_filter_tare_axes axes;
+};
+
+#define MIP_FILTER_TARE_ORIENTATION_RESPONSE_DESCRIPTOR 0xA1
+#define MIP_FILTER_TARE_ORIENTATION_RESPONSE_NAME "filter.tare_orientation_response"
+
+extern const struct mip_codec mip_filter_tare_orientation_response_codec;
+mip_error mip_filter_tare_orientation_response_decode(
+    struct mip_filter_tare_orientation_response *value, const struct mip_field *field);
+mip_error mip_filter_tare_orientation_response_encode(
+    const struct mip_filter_tare_orientation_response *value, struct mip_builder *builder);
+
+/**
+ * Commanded zero velocity update: command (0x0D,0x22).
+ *
+ * Tells the filter once that the device stands still.
+ *
+ * The highest rate depends on the device.
+ *
+ * - mip-sdk-4: Commanded Zupt (0x0D,0x22)
+ */
+struct mip_filter_commanded_zupt {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_FILTER_COMMANDED_ZUPT_DESCRIPTOR 0x22
+#define MIP_FILTER_COMMANDED_ZUPT_NAME "filter.commanded_zupt"
+
+extern const struct mip_codec mip_filter_commanded_zupt_codec;
+mip_error mip_filter_commanded_zupt_decode(struct mip_filter_commanded_zupt *value,
+                                           const struct mip_field *field);
+mip_error mip_filter_commanded_zupt_encode(const struct mip_filter_commanded_zupt *value,
+                                           struct mip_builder *builder);
 
 /**
  * Commanded zero angular rate update: command (0x0D,0x23).
@@ -1321,11 +1671,43 @@ mip_error mip_filter_set_reference_position_response_encode(
     const struct mip_filter_set_reference_position_response *value, struct mip_builder *builder);
 
 /**
+ * Capture automatic magnetometer calibration: command (0x0D,0x27).
+ *
+ * Makes the automatic magnetometer calibration part of the fixed one.
+ *
+ * A write combines the automatic calibration with the hard iron offset (0x0C,0x3A) and the soft
+ * iron matrix (0x0C,0x3B), and resets it.
+ *
+ * A save does the same as the save of both of these commands.
+ *
+ * Functions: write and save.
+ *
+ * - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
+ */
+struct mip_filter_mag_capture_auto_cal {
+    /** What to do with the setting. */
+    mip_function_selector function;
+};
+
+#define MIP_FILTER_MAG_CAPTURE_AUTO_CAL_DESCRIPTOR 0x27
+#define MIP_FILTER_MAG_CAPTURE_AUTO_CAL_NAME "filter.mag_capture_auto_cal"
+
+extern const struct mip_codec mip_filter_mag_capture_auto_cal_codec;
+mip_error mip_filter_mag_capture_auto_cal_decode(struct mip_filter_mag_capture_auto_cal *value,
+                                                 const struct mip_field *field);
+mip_error mip_filter_mag_capture_auto_cal_encode(
+    const struct mip_filter_mag_capture_auto_cal *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_mag_capture_auto_cal mip_filter_mag_capture_auto_cal_write(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_mag_capture_auto_cal mip_filter_mag_capture_auto_cal_save(void);
+
+/**
  * Gravity noise: command (0x0D,0x28).
  *
  * Standard deviation of the gravity noise that the filter assumes (process noise).
  *
- * Every value must be greater than 0. The factory values suit most laboratory conditions.
+ * The factory values suit most laboratory conditions.
  *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_gravity_noise_standard_deviation_response. Supported by 3DM-CV7-GNSS/INS and
@@ -1395,6 +1777,193 @@ mip_error mip_filter_gravity_noise_standard_deviation_response_encode(
     struct mip_builder *builder);
 
 /**
+ * Pressure altitude noise: command (0x0D,0x29).
+ *
+ * Standard deviation of the noise of the pressure altitude model that the filter assumes.
+ *
+ * A small value follows the pressure faster, and takes weather and draughts for changes of height.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_pressure_altitude_noise_response.
+ *
+ * - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
+ */
+struct mip_filter_pressure_altitude_noise {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Standard deviation. Unit: m. For write. */
+    float noise;
+};
+
+#define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_DESCRIPTOR 0x29
+#define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_NAME "filter.pressure_altitude_noise"
+
+extern const struct mip_codec mip_filter_pressure_altitude_noise_codec;
+mip_error mip_filter_pressure_altitude_noise_decode(
+    struct mip_filter_pressure_altitude_noise *value, const struct mip_field *field);
+mip_error mip_filter_pressure_altitude_noise_encode(
+    const struct mip_filter_pressure_altitude_noise *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_write(float noise);
+/** Send the current setting back in a response. */
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_save(void);
+/** Load the saved setting. */
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_load(void);
+/** Load the factory default setting. */
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_default(void);
+
+/**
+ * Pressure altitude noise response: response (0x0D,0x94).
+ *
+ * Answers Pressure altitude noise (0x0D,0x29).
+ *
+ * - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
+ */
+struct mip_filter_pressure_altitude_noise_response {
+    /** Standard deviation. Unit: m. */
+    float noise;
+};
+
+#define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_DESCRIPTOR 0x94
+#define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_NAME "filter.pressure_altitude_noise_response"
+
+extern const struct mip_codec mip_filter_pressure_altitude_noise_response_codec;
+mip_error mip_filter_pressure_altitude_noise_response_decode(
+    struct mip_filter_pressure_altitude_noise_response *value, const struct mip_field *field);
+mip_error mip_filter_pressure_altitude_noise_response_encode(
+    const struct mip_filter_pressure_altitude_noise_response *value, struct mip_builder *builder);
+
+/**
+ * Hard iron offset noise: command (0x0D,0x2B).
+ *
+ * Standard deviation of the noise of the estimated hard iron offset (process noise).
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_hard_iron_offset_noise_response.
+ *
+ * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
+ */
+struct mip_filter_hard_iron_offset_noise {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Standard deviation per axis. Elements: x, y, z. Unit: gauss. For write. */
+    float noise[3];
+};
+
+#define MIP_FILTER_HARD_IRON_OFFSET_NOISE_DESCRIPTOR 0x2B
+#define MIP_FILTER_HARD_IRON_OFFSET_NOISE_NAME "filter.hard_iron_offset_noise"
+
+extern const struct mip_codec mip_filter_hard_iron_offset_noise_codec;
+mip_error mip_filter_hard_iron_offset_noise_decode(struct mip_filter_hard_iron_offset_noise *value,
+                                                   const struct mip_field *field);
+mip_error mip_filter_hard_iron_offset_noise_encode(
+    const struct mip_filter_hard_iron_offset_noise *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_write(
+    const float noise[3]);
+/** Send the current setting back in a response. */
+struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_save(void);
+/** Load the saved setting. */
+struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_load(void);
+/** Load the factory default setting. */
+struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_default(void);
+
+/**
+ * Hard iron offset noise response: response (0x0D,0x96).
+ *
+ * Answers Hard iron offset noise (0x0D,0x2B).
+ *
+ * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
+ */
+struct mip_filter_hard_iron_offset_noise_response {
+    /** Standard deviation per axis. Elements: x, y, z. Unit: gauss. */
+    float noise[3];
+};
+
+#define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_DESCRIPTOR 0x96
+#define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_NAME "filter.hard_iron_offset_noise_response"
+
+extern const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec;
+mip_error mip_filter_hard_iron_offset_noise_response_decode(
+    struct mip_filter_hard_iron_offset_noise_response *value, const struct mip_field *field);
+mip_error mip_filter_hard_iron_offset_noise_response_encode(
+    const struct mip_filter_hard_iron_offset_noise_response *value, struct mip_builder *builder);
+
+/**
+ * Soft iron matrix noise: command (0x0D,0x2C).
+ *
+ * Standard deviation of the noise of the estimated soft iron matrix (process noise).
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_soft_iron_matrix_noise_response.
+ *
+ * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
+ */
+struct mip_filter_soft_iron_matrix_noise {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+     * 1. For write.
+     */
+    float noise[9];
+};
+
+#define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_DESCRIPTOR 0x2C
+#define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_NAME "filter.soft_iron_matrix_noise"
+
+extern const struct mip_codec mip_filter_soft_iron_matrix_noise_codec;
+mip_error mip_filter_soft_iron_matrix_noise_decode(struct mip_filter_soft_iron_matrix_noise *value,
+                                                   const struct mip_field *field);
+mip_error mip_filter_soft_iron_matrix_noise_encode(
+    const struct mip_filter_soft_iron_matrix_noise *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_write(
+    const float noise[9]);
+/** Send the current setting back in a response. */
+struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_save(void);
+/** Load the saved setting. */
+struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_load(void);
+/** Load the factory default setting. */
+struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_default(void);
+
+/**
+ * Soft iron matrix noise response: response (0x0D,0x97).
+ *
+ * Answers Soft iron matrix noise (0x0D,0x2C).
+ *
+ * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
+ */
+struct mip_filter_soft_iron_matrix_noise_response {
+    /**
+     * Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+     * 1.
+     */
+    float noise[9];
+};
+
+#define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_DESCRIPTOR 0x97
+#define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_NAME "filter.soft_iron_matrix_noise_response"
+
+extern const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec;
+mip_error mip_filter_soft_iron_matrix_noise_response_decode(
+    struct mip_filter_soft_iron_matrix_noise_response *value, const struct mip_field *field);
+mip_error mip_filter_soft_iron_matrix_noise_response_encode(
+    const struct mip_filter_soft_iron_matrix_noise_response *value, struct mip_builder *builder);
+
+/**
  * Enable or disable measurements: command (0x0D,0x41).
  *
  * Which inertial measurements the filter uses.
@@ -1459,6 +2028,64 @@ mip_error mip_filter_enable_disable_measurements_response_encode(
     struct mip_builder *builder);
 
 /**
+ * Magnetometer noise: command (0x0D,0x42).
+ *
+ * Standard deviation of the magnetometer noise that the filter assumes.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_filter_mag_noise_response.
+ *
+ * - mip-sdk-4: Mag Noise (0x0D,0x42)
+ */
+struct mip_filter_mag_noise {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Standard deviation per axis. Elements: x, y, z. Unit: gauss. For write. */
+    float noise[3];
+};
+
+#define MIP_FILTER_MAG_NOISE_DESCRIPTOR 0x42
+#define MIP_FILTER_MAG_NOISE_NAME "filter.mag_noise"
+
+extern const struct mip_codec mip_filter_mag_noise_codec;
+mip_error mip_filter_mag_noise_decode(struct mip_filter_mag_noise *value,
+                                      const struct mip_field *field);
+mip_error mip_filter_mag_noise_encode(const struct mip_filter_mag_noise *value,
+                                      struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_mag_noise mip_filter_mag_noise_write(const float noise[3]);
+/** Send the current setting back in a response. */
+struct mip_filter_mag_noise mip_filter_mag_noise_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_mag_noise mip_filter_mag_noise_save(void);
+/** Load the saved setting. */
+struct mip_filter_mag_noise mip_filter_mag_noise_load(void);
+/** Load the factory default setting. */
+struct mip_filter_mag_noise mip_filter_mag_noise_default(void);
+
+/**
+ * Magnetometer noise response: response (0x0D,0xB1).
+ *
+ * Answers Magnetometer noise (0x0D,0x42).
+ *
+ * - mip-sdk-4: Mag Noise (0x0D,0x42)
+ */
+struct mip_filter_mag_noise_response {
+    /** Standard deviation per axis. Elements: x, y, z. Unit: gauss. */
+    float noise[3];
+};
+
+#define MIP_FILTER_MAG_NOISE_RESPONSE_DESCRIPTOR 0xB1
+#define MIP_FILTER_MAG_NOISE_RESPONSE_NAME "filter.mag_noise_response"
+
+extern const struct mip_codec mip_filter_mag_noise_response_codec;
+mip_error mip_filter_mag_noise_response_decode(struct mip_filter_mag_noise_response *value,
+                                               const struct mip_field *field);
+mip_error mip_filter_mag_noise_response_encode(const struct mip_filter_mag_noise_response *value,
+                                               struct mip_builder *builder);
+
+/**
  * Magnetic declination source: command (0x0D,0x43).
  *
  * Source of the local declination of the magnetic field.
@@ -1476,7 +2103,7 @@ struct mip_filter_magnetic_field_declination_source_control {
     /** What to do with the setting. */
     mip_function_selector function;
     /** Source of the declination. For write. */
-    mip_filter_declination_source source;
+    mip_filter_mag_parameter_source source;
     /** Declination; used only if `source` is manual. Unit: rad. For write. */
     float declination;
 };
@@ -1494,7 +2121,7 @@ mip_error mip_filter_magnetic_field_declination_source_control_encode(
     struct mip_builder *builder);
 /** Apply the new setting. */
 struct mip_filter_magnetic_field_declination_source_control
-mip_filter_magnetic_field_declination_source_control_write(mip_filter_declination_source source,
+mip_filter_magnetic_field_declination_source_control_write(mip_filter_mag_parameter_source source,
                                                            float declination);
 /** Send the current setting back in a response. */
 struct mip_filter_magnetic_field_declination_source_control
@@ -1520,7 +2147,7 @@ mip_filter_magnetic_field_declination_source_control_default(void);
  */
 struct mip_filter_magnetic_field_declination_source_control_response {
     /** Source of the declination. */
-    mip_filter_declination_source source;
+    mip_filter_mag_parameter_source source;
     /** Declination; used only if `source` is manual. Unit: rad. */
     float declination;
 };
@@ -1657,6 +2284,266 @@ mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_encod
     struct mip_builder *builder);
 
 /**
+ * Magnetometer magnitude error adaptive measurement: command (0x0D,0x45).
+ *
+ * How far the filter trusts a magnetic field whose magnitude is not as expected.
+ *
+ * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
+ * limits.
+ *
+ * High limits suit high dynamics but let disturbances of the field through; low limits can spoil
+ * the heading.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_mag_magnitude_error_adaptive_measurement_response.
+ *
+ * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
+ */
+struct mip_filter_mag_magnitude_error_adaptive_measurement {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Kind of adaptation. For write. */
+    mip_filter_adaptive_measurement_selector adaptive_measurement;
+    /** Cut-off frequency of the low-pass filter. Unit: Hz. For write. */
+    float frequency;
+    /** Lower limit of the error. Unit: gauss. For write. */
+    float low_limit;
+    /** Upper limit of the error. Unit: gauss. For write. */
+    float high_limit;
+    /** Standard deviation at the lower limit. Unit: gauss. For write. */
+    float low_limit_uncertainty;
+    /** Standard deviation at the upper limit. Unit: gauss. For write. */
+    float high_limit_uncertainty;
+    /** Smallest standard deviation. Unit: gauss. For write. */
+    float minimum_uncertainty;
+};
+
+#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR 0x45
+#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_NAME \
+    "filter.mag_magnitude_error_adaptive_measurement"
+
+extern const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_codec;
+mip_error mip_filter_mag_magnitude_error_adaptive_measurement_decode(
+    struct mip_filter_mag_magnitude_error_adaptive_measurement *value,
+    const struct mip_field *field);
+mip_error mip_filter_mag_magnitude_error_adaptive_measurement_encode(
+    const struct mip_filter_mag_magnitude_error_adaptive_measurement *value,
+    struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_write(
+    mip_filter_adaptive_measurement_selector adaptive_measurement, float frequency, float low_limit,
+    float high_limit, float low_limit_uncertainty, float high_limit_uncertainty,
+    float minimum_uncertainty);
+/** Send the current setting back in a response. */
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_save(void);
+/** Load the saved setting. */
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_load(void);
+/** Load the factory default setting. */
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_default(void);
+
+/**
+ * Magnetometer magnitude error adaptive measurement response: response (0x0D,0xB4).
+ *
+ * Answers Magnetometer magnitude error adaptive measurement (0x0D,0x45).
+ *
+ * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
+ */
+struct mip_filter_mag_magnitude_error_adaptive_measurement_response {
+    /** Kind of adaptation. */
+    mip_filter_adaptive_measurement_selector adaptive_measurement;
+    /** Cut-off frequency of the low-pass filter. Unit: Hz. */
+    float frequency;
+    /** Lower limit of the error. Unit: gauss. */
+    float low_limit;
+    /** Upper limit of the error. Unit: gauss. */
+    float high_limit;
+    /** Standard deviation at the lower limit. Unit: gauss. */
+    float low_limit_uncertainty;
+    /** Standard deviation at the upper limit. Unit: gauss. */
+    float high_limit_uncertainty;
+    /** Smallest standard deviation. Unit: gauss. */
+    float minimum_uncertainty;
+};
+
+#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR 0xB4
+#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_NAME \
+    "filter.mag_magnitude_error_adaptive_measurement_response"
+
+extern const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_response_codec;
+mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_decode(
+    struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_encode(
+    const struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Magnetometer dip angle error adaptive measurement: command (0x0D,0x46).
+ *
+ * How far the filter trusts a magnetic field whose dip angle is not as expected.
+ *
+ * It has no effect while (0x0D,0x44) or (0x0D,0x45) is set to `auto`.
+ *
+ * High limits suit high dynamics but let disturbances of the field through; low limits can spoil
+ * the heading.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_mag_dip_angle_error_adaptive_measurement_response.
+ *
+ * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
+ */
+struct mip_filter_mag_dip_angle_error_adaptive_measurement {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Whether the adaptation is on. For write. */
+    mip_bool enable;
+    /** Cut-off frequency of the low-pass filter. Unit: Hz. For write. */
+    float frequency;
+    /** Upper limit of the error. Unit: rad. For write. */
+    float high_limit;
+    /** Standard deviation at the upper limit. Unit: rad. For write. */
+    float high_limit_uncertainty;
+    /** Smallest standard deviation. Unit: rad. For write. */
+    float minimum_uncertainty;
+};
+
+#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR 0x46
+#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_NAME \
+    "filter.mag_dip_angle_error_adaptive_measurement"
+
+extern const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_codec;
+mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_decode(
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement *value,
+    const struct mip_field *field);
+mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_encode(
+    const struct mip_filter_mag_dip_angle_error_adaptive_measurement *value,
+    struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_write(mip_bool enable, float frequency,
+                                                          float high_limit,
+                                                          float high_limit_uncertainty,
+                                                          float minimum_uncertainty);
+/** Send the current setting back in a response. */
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_save(void);
+/** Load the saved setting. */
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_load(void);
+/** Load the factory default setting. */
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_default(void);
+
+/**
+ * Magnetometer dip angle error adaptive measurement response: response (0x0D,0xB5).
+ *
+ * Answers Magnetometer dip angle error adaptive measurement (0x0D,0x46).
+ *
+ * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
+ */
+struct mip_filter_mag_dip_angle_error_adaptive_measurement_response {
+    /** Whether the adaptation is on. */
+    mip_bool enable;
+    /** Cut-off frequency of the low-pass filter. Unit: Hz. */
+    float frequency;
+    /** Upper limit of the error. Unit: rad. */
+    float high_limit;
+    /** Standard deviation at the upper limit. Unit: rad. */
+    float high_limit_uncertainty;
+    /** Smallest standard deviation. Unit: rad. */
+    float minimum_uncertainty;
+};
+
+#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR 0xB5
+#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_NAME \
+    "filter.mag_dip_angle_error_adaptive_measurement_response"
+
+extern const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec;
+mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_decode(
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_encode(
+    const struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Altitude aiding: command (0x0D,0x47).
+ *
+ * What aids the altitude beside GNSS.
+ *
+ * GNSS stays the main source of altitude; the aid improves it and bridges outages.
+ *
+ * Weather and place shift the pressure altitude, at times by more than 40 m.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_filter_altitude_aiding_response.
+ *
+ * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+ */
+struct mip_filter_altitude_aiding {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Source of the aiding. For write. */
+    mip_filter_altitude_aiding_source selector;
+};
+
+#define MIP_FILTER_ALTITUDE_AIDING_DESCRIPTOR 0x47
+#define MIP_FILTER_ALTITUDE_AIDING_NAME "filter.altitude_aiding"
+
+extern const struct mip_codec mip_filter_altitude_aiding_codec;
+mip_error mip_filter_altitude_aiding_decode(struct mip_filter_altitude_aiding *value,
+                                            const struct mip_field *field);
+mip_error mip_filter_altitude_aiding_encode(const struct mip_filter_altitude_aiding *value,
+                                            struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_altitude_aiding mip_filter_altitude_aiding_write(
+    mip_filter_altitude_aiding_source selector);
+/** Send the current setting back in a response. */
+struct mip_filter_altitude_aiding mip_filter_altitude_aiding_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_altitude_aiding mip_filter_altitude_aiding_save(void);
+/** Load the saved setting. */
+struct mip_filter_altitude_aiding mip_filter_altitude_aiding_load(void);
+/** Load the factory default setting. */
+struct mip_filter_altitude_aiding mip_filter_altitude_aiding_default(void);
+
+/**
+ * Altitude aiding response: response (0x0D,0xB7).
+ *
+ * Answers Altitude aiding (0x0D,0x47).
+ *
+ * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+ */
+struct mip_filter_altitude_aiding_response {
+    /** Source of the aiding. */
+    mip_filter_altitude_aiding_source selector;
+};
+
+#define MIP_FILTER_ALTITUDE_AIDING_RESPONSE_DESCRIPTOR 0xB7
+#define MIP_FILTER_ALTITUDE_AIDING_RESPONSE_NAME "filter.altitude_aiding_response"
+
+extern const struct mip_codec mip_filter_altitude_aiding_response_codec;
+mip_error mip_filter_altitude_aiding_response_decode(
+    struct mip_filter_altitude_aiding_response *value, const struct mip_field *field);
+mip_error mip_filter_altitude_aiding_response_encode(
+    const struct mip_filter_altitude_aiding_response *value, struct mip_builder *builder);
+
+/**
  * Pitch and roll aiding: command (0x0D,0x4B).
  *
  * What aids pitch and roll while the motion is gentle.
@@ -1718,6 +2605,304 @@ mip_error mip_filter_pitch_roll_aiding_control_response_decode(
     struct mip_filter_pitch_roll_aiding_control_response *value, const struct mip_field *field);
 mip_error mip_filter_pitch_roll_aiding_control_response_encode(
     const struct mip_filter_pitch_roll_aiding_control_response *value, struct mip_builder *builder);
+
+/**
+ * Magnetic inclination source: command (0x0D,0x4C).
+ *
+ * Source of the local inclination (dip angle) of the magnetic field.
+ *
+ * Without a good inclination source, keep automatic magnetometer calibration off.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_inclination_source_response.
+ *
+ * - mip-sdk-4: Inclination Source (0x0D,0x4C)
+ */
+struct mip_filter_inclination_source {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Source of the inclination. For write. */
+    mip_filter_mag_parameter_source source;
+    /** Inclination; used only if `source` is manual. Unit: rad. For write. */
+    float inclination;
+};
+
+#define MIP_FILTER_INCLINATION_SOURCE_DESCRIPTOR 0x4C
+#define MIP_FILTER_INCLINATION_SOURCE_NAME "filter.inclination_source"
+
+extern const struct mip_codec mip_filter_inclination_source_codec;
+mip_error mip_filter_inclination_source_decode(struct mip_filter_inclination_source *value,
+                                               const struct mip_field *field);
+mip_error mip_filter_inclination_source_encode(const struct mip_filter_inclination_source *value,
+                                               struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_inclination_source mip_filter_inclination_source_write(
+    mip_filter_mag_parameter_source source, float inclination);
+/** Send the current setting back in a response. */
+struct mip_filter_inclination_source mip_filter_inclination_source_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_inclination_source mip_filter_inclination_source_save(void);
+/** Load the saved setting. */
+struct mip_filter_inclination_source mip_filter_inclination_source_load(void);
+/** Load the factory default setting. */
+struct mip_filter_inclination_source mip_filter_inclination_source_default(void);
+
+/**
+ * Magnetic inclination source response: response (0x0D,0xBC).
+ *
+ * Answers Magnetic inclination source (0x0D,0x4C).
+ *
+ * - mip-sdk-4: Inclination Source (0x0D,0x4C)
+ */
+struct mip_filter_inclination_source_response {
+    /** Source of the inclination. */
+    mip_filter_mag_parameter_source source;
+    /** Inclination; used only if `source` is manual. Unit: rad. */
+    float inclination;
+};
+
+#define MIP_FILTER_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR 0xBC
+#define MIP_FILTER_INCLINATION_SOURCE_RESPONSE_NAME "filter.inclination_source_response"
+
+extern const struct mip_codec mip_filter_inclination_source_response_codec;
+mip_error mip_filter_inclination_source_response_decode(
+    struct mip_filter_inclination_source_response *value, const struct mip_field *field);
+mip_error mip_filter_inclination_source_response_encode(
+    const struct mip_filter_inclination_source_response *value, struct mip_builder *builder);
+
+/**
+ * Magnetic field magnitude source: command (0x0D,0x4D).
+ *
+ * Source of the local magnitude of the magnetic field.
+ *
+ * Without a good magnitude source, keep automatic magnetometer calibration off.
+ *
+ * The adaptive measurement (0x0D,0x45) relies on it too.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_mag_field_magnitude_source_response.
+ *
+ * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
+ */
+struct mip_filter_mag_field_magnitude_source {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Source of the magnitude. For write. */
+    mip_filter_mag_parameter_source source;
+    /** Magnitude; used only if `source` is manual. Unit: gauss. For write. */
+    float magnitude;
+};
+
+#define MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_DESCRIPTOR 0x4D
+#define MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_NAME "filter.mag_field_magnitude_source"
+
+extern const struct mip_codec mip_filter_mag_field_magnitude_source_codec;
+mip_error mip_filter_mag_field_magnitude_source_decode(
+    struct mip_filter_mag_field_magnitude_source *value, const struct mip_field *field);
+mip_error mip_filter_mag_field_magnitude_source_encode(
+    const struct mip_filter_mag_field_magnitude_source *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_write(
+    mip_filter_mag_parameter_source source, float magnitude);
+/** Send the current setting back in a response. */
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_save(void);
+/** Load the saved setting. */
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_load(void);
+/** Load the factory default setting. */
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_default(void);
+
+/**
+ * Magnetic field magnitude source response: response (0x0D,0xBD).
+ *
+ * Answers Magnetic field magnitude source (0x0D,0x4D).
+ *
+ * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
+ */
+struct mip_filter_mag_field_magnitude_source_response {
+    /** Source of the magnitude. */
+    mip_filter_mag_parameter_source source;
+    /** Magnitude; used only if `source` is manual. Unit: gauss. */
+    float magnitude;
+};
+
+#define MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR 0xBD
+#define MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_NAME \
+    "filter.mag_field_magnitude_source_response"
+
+extern const struct mip_codec mip_filter_mag_field_magnitude_source_response_codec;
+mip_error mip_filter_mag_field_magnitude_source_response_decode(
+    struct mip_filter_mag_field_magnitude_source_response *value, const struct mip_field *field);
+mip_error mip_filter_mag_field_magnitude_source_response_encode(
+    const struct mip_filter_mag_field_magnitude_source_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Sensor to vehicle rotation, matrix: command (0x0D,0x4E).
+ *
+ * Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
+ *
+ * It is the inverse of the matrix that (0x0C,0x33) takes.
+ *
+ * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+ * velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
+ * filter.
+ *
+ * The device refuses a matrix that is not orthonormal to 0.001.
+ *
+ * The device keeps a quaternion, so the elements read back may differ a little from those written.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_sensor_to_vehicle_rotation_dcm_response.
+ *
+ * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
+ */
+struct mip_filter_sensor_to_vehicle_rotation_dcm {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+     * Unit: 1. For write.
+     */
+    float dcm[9];
+};
+
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_DESCRIPTOR 0x4E
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_NAME "filter.sensor_to_vehicle_rotation_dcm"
+
+extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec;
+mip_error mip_filter_sensor_to_vehicle_rotation_dcm_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *value, const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_rotation_dcm_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_sensor_to_vehicle_rotation_dcm mip_filter_sensor_to_vehicle_rotation_dcm_write(
+    const float dcm[9]);
+/** Send the current setting back in a response. */
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_save(void);
+/** Load the saved setting. */
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_load(void);
+/** Load the factory default setting. */
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_default(void);
+
+/**
+ * Sensor to vehicle rotation, matrix response: response (0x0D,0xBE).
+ *
+ * Answers Sensor to vehicle rotation, matrix (0x0D,0x4E).
+ *
+ * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
+ */
+struct mip_filter_sensor_to_vehicle_rotation_dcm_response {
+    /**
+     * Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+     * Unit: 1.
+     */
+    float dcm[9];
+};
+
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_DESCRIPTOR 0xBE
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_NAME \
+    "filter.sensor_to_vehicle_rotation_dcm_response"
+
+extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec;
+mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Sensor to vehicle rotation, quaternion: command (0x0D,0x4F).
+ *
+ * Rotation from the sensor frame to the vehicle frame as a quaternion.
+ *
+ * It is the inverse of the quaternion that (0x0C,0x32) takes.
+ *
+ * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+ * velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
+ * filter.
+ *
+ * The device refuses a quaternion whose length is not 1 to 0.001.
+ *
+ * The device normalizes it, so the elements read back may differ a little from those written.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_sensor_to_vehicle_rotation_quaternion_response.
+ *
+ * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
+ */
+struct mip_filter_sensor_to_vehicle_rotation_quaternion {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. For write. */
+    float quat[4];
+};
+
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_DESCRIPTOR 0x4F
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_NAME \
+    "filter.sensor_to_vehicle_rotation_quaternion"
+
+extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_codec;
+mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion *value, const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_quaternion *value,
+    struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_write(const float quat[4]);
+/** Send the current setting back in a response. */
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_save(void);
+/** Load the saved setting. */
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_load(void);
+/** Load the factory default setting. */
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_default(void);
+
+/**
+ * Sensor to vehicle rotation, quaternion response: response (0x0D,0xBF).
+ *
+ * Answers Sensor to vehicle rotation, quaternion (0x0D,0x4F).
+ *
+ * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
+ */
+struct mip_filter_sensor_to_vehicle_rotation_quaternion_response {
+    /** Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. */
+    float quat[4];
+};
+
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_DESCRIPTOR 0xBF
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_NAME \
+    "filter.sensor_to_vehicle_rotation_quaternion_response"
+
+extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec;
+mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
+    struct mip_builder *builder);
 
 /**
  * Aiding measurement control: command (0x0D,0x50).
@@ -1790,6 +2975,76 @@ mip_error mip_filter_aiding_measurement_control_response_decode(
 mip_error mip_filter_aiding_measurement_control_response_encode(
     const struct mip_filter_aiding_measurement_control_response *value,
     struct mip_builder *builder);
+
+/**
+ * Kinematic constraint: command (0x0D,0x51).
+ *
+ * Assumptions about the motion that the filter uses as measurements.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_kinematic_constraint_response.
+ *
+ * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+ */
+struct mip_filter_kinematic_constraint {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Assumption about the acceleration. Default: none. For write. */
+    mip_filter_accel_constraint accel_constraint;
+    /** Assumption about the velocity. Default: none. For write. */
+    mip_filter_velocity_constraint velocity_constraint;
+    /** Assumption about the angular rate. Default: none. For write. */
+    mip_filter_angular_constraint angular_constraint;
+};
+
+#define MIP_FILTER_KINEMATIC_CONSTRAINT_DESCRIPTOR 0x51
+#define MIP_FILTER_KINEMATIC_CONSTRAINT_NAME "filter.kinematic_constraint"
+
+extern const struct mip_codec mip_filter_kinematic_constraint_codec;
+mip_error mip_filter_kinematic_constraint_decode(struct mip_filter_kinematic_constraint *value,
+                                                 const struct mip_field *field);
+mip_error mip_filter_kinematic_constraint_encode(
+    const struct mip_filter_kinematic_constraint *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_write(
+    mip_filter_accel_constraint accel_constraint,
+    mip_filter_velocity_constraint velocity_constraint,
+    mip_filter_angular_constraint angular_constraint);
+/** Send the current setting back in a response. */
+struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_save(void);
+/** Load the saved setting. */
+struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_load(void);
+/** Load the factory default setting. */
+struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_default(void);
+
+/**
+ * Kinematic constraint response: response (0x0D,0xD1).
+ *
+ * Answers Kinematic constraint (0x0D,0x51).
+ *
+ * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+ */
+struct mip_filter_kinematic_constraint_response {
+    /** Assumption about the acceleration. Default: none. */
+    mip_filter_accel_constraint accel_constraint;
+    /** Assumption about the velocity. Default: none. */
+    mip_filter_velocity_constraint velocity_constraint;
+    /** Assumption about the angular rate. Default: none. */
+    mip_filter_angular_constraint angular_constraint;
+};
+
+#define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_DESCRIPTOR 0xD1
+#define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_NAME "filter.kinematic_constraint_response"
+
+extern const struct mip_codec mip_filter_kinematic_constraint_response_codec;
+mip_error mip_filter_kinematic_constraint_response_decode(
+    struct mip_filter_kinematic_constraint_response *value, const struct mip_field *field);
+mip_error mip_filter_kinematic_constraint_response_encode(
+    const struct mip_filter_kinematic_constraint_response *value, struct mip_builder *builder);
 
 /**
  * Navigation filter initialization: command (0x0D,0x52).
@@ -2233,6 +3488,40 @@ mip_error mip_filter_reference_point_lever_arm_response_encode(
     const struct mip_filter_reference_point_lever_arm_response *value, struct mip_builder *builder);
 
 /**
+ * Speed measurement: command (0x0D,0x60).
+ *
+ * Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
+ *
+ * It must not be used together with the odometer of the device.
+ *
+ * Single precision resolves the time of week to 0.0625 s at the end of the week.
+ *
+ * - mip-sdk-4: Speed Measurement (0x0D,0x60)
+ */
+struct mip_filter_speed_measurement {
+    /** Send 1. Send 1. */
+    uint8_t source;
+    /** GPS time of week of the measurement. Unit: s. */
+    float tow;
+    /** Speed, negative in reverse. Unit: m/s. Frame: vehicle. */
+    float speed;
+    /** Standard deviation of the speed. Unit: m/s. */
+    float speed_uncertainty;
+};
+
+#define MIP_FILTER_SPEED_MEASUREMENT_DESCRIPTOR 0x60
+#define MIP_FILTER_SPEED_MEASUREMENT_NAME "filter.speed_measurement"
+
+extern const struct mip_codec mip_filter_speed_measurement_codec;
+mip_error mip_filter_speed_measurement_decode(struct mip_filter_speed_measurement *value,
+                                              const struct mip_field *field);
+mip_error mip_filter_speed_measurement_encode(const struct mip_filter_speed_measurement *value,
+                                              struct mip_builder *builder);
+/** Speed measurement. */
+struct mip_filter_speed_measurement mip_filter_speed_measurement_make(float tow, float speed,
+                                                                      float speed_uncertainty);
+
+/**
  * Speed measurement lever arm: command (0x0D,0x61).
  *
  * Position of the point whose speed is measured, such as the wheel that an odometer is on.
@@ -2303,6 +3592,75 @@ mip_error mip_filter_measurement_speed_lever_arm_response_decode(
     struct mip_filter_measurement_speed_lever_arm_response *value, const struct mip_field *field);
 mip_error mip_filter_measurement_speed_lever_arm_response_encode(
     const struct mip_filter_measurement_speed_lever_arm_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Vertical gyro constraint: command (0x0D,0x62).
+ *
+ * Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
+ *
+ * It takes the linear acceleration as zero.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_vertical_gyro_constraint_control_response.
+ *
+ * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
+ */
+struct mip_filter_vertical_gyro_constraint_control {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    uint8_t enable;
+};
+
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_DESCRIPTOR 0x62
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_NAME "filter.vertical_gyro_constraint_control"
+
+extern const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec;
+mip_error mip_filter_vertical_gyro_constraint_control_decode(
+    struct mip_filter_vertical_gyro_constraint_control *value, const struct mip_field *field);
+mip_error mip_filter_vertical_gyro_constraint_control_encode(
+    const struct mip_filter_vertical_gyro_constraint_control *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_write(uint8_t enable);
+/** Send the current setting back in a response. */
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_save(void);
+/** Load the saved setting. */
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_load(void);
+/** Load the factory default setting. */
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_default(void);
+
+/**
+ * Vertical gyro constraint response: response (0x0D,0xE2).
+ *
+ * Answers Vertical gyro constraint (0x0D,0x62).
+ *
+ * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
+ */
+struct mip_filter_vertical_gyro_constraint_control_response {
+    /** 0 disables, 1 enables. Range: 0 to 1. */
+    uint8_t enable;
+};
+
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR 0xE2
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_NAME \
+    "filter.vertical_gyro_constraint_control_response"
+
+extern const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_codec;
+mip_error mip_filter_vertical_gyro_constraint_control_response_decode(
+    struct mip_filter_vertical_gyro_constraint_control_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_vertical_gyro_constraint_control_response_encode(
+    const struct mip_filter_vertical_gyro_constraint_control_response *value,
     struct mip_builder *builder);
 
 /**

@@ -224,6 +224,17 @@ typedef uint16_t mip_filter_data_gnss_aiding_status;
 #define MIP_FILTER_DATA_GNSS_AIDING_STATUS_CONFIG_ERROR 0x8000U
 
 /**
+ * Where a heading measurement comes from.
+ *
+ * - mip-sdk-4: Head Aid Status (0x82,0x45)
+ */
+typedef uint8_t mip_filter_data_heading_aiding_type;
+/** Two GNSS antennas. */
+#define MIP_FILTER_DATA_HEADING_AIDING_TYPE_DUAL_ANTENNA 1
+/** A heading message of the user. */
+#define MIP_FILTER_DATA_HEADING_AIDING_TYPE_EXTERNAL_MESSAGE 2
+
+/**
  * Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
  * `aiding` that give the measurement.
  */
@@ -1016,6 +1027,165 @@ mip_error mip_filter_data_magnetic_model_encode(const struct mip_filter_data_mag
                                                 struct mip_builder *builder);
 
 /**
+ * Gyroscope scale factor: data (0x82,0x16).
+ *
+ * Estimated scale factor of the gyroscope.
+ *
+ * - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
+ */
+struct mip_filter_data_gyro_scale_factor {
+    /**
+     * Scale factor per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float scale_factor[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_DESCRIPTOR 0x16
+#define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_NAME "filter_data.gyro_scale_factor"
+
+extern const struct mip_codec mip_filter_data_gyro_scale_factor_codec;
+mip_error mip_filter_data_gyro_scale_factor_decode(struct mip_filter_data_gyro_scale_factor *value,
+                                                   const struct mip_field *field);
+mip_error mip_filter_data_gyro_scale_factor_encode(
+    const struct mip_filter_data_gyro_scale_factor *value, struct mip_builder *builder);
+
+/**
+ * Accelerometer scale factor: data (0x82,0x17).
+ *
+ * Estimated scale factor of the accelerometer.
+ *
+ * - mip-sdk-4: Accel Scale Factor (0x82,0x17)
+ */
+struct mip_filter_data_accel_scale_factor {
+    /**
+     * Scale factor per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float scale_factor[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_DESCRIPTOR 0x17
+#define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_NAME "filter_data.accel_scale_factor"
+
+extern const struct mip_codec mip_filter_data_accel_scale_factor_codec;
+mip_error mip_filter_data_accel_scale_factor_decode(
+    struct mip_filter_data_accel_scale_factor *value, const struct mip_field *field);
+mip_error mip_filter_data_accel_scale_factor_encode(
+    const struct mip_filter_data_accel_scale_factor *value, struct mip_builder *builder);
+
+/**
+ * Gyroscope scale factor uncertainty: data (0x82,0x18).
+ *
+ * Standard deviation of the estimated scale factor of the gyroscope.
+ *
+ * - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
+ */
+struct mip_filter_data_gyro_scale_factor_uncertainty {
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float scale_factor_uncertainty[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR 0x18
+#define MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY_NAME \
+    "filter_data.gyro_scale_factor_uncertainty"
+
+extern const struct mip_codec mip_filter_data_gyro_scale_factor_uncertainty_codec;
+mip_error mip_filter_data_gyro_scale_factor_uncertainty_decode(
+    struct mip_filter_data_gyro_scale_factor_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_gyro_scale_factor_uncertainty_encode(
+    const struct mip_filter_data_gyro_scale_factor_uncertainty *value, struct mip_builder *builder);
+
+/**
+ * Accelerometer scale factor uncertainty: data (0x82,0x19).
+ *
+ * Standard deviation of the estimated scale factor of the accelerometer.
+ *
+ * - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
+ */
+struct mip_filter_data_accel_scale_factor_uncertainty {
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float scale_factor_uncertainty[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR 0x19
+#define MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY_NAME \
+    "filter_data.accel_scale_factor_uncertainty"
+
+extern const struct mip_codec mip_filter_data_accel_scale_factor_uncertainty_codec;
+mip_error mip_filter_data_accel_scale_factor_uncertainty_decode(
+    struct mip_filter_data_accel_scale_factor_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_accel_scale_factor_uncertainty_encode(
+    const struct mip_filter_data_accel_scale_factor_uncertainty *value,
+    struct mip_builder *builder);
+
+/**
+ * Magnetometer bias: data (0x82,0x1A).
+ *
+ * Estimated bias of the magnetometer.
+ *
+ * - mip-sdk-4: Mag Bias (0x82,0x1A)
+ */
+struct mip_filter_data_mag_bias {
+    /**
+     * Bias. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float bias[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MAG_BIAS_DESCRIPTOR 0x1A
+#define MIP_FILTER_DATA_MAG_BIAS_NAME "filter_data.mag_bias"
+
+extern const struct mip_codec mip_filter_data_mag_bias_codec;
+mip_error mip_filter_data_mag_bias_decode(struct mip_filter_data_mag_bias *value,
+                                          const struct mip_field *field);
+mip_error mip_filter_data_mag_bias_encode(const struct mip_filter_data_mag_bias *value,
+                                          struct mip_builder *builder);
+
+/**
+ * Magnetometer bias uncertainty: data (0x82,0x1B).
+ *
+ * Standard deviation of the estimated bias of the magnetometer.
+ *
+ * - mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B)
+ */
+struct mip_filter_data_mag_bias_uncertainty {
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float bias_uncertainty[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY_DESCRIPTOR 0x1B
+#define MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY_NAME "filter_data.mag_bias_uncertainty"
+
+extern const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec;
+mip_error mip_filter_data_mag_bias_uncertainty_decode(
+    struct mip_filter_data_mag_bias_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_mag_bias_uncertainty_encode(
+    const struct mip_filter_data_mag_bias_uncertainty *value, struct mip_builder *builder);
+
+/**
  * Compensated acceleration: data (0x82,0x1C).
  *
  * Acceleration without the estimated bias; gravity is still in it.
@@ -1043,6 +1213,47 @@ mip_error mip_filter_data_compensated_acceleration_decode(
     struct mip_filter_data_compensated_acceleration *value, const struct mip_field *field);
 mip_error mip_filter_data_compensated_acceleration_encode(
     const struct mip_filter_data_compensated_acceleration *value, struct mip_builder *builder);
+
+/**
+ * Standard atmosphere: data (0x82,0x20).
+ *
+ * US Standard Atmosphere of 1976 at the altitude of the device.
+ *
+ * It is valid only with a valid GNSS position.
+ *
+ * - mip-sdk-4: Standard Atmosphere (0x82,0x20)
+ */
+struct mip_filter_data_standard_atmosphere {
+    /**
+     * Altitude that goes into the model. Unit: m. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float geometric_altitude;
+    /**
+     * Geopotential altitude. Unit: m. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is
+     * set.
+     */
+    float geopotential_altitude;
+    /**
+     * Temperature. Unit: degC. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float standard_temperature;
+    /** Pressure. Unit: mbar. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
+    float standard_pressure;
+    /** Density. Unit: kg/m^3. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
+    float standard_density;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_STANDARD_ATMOSPHERE_DESCRIPTOR 0x20
+#define MIP_FILTER_DATA_STANDARD_ATMOSPHERE_NAME "filter_data.standard_atmosphere"
+
+extern const struct mip_codec mip_filter_data_standard_atmosphere_codec;
+mip_error mip_filter_data_standard_atmosphere_decode(
+    struct mip_filter_data_standard_atmosphere *value, const struct mip_field *field);
+mip_error mip_filter_data_standard_atmosphere_encode(
+    const struct mip_filter_data_standard_atmosphere *value, struct mip_builder *builder);
 
 /**
  * Pressure altitude: data (0x82,0x21).
@@ -1074,6 +1285,311 @@ mip_error mip_filter_data_pressure_altitude_decode(struct mip_filter_data_pressu
                                                    const struct mip_field *field);
 mip_error mip_filter_data_pressure_altitude_encode(
     const struct mip_filter_data_pressure_altitude *value, struct mip_builder *builder);
+
+/**
+ * Density altitude: data (0x82,0x22).
+ *
+ * Altitude at which the standard atmosphere has the density of the air around the device.
+ *
+ * - mip-sdk-4: Density Altitude (0x82,0x22)
+ */
+struct mip_filter_data_density_altitude {
+    /** Altitude. Unit: m. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set. */
+    float density_altitude;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_DENSITY_ALTITUDE_DESCRIPTOR 0x22
+#define MIP_FILTER_DATA_DENSITY_ALTITUDE_NAME "filter_data.density_altitude"
+
+extern const struct mip_codec mip_filter_data_density_altitude_codec;
+mip_error mip_filter_data_density_altitude_decode(struct mip_filter_data_density_altitude *value,
+                                                  const struct mip_field *field);
+mip_error mip_filter_data_density_altitude_encode(
+    const struct mip_filter_data_density_altitude *value, struct mip_builder *builder);
+
+/**
+ * Magnetometer offset: data (0x82,0x25).
+ *
+ * Estimated hard iron offset of the magnetometer.
+ *
+ * The filter adds it to the stored hard iron offset (0x0C,0x3A).
+ *
+ * - mip-sdk-4: Magnetometer Offset (0x82,0x25)
+ */
+struct mip_filter_data_mag_offset {
+    /**
+     * Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float hard_iron[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MAG_OFFSET_DESCRIPTOR 0x25
+#define MIP_FILTER_DATA_MAG_OFFSET_NAME "filter_data.mag_offset"
+
+extern const struct mip_codec mip_filter_data_mag_offset_codec;
+mip_error mip_filter_data_mag_offset_decode(struct mip_filter_data_mag_offset *value,
+                                            const struct mip_field *field);
+mip_error mip_filter_data_mag_offset_encode(const struct mip_filter_data_mag_offset *value,
+                                            struct mip_builder *builder);
+
+/**
+ * Magnetometer matrix: data (0x82,0x26).
+ *
+ * Estimated soft iron matrix of the magnetometer.
+ *
+ * The filter multiplies the stored soft iron matrix (0x0C,0x3B) by it, from the right.
+ *
+ * - mip-sdk-4: Magnetometer Matrix (0x82,0x26)
+ */
+struct mip_filter_data_mag_matrix {
+    /**
+     * Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+     * Unit: 1. Frame: sensor. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float soft_iron[9];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MAG_MATRIX_DESCRIPTOR 0x26
+#define MIP_FILTER_DATA_MAG_MATRIX_NAME "filter_data.mag_matrix"
+
+extern const struct mip_codec mip_filter_data_mag_matrix_codec;
+mip_error mip_filter_data_mag_matrix_decode(struct mip_filter_data_mag_matrix *value,
+                                            const struct mip_field *field);
+mip_error mip_filter_data_mag_matrix_encode(const struct mip_filter_data_mag_matrix *value,
+                                            struct mip_builder *builder);
+
+/**
+ * Magnetometer offset uncertainty: data (0x82,0x28).
+ *
+ * Standard deviation of the estimated hard iron offset.
+ *
+ * - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
+ */
+struct mip_filter_data_mag_offset_uncertainty {
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float hard_iron_uncertainty[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY_DESCRIPTOR 0x28
+#define MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY_NAME "filter_data.mag_offset_uncertainty"
+
+extern const struct mip_codec mip_filter_data_mag_offset_uncertainty_codec;
+mip_error mip_filter_data_mag_offset_uncertainty_decode(
+    struct mip_filter_data_mag_offset_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_mag_offset_uncertainty_encode(
+    const struct mip_filter_data_mag_offset_uncertainty *value, struct mip_builder *builder);
+
+/**
+ * Magnetometer matrix uncertainty: data (0x82,0x29).
+ *
+ * Standard deviation of the estimated soft iron matrix.
+ *
+ * - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
+ */
+struct mip_filter_data_mag_matrix_uncertainty {
+    /**
+     * Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+     * 1. Frame: sensor. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float soft_iron_uncertainty[9];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY_DESCRIPTOR 0x29
+#define MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY_NAME "filter_data.mag_matrix_uncertainty"
+
+extern const struct mip_codec mip_filter_data_mag_matrix_uncertainty_codec;
+mip_error mip_filter_data_mag_matrix_uncertainty_decode(
+    struct mip_filter_data_mag_matrix_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_mag_matrix_uncertainty_encode(
+    const struct mip_filter_data_mag_matrix_uncertainty *value, struct mip_builder *builder);
+
+/**
+ * Magnetometer covariance matrix: data (0x82,0x2A).
+ *
+ * Covariance of the magnetometer measurement.
+ *
+ * - mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A)
+ */
+struct mip_filter_data_mag_covariance_matrix {
+    /**
+     * Covariance matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+     * Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float covariance[9];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX_DESCRIPTOR 0x2A
+#define MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX_NAME "filter_data.mag_covariance_matrix"
+
+extern const struct mip_codec mip_filter_data_mag_covariance_matrix_codec;
+mip_error mip_filter_data_mag_covariance_matrix_decode(
+    struct mip_filter_data_mag_covariance_matrix *value, const struct mip_field *field);
+mip_error mip_filter_data_mag_covariance_matrix_encode(
+    const struct mip_filter_data_mag_covariance_matrix *value, struct mip_builder *builder);
+
+/**
+ * Magnetometer residual vector: data (0x82,0x2C).
+ *
+ * Residual of the magnetometer measurement.
+ *
+ * - mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C)
+ */
+struct mip_filter_data_mag_residual_vector {
+    /**
+     * Residual. Elements: x, y, z. Unit: gauss. Frame: vehicle. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float residual[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR_DESCRIPTOR 0x2C
+#define MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR_NAME "filter_data.mag_residual_vector"
+
+extern const struct mip_codec mip_filter_data_mag_residual_vector_codec;
+mip_error mip_filter_data_mag_residual_vector_decode(
+    struct mip_filter_data_mag_residual_vector *value, const struct mip_field *field);
+mip_error mip_filter_data_mag_residual_vector_encode(
+    const struct mip_filter_data_mag_residual_vector *value, struct mip_builder *builder);
+
+/**
+ * Antenna offset correction: data (0x82,0x30).
+ *
+ * Estimated error of the offset of the GNSS antenna.
+ *
+ * The filter adds it to the stored offset (0x0D,0x13).
+ *
+ * - mip-sdk-4: Antenna Offset Correction (0x82,0x30)
+ */
+struct mip_filter_data_antenna_offset_correction {
+    /**
+     * Correction of the offset. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float offset[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR 0x30
+#define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_NAME "filter_data.antenna_offset_correction"
+
+extern const struct mip_codec mip_filter_data_antenna_offset_correction_codec;
+mip_error mip_filter_data_antenna_offset_correction_decode(
+    struct mip_filter_data_antenna_offset_correction *value, const struct mip_field *field);
+mip_error mip_filter_data_antenna_offset_correction_encode(
+    const struct mip_filter_data_antenna_offset_correction *value, struct mip_builder *builder);
+
+/**
+ * Antenna offset correction uncertainty: data (0x82,0x31).
+ *
+ * Standard deviation of the estimated error of the offset of the GNSS antenna.
+ *
+ * - mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
+ */
+struct mip_filter_data_antenna_offset_correction_uncertainty {
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+     * MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float offset_uncertainty[3];
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR 0x31
+#define MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_NAME \
+    "filter_data.antenna_offset_correction_uncertainty"
+
+extern const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_codec;
+mip_error mip_filter_data_antenna_offset_correction_uncertainty_decode(
+    struct mip_filter_data_antenna_offset_correction_uncertainty *value,
+    const struct mip_field *field);
+mip_error mip_filter_data_antenna_offset_correction_uncertainty_encode(
+    const struct mip_filter_data_antenna_offset_correction_uncertainty *value,
+    struct mip_builder *builder);
+
+/**
+ * Clock correction: data (0x82,0x32).
+ *
+ * Estimated clock error of one GNSS receiver.
+ *
+ * - mip-sdk-4: Clock Correction (0x82,0x32)
+ */
+struct mip_filter_data_clock_correction {
+    /** Receiver, counted from 1. At least 1. */
+    uint8_t receiver_id;
+    /**
+     * Bias of the clock. Unit: s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is set.
+     */
+    float bias;
+    /**
+     * Drift of the clock. Unit: s/s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in valid_flags is
+     * set.
+     */
+    float bias_drift;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_CLOCK_CORRECTION_DESCRIPTOR 0x32
+#define MIP_FILTER_DATA_CLOCK_CORRECTION_NAME "filter_data.clock_correction"
+
+extern const struct mip_codec mip_filter_data_clock_correction_codec;
+mip_error mip_filter_data_clock_correction_decode(struct mip_filter_data_clock_correction *value,
+                                                  const struct mip_field *field);
+mip_error mip_filter_data_clock_correction_encode(
+    const struct mip_filter_data_clock_correction *value, struct mip_builder *builder);
+
+/**
+ * Clock correction uncertainty: data (0x82,0x33).
+ *
+ * Standard deviation of the estimated clock error of one GNSS receiver.
+ *
+ * - mip-sdk-4: Clock Correction Uncertainty (0x82,0x33)
+ */
+struct mip_filter_data_clock_correction_uncertainty {
+    /** Receiver, counted from 1. At least 1. */
+    uint8_t receiver_id;
+    /**
+     * Standard deviation of the bias. Unit: s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float bias_uncertainty;
+    /**
+     * Standard deviation of the drift. Unit: s/s. Valid if MIP_FILTER_DATA_VALID_FLAGS_VALID in
+     * valid_flags is set.
+     */
+    float bias_drift_uncertainty;
+    /** Validity of the values. */
+    mip_filter_data_valid_flags valid_flags;
+};
+
+#define MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY_DESCRIPTOR 0x33
+#define MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY_NAME "filter_data.clock_correction_uncertainty"
+
+extern const struct mip_codec mip_filter_data_clock_correction_uncertainty_codec;
+mip_error mip_filter_data_clock_correction_uncertainty_decode(
+    struct mip_filter_data_clock_correction_uncertainty *value, const struct mip_field *field);
+mip_error mip_filter_data_clock_correction_uncertainty_encode(
+    const struct mip_filter_data_clock_correction_uncertainty *value, struct mip_builder *builder);
 
 /**
  * Multi-antenna offset correction: data (0x82,0x34).
@@ -1312,6 +1828,60 @@ mip_error mip_filter_data_gnss_position_aiding_status_decode(
     struct mip_filter_data_gnss_position_aiding_status *value, const struct mip_field *field);
 mip_error mip_filter_data_gnss_position_aiding_status_encode(
     const struct mip_filter_data_gnss_position_aiding_status *value, struct mip_builder *builder);
+
+/**
+ * GNSS attitude aiding status: data (0x82,0x44).
+ *
+ * How the filter uses the attitude that two GNSS antennas give.
+ *
+ * Single precision resolves the time of week to 0.0625 s at the end of the week.
+ *
+ * - mip-sdk-4: Gnss Att Aid Status (0x82,0x44)
+ */
+struct mip_filter_data_gnss_attitude_aiding_status {
+    /** GPS time of week of the last valid measurement. Unit: s. */
+    float tow;
+    /** How the measurements are used. */
+    mip_filter_data_gnss_aiding_status status;
+    /** Reserved. */
+    uint8_t reserved[8];
+};
+
+#define MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS_DESCRIPTOR 0x44
+#define MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS_NAME "filter_data.gnss_attitude_aiding_status"
+
+extern const struct mip_codec mip_filter_data_gnss_attitude_aiding_status_codec;
+mip_error mip_filter_data_gnss_attitude_aiding_status_decode(
+    struct mip_filter_data_gnss_attitude_aiding_status *value, const struct mip_field *field);
+mip_error mip_filter_data_gnss_attitude_aiding_status_encode(
+    const struct mip_filter_data_gnss_attitude_aiding_status *value, struct mip_builder *builder);
+
+/**
+ * Heading aiding status: data (0x82,0x45).
+ *
+ * The heading measurement that the filter used last.
+ *
+ * Single precision resolves the time of week to 0.0625 s at the end of the week.
+ *
+ * - mip-sdk-4: Head Aid Status (0x82,0x45)
+ */
+struct mip_filter_data_heading_aiding_status {
+    /** GPS time of week of the last valid measurement. Unit: s. */
+    float tow;
+    /** Source of the heading. */
+    mip_filter_data_heading_aiding_type type;
+    /** Reserved. */
+    float reserved[2];
+};
+
+#define MIP_FILTER_DATA_HEADING_AIDING_STATUS_DESCRIPTOR 0x45
+#define MIP_FILTER_DATA_HEADING_AIDING_STATUS_NAME "filter_data.heading_aiding_status"
+
+extern const struct mip_codec mip_filter_data_heading_aiding_status_codec;
+mip_error mip_filter_data_heading_aiding_status_decode(
+    struct mip_filter_data_heading_aiding_status *value, const struct mip_field *field);
+mip_error mip_filter_data_heading_aiding_status_encode(
+    const struct mip_filter_data_heading_aiding_status *value, struct mip_builder *builder);
 
 /**
  * Aiding measurement summary: data (0x82,0x46).

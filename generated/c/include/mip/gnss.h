@@ -215,6 +215,69 @@ mip_error mip_gnss_signal_configuration_response_encode(
     const struct mip_gnss_signal_configuration_response *value, struct mip_builder *builder);
 
 /**
+ * RTK dongle configuration: command (0x0E,0x10).
+ *
+ * Whether the device talks to the RTK dongle that is connected to it.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_gnss_rtk_dongle_configuration_response.
+ *
+ * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
+ */
+struct mip_gnss_rtk_dongle_configuration {
+    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** 1 enables the dongle, 0 disables it. Range: 0 to 1. For write. */
+    uint8_t enable;
+    /** For write. */
+    uint8_t reserved[3];
+};
+
+#define MIP_GNSS_RTK_DONGLE_CONFIGURATION_DESCRIPTOR 0x10
+#define MIP_GNSS_RTK_DONGLE_CONFIGURATION_NAME "gnss.rtk_dongle_configuration"
+
+extern const struct mip_codec mip_gnss_rtk_dongle_configuration_codec;
+mip_error mip_gnss_rtk_dongle_configuration_decode(struct mip_gnss_rtk_dongle_configuration *value,
+                                                   const struct mip_field *field);
+mip_error mip_gnss_rtk_dongle_configuration_encode(
+    const struct mip_gnss_rtk_dongle_configuration *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_write(uint8_t enable);
+/** Send the current setting back in a response. */
+struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_save(void);
+/** Load the saved setting. */
+struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_load(void);
+/** Load the factory default setting. */
+struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_default(void);
+
+/**
+ * RTK dongle configuration response: response (0x0E,0x90).
+ *
+ * Answers RTK dongle configuration (0x0E,0x10).
+ *
+ * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
+ */
+struct mip_gnss_rtk_dongle_configuration_response {
+    /** 1 enables the dongle, 0 disables it. Range: 0 to 1. */
+    uint8_t enable;
+    /**  */
+    uint8_t reserved[3];
+};
+
+#define MIP_GNSS_RTK_DONGLE_CONFIGURATION_RESPONSE_DESCRIPTOR 0x90
+#define MIP_GNSS_RTK_DONGLE_CONFIGURATION_RESPONSE_NAME "gnss.rtk_dongle_configuration_response"
+
+extern const struct mip_codec mip_gnss_rtk_dongle_configuration_response_codec;
+mip_error mip_gnss_rtk_dongle_configuration_response_decode(
+    struct mip_gnss_rtk_dongle_configuration_response *value, const struct mip_field *field);
+mip_error mip_gnss_rtk_dongle_configuration_response_encode(
+    const struct mip_gnss_rtk_dongle_configuration_response *value, struct mip_builder *builder);
+
+/**
  * SPARTN configuration: command (0x0E,0x20).
  *
  * Source and keys of SPARTN corrections.

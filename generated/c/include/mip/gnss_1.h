@@ -105,6 +105,17 @@ typedef uint16_t mip_gnss_1_gps_time_flags;
 /** Bits 0 to 1: All of them. */
 #define MIP_GNSS_1_GPS_TIME_FLAGS_FLAGS 0x0003U
 
+/** Which clock parameters are valid. */
+typedef uint16_t mip_gnss_1_clock_info_flags;
+/** Bit 0: Bias. */
+#define MIP_GNSS_1_CLOCK_INFO_FLAGS_BIAS 0x0001U
+/** Bit 1: Drift. */
+#define MIP_GNSS_1_CLOCK_INFO_FLAGS_DRIFT 0x0002U
+/** Bit 2: Accuracy. */
+#define MIP_GNSS_1_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE 0x0004U
+/** Bits 0 to 2: All of them. */
+#define MIP_GNSS_1_CLOCK_INFO_FLAGS_FLAGS 0x0007U
+
 /** What the fix makes use of. */
 typedef uint16_t mip_gnss_1_fix_flags;
 /** Bit 0: Satellite based augmentation. */
@@ -122,6 +133,30 @@ typedef uint16_t mip_gnss_1_fix_info_flags;
 #define MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS 0x0004U
 /** Bits 0 to 2: All of them. */
 #define MIP_GNSS_1_FIX_INFO_FLAGS_FLAGS 0x0007U
+
+/** State of a satellite. */
+typedef uint16_t mip_gnss_1_sv_flags;
+/** Bit 0: The position fix uses it. */
+#define MIP_GNSS_1_SV_FLAGS_USED_FOR_NAVIGATION 0x0001U
+/** Bit 1: It is healthy. */
+#define MIP_GNSS_1_SV_FLAGS_HEALTHY 0x0002U
+
+/** Which parts of the satellite info are valid. */
+typedef uint16_t mip_gnss_1_sv_info_flags;
+/** Bit 0: Channel. */
+#define MIP_GNSS_1_SV_INFO_FLAGS_CHANNEL 0x0001U
+/** Bit 1: Satellite. */
+#define MIP_GNSS_1_SV_INFO_FLAGS_SATELLITE_ID 0x0002U
+/** Bit 2: Carrier to noise density ratio. */
+#define MIP_GNSS_1_SV_INFO_FLAGS_CARRIER_NOISE_RATIO 0x0004U
+/** Bit 3: Azimuth. */
+#define MIP_GNSS_1_SV_INFO_FLAGS_AZIMUTH 0x0008U
+/** Bit 4: Elevation. */
+#define MIP_GNSS_1_SV_INFO_FLAGS_ELEVATION 0x0010U
+/** Bit 5: State of the satellite. */
+#define MIP_GNSS_1_SV_INFO_FLAGS_SV_FLAGS 0x0020U
+/** Bits 0 to 5: All of them. */
+#define MIP_GNSS_1_SV_INFO_FLAGS_FLAGS 0x003FU
 
 /** Whether the receiver works. */
 typedef uint8_t mip_gnss_1_receiver_state;
@@ -164,6 +199,32 @@ typedef uint16_t mip_gnss_1_gnss_hardware_status_flags;
 #define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_ANTENNA_POWER 0x0004U
 /** Bits 0 to 2: All of them. */
 #define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_FLAGS 0x0007U
+
+/** Which parts of the state of the corrections are valid. */
+typedef uint16_t mip_gnss_1_dgps_info_flags;
+/** Bit 0: Age. */
+#define MIP_GNSS_1_DGPS_INFO_FLAGS_AGE 0x0001U
+/** Bit 1: Number of the base station. */
+#define MIP_GNSS_1_DGPS_INFO_FLAGS_BASE_STATION_ID 0x0002U
+/** Bit 2: State of the base station. */
+#define MIP_GNSS_1_DGPS_INFO_FLAGS_BASE_STATION_STATUS 0x0004U
+/** Bit 3: Number of channels. */
+#define MIP_GNSS_1_DGPS_INFO_FLAGS_NUM_CHANNELS 0x0008U
+/** Bits 0 to 3: All of them. */
+#define MIP_GNSS_1_DGPS_INFO_FLAGS_FLAGS 0x000FU
+
+/** Which parts of a differential correction are valid. */
+typedef uint16_t mip_gnss_1_dgps_channel_flags;
+/** Bit 0: Satellite. */
+#define MIP_GNSS_1_DGPS_CHANNEL_FLAGS_SATELLITE_ID 0x0001U
+/** Bit 1: Age. */
+#define MIP_GNSS_1_DGPS_CHANNEL_FLAGS_AGE 0x0002U
+/** Bit 2: Correction of the range. */
+#define MIP_GNSS_1_DGPS_CHANNEL_FLAGS_RANGE_CORRECTION 0x0004U
+/** Bit 3: Correction of the range rate. */
+#define MIP_GNSS_1_DGPS_CHANNEL_FLAGS_RANGE_RATE_CORRECTION 0x0008U
+/** Bits 0 to 3: All of them. */
+#define MIP_GNSS_1_DGPS_CHANNEL_FLAGS_FLAGS 0x000FU
 
 /** Which clock parameters are valid. */
 typedef uint16_t mip_gnss_1_clock_info_2_flags;
@@ -223,6 +284,61 @@ typedef uint16_t mip_gnss_1_sbas_info_flags;
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_STATUS 0x0020U
 /** Bits 0 to 5: All of them. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_FLAGS 0x003FU
+
+/** Which parts of an SBAS correction are valid. */
+typedef uint16_t mip_gnss_1_sbas_correction_flags;
+/** Bit 0: Indicator of the range error. */
+#define MIP_GNSS_1_SBAS_CORRECTION_FLAGS_UDREI 0x0001U
+/** Bit 1: Correction of the pseudorange. */
+#define MIP_GNSS_1_SBAS_CORRECTION_FLAGS_PSEUDORANGE_CORRECTION 0x0002U
+/** Bit 2: Correction of the ionospheric delay. */
+#define MIP_GNSS_1_SBAS_CORRECTION_FLAGS_IONO_CORRECTION 0x0004U
+/** Bits 0 to 2: All of them. */
+#define MIP_GNSS_1_SBAS_CORRECTION_FLAGS_FLAGS 0x0007U
+
+/** Frequency band of GNSS signals. */
+typedef uint8_t mip_gnss_1_rf_band;
+/** Not known. */
+#define MIP_GNSS_1_RF_BAND_UNKNOWN 0
+/** L1. */
+#define MIP_GNSS_1_RF_BAND_L1 1
+/** L2. */
+#define MIP_GNSS_1_RF_BAND_L2 2
+/** L5. */
+#define MIP_GNSS_1_RF_BAND_L5 5
+
+/** How much the reception is jammed. */
+typedef uint8_t mip_gnss_1_jamming_state;
+/** Not known. */
+#define MIP_GNSS_1_JAMMING_STATE_UNKNOWN 0
+/** Not at all. */
+#define MIP_GNSS_1_JAMMING_STATE_NONE 1
+/** In part. */
+#define MIP_GNSS_1_JAMMING_STATE_PARTIAL 2
+/** Badly. */
+#define MIP_GNSS_1_JAMMING_STATE_SIGNIFICANT 3
+
+/** How much the signals are spoofed. */
+typedef uint8_t mip_gnss_1_spoofing_state;
+/** Not known. */
+#define MIP_GNSS_1_SPOOFING_STATE_UNKNOWN 0
+/** Not at all. */
+#define MIP_GNSS_1_SPOOFING_STATE_NONE 1
+/** In part. */
+#define MIP_GNSS_1_SPOOFING_STATE_PARTIAL 2
+/** Badly. */
+#define MIP_GNSS_1_SPOOFING_STATE_SIGNIFICANT 3
+
+/** Which parts of the detection are valid. */
+typedef uint16_t mip_gnss_1_rf_error_detection_flags;
+/** Bit 0: Band. */
+#define MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_RF_BAND 0x0001U
+/** Bit 1: Jamming. */
+#define MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_JAMMING_STATE 0x0002U
+/** Bit 2: Spoofing. */
+#define MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE 0x0004U
+/** Bits 0 to 2: All of them. */
+#define MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_FLAGS 0x0007U
 
 /** Which parts of the satellite status are valid. */
 typedef uint16_t mip_gnss_1_satellite_status_flags;
@@ -295,6 +411,86 @@ typedef uint16_t mip_gnss_1_raw_flags;
 /** Bits 0 to 15: All of them. */
 #define MIP_GNSS_1_RAW_FLAGS_FLAGS 0xFFFFU
 
+/** Properties of a base station, as its RTCM message gives them. */
+typedef uint16_t mip_gnss_1_base_station_indicators;
+/** Bit 0: GPS is supported. */
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_GPS 0x0001U
+/** Bit 1: GLONASS is supported. */
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_GLONASS 0x0002U
+/** Bit 2: Galileo is supported. */
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_GALILEO 0x0004U
+/** Bit 3: BeiDou is supported. */
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_BEIDOU 0x0008U
+/** Bit 4: Reference station indicator. */
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_REF_STATION 0x0010U
+/** Bit 5: Single receiver oscillator indicator. */
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_SINGLE_RECEIVER 0x0020U
+/** Bit 6: First bit of the quarter cycle indicator. */
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_QUARTER_CYCLE_BIT1 0x0040U
+/** Bit 7: Second bit of the quarter cycle indicator. */
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_QUARTER_CYCLE_BIT2 0x0080U
+/** Bits 6 to 7: Quarter cycle indicator. */
+#define MIP_GNSS_1_BASE_STATION_INDICATORS_QUARTER_CYCLE_BITS 0x00C0U
+
+/** Which values are valid. */
+typedef uint16_t mip_gnss_1_base_station_info_flags;
+/** Bit 0: Time of week. */
+#define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_TOW 0x0001U
+/** Bit 1: Week number. */
+#define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2: Position. */
+#define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_ECEF_POSITION 0x0004U
+/** Bit 3: Antenna height. */
+#define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_HEIGHT 0x0008U
+/** Bit 4: Station. */
+#define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_STATION_ID 0x0010U
+/** Bit 5: Indicators. */
+#define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_INDICATORS 0x0020U
+/** Bits 0 to 5: All of them. */
+#define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_FLAGS 0x003FU
+
+/** Corrections that came during an epoch. */
+typedef uint16_t mip_gnss_1_rtk_epoch_status;
+/** Bit 0: Antenna location. */
+#define MIP_GNSS_1_RTK_EPOCH_STATUS_ANTENNA_LOCATION_RECEIVED 0x0001U
+/** Bit 1: Antenna description. */
+#define MIP_GNSS_1_RTK_EPOCH_STATUS_ANTENNA_DESCRIPTION_RECEIVED 0x0002U
+/** Bit 2: GPS corrections. */
+#define MIP_GNSS_1_RTK_EPOCH_STATUS_GPS_RECEIVED 0x0004U
+/** Bit 3: GLONASS corrections. */
+#define MIP_GNSS_1_RTK_EPOCH_STATUS_GLONASS_RECEIVED 0x0008U
+/** Bit 4: Galileo corrections. */
+#define MIP_GNSS_1_RTK_EPOCH_STATUS_GALILEO_RECEIVED 0x0010U
+/** Bit 5: BeiDou corrections. */
+#define MIP_GNSS_1_RTK_EPOCH_STATUS_BEIDOU_RECEIVED 0x0020U
+/** Bit 6: GPS corrections come in MSM messages, not in the RTCM messages 1001-1004. */
+#define MIP_GNSS_1_RTK_EPOCH_STATUS_USING_GPS_MSM_MESSAGES 0x0040U
+/** Bit 7: GLONASS corrections come in MSM messages, not in the RTCM messages 1009-1012. */
+#define MIP_GNSS_1_RTK_EPOCH_STATUS_USING_GLONASS_MSM_MESSAGES 0x0080U
+/** Bit 8: The status of the dongle could not be read. */
+#define MIP_GNSS_1_RTK_EPOCH_STATUS_DONGLE_STATUS_READ_FAILED 0x0100U
+
+/** Which values are valid. */
+typedef uint16_t mip_gnss_1_rtk_corrections_status_flags;
+/** Bit 0: Time of week. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_TOW 0x0001U
+/** Bit 1: Week number. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2: Epoch status. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS 0x0004U
+/** Bit 3: Status of the dongle. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS 0x0008U
+/** Bit 4: Latency of GPS corrections. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GPS_LATENCY 0x0010U
+/** Bit 5: Latency of GLONASS corrections. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GLONASS_LATENCY 0x0020U
+/** Bit 6: Latency of Galileo corrections. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GALILEO_LATENCY 0x0040U
+/** Bit 7: Latency of BeiDou corrections. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY 0x0080U
+/** Bits 0 to 7: All of them. */
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_FLAGS 0x00FFU
+
 /** What an ephemeris of GPS, Galileo or BeiDou holds. */
 typedef uint16_t mip_gnss_1_ephemeris_flags;
 /** Bit 0: The ephemeris is valid. */
@@ -319,6 +515,47 @@ typedef uint16_t mip_gnss_1_glonass_ephemeris_flags;
 #define MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
 /** Bit 0: All of them. */
 #define MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_FLAGS 0x0001U
+
+/** Which parts of the model are valid. */
+typedef uint16_t mip_gnss_1_gps_iono_correction_flags;
+/** Bit 0: Time of week. */
+#define MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_TOW 0x0001U
+/** Bit 1: Week number. */
+#define MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2: Coefficients alpha. */
+#define MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_ALPHA 0x0004U
+/** Bit 3: Coefficients beta. */
+#define MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_BETA 0x0008U
+/** Bits 0 to 3: All of them. */
+#define MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_FLAGS 0x000FU
+
+/** Which parts of the model are valid. */
+typedef uint16_t mip_gnss_1_galileo_iono_correction_flags;
+/** Bit 0: Time of week. */
+#define MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_TOW 0x0001U
+/** Bit 1: Week number. */
+#define MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2: Coefficients. */
+#define MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_ALPHA 0x0004U
+/** Bit 3: Storm flags. */
+#define MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS 0x0008U
+/** Bits 0 to 3: All of them. */
+#define MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_FLAGS 0x000FU
+
+/** Which parts of the model are valid. */
+typedef uint16_t mip_gnss_1_beidou_iono_correction_flags;
+/** Bit 0: Time of week. */
+#define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_TOW 0x0001U
+/** Bit 1: Week number. */
+#define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_WEEK_NUMBER 0x0002U
+/** Bit 2: Coefficients alpha. */
+#define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA 0x0004U
+/** Bit 3: Coefficients beta. */
+#define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_BETA 0x0008U
+/** Bit 4: Further coefficients. */
+#define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA_CORRECTION 0x0010U
+/** Bits 0 to 4: All of them. */
+#define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_FLAGS 0x001FU
 
 /**
  * GNSS LLH position: data (0x91,0x03).
@@ -613,6 +850,43 @@ mip_error mip_gnss_1_gps_time_encode(const struct mip_gnss_1_gps_time *value,
                                      struct mip_builder *builder);
 
 /**
+ * Clock info: data (0x91,0x0A).
+ *
+ * Bias and drift of the receiver clock.
+ *
+ * Clock info 2 replaces it and tells more.
+ *
+ * - mip-sdk-4: Clock Info (0x81,0x0A)
+ */
+struct mip_gnss_1_clock_info {
+    /**
+     * Bias of the clock. Unit: s. Valid if MIP_GNSS_1_CLOCK_INFO_FLAGS_BIAS in valid_flags is set.
+     */
+    double bias;
+    /**
+     * Drift of the clock. Unit: s/s. Valid if MIP_GNSS_1_CLOCK_INFO_FLAGS_DRIFT in valid_flags is
+     * set.
+     */
+    double drift;
+    /**
+     * Estimated accuracy. Unit: s. Valid if MIP_GNSS_1_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE in
+     * valid_flags is set.
+     */
+    double accuracy_estimate;
+    /** Which values are valid. */
+    mip_gnss_1_clock_info_flags valid_flags;
+};
+
+#define MIP_GNSS_1_CLOCK_INFO_DESCRIPTOR 0x0A
+#define MIP_GNSS_1_CLOCK_INFO_NAME "gnss_1.clock_info"
+
+extern const struct mip_codec mip_gnss_1_clock_info_codec;
+mip_error mip_gnss_1_clock_info_decode(struct mip_gnss_1_clock_info *value,
+                                       const struct mip_field *field);
+mip_error mip_gnss_1_clock_info_encode(const struct mip_gnss_1_clock_info *value,
+                                       struct mip_builder *builder);
+
+/**
  * Fix info: data (0x91,0x0B).
  *
  * Type of the position fix and what it is made of.
@@ -643,6 +917,50 @@ mip_error mip_gnss_1_fix_info_decode(struct mip_gnss_1_fix_info *value,
                                      const struct mip_field *field);
 mip_error mip_gnss_1_fix_info_encode(const struct mip_gnss_1_fix_info *value,
                                      struct mip_builder *builder);
+
+/**
+ * Satellite info: data (0x91,0x0C).
+ *
+ * One satellite that is tracked.
+ *
+ * The satellites come as one field each, in packets apart from other GNSS data.
+ *
+ * - mip-sdk-4: Sv Info (0x81,0x0C)
+ */
+struct mip_gnss_1_sv_info {
+    /**
+     * Channel of the receiver that tracks the satellite. Valid if MIP_GNSS_1_SV_INFO_FLAGS_CHANNEL
+     * in valid_flags is set.
+     */
+    uint8_t channel;
+    /**
+     * Number of the satellite. Valid if MIP_GNSS_1_SV_INFO_FLAGS_SATELLITE_ID in valid_flags is
+     * set.
+     */
+    uint8_t satellite_id;
+    /**
+     * Carrier to noise density ratio. Unit: dB-Hz. Valid if
+     * MIP_GNSS_1_SV_INFO_FLAGS_CARRIER_NOISE_RATIO in valid_flags is set.
+     */
+    uint16_t carrier_noise_ratio;
+    /** Azimuth. Unit: deg. Valid if MIP_GNSS_1_SV_INFO_FLAGS_AZIMUTH in valid_flags is set. */
+    int16_t azimuth;
+    /** Elevation. Unit: deg. Valid if MIP_GNSS_1_SV_INFO_FLAGS_ELEVATION in valid_flags is set. */
+    int16_t elevation;
+    /** State of the satellite. Valid if MIP_GNSS_1_SV_INFO_FLAGS_SV_FLAGS in valid_flags is set. */
+    mip_gnss_1_sv_flags sv_flags;
+    /** Which values are valid. */
+    mip_gnss_1_sv_info_flags valid_flags;
+};
+
+#define MIP_GNSS_1_SV_INFO_DESCRIPTOR 0x0C
+#define MIP_GNSS_1_SV_INFO_NAME "gnss_1.sv_info"
+
+extern const struct mip_codec mip_gnss_1_sv_info_codec;
+mip_error mip_gnss_1_sv_info_decode(struct mip_gnss_1_sv_info *value,
+                                    const struct mip_field *field);
+mip_error mip_gnss_1_sv_info_encode(const struct mip_gnss_1_sv_info *value,
+                                    struct mip_builder *builder);
 
 /**
  * GNSS hardware status: data (0x91,0x0D).
@@ -683,11 +1001,97 @@ mip_error mip_gnss_1_gnss_hardware_status_encode(
     const struct mip_gnss_1_gnss_hardware_status *value, struct mip_builder *builder);
 
 /**
+ * DGPS info: data (0x91,0x0E).
+ *
+ * State of the differential corrections.
+ *
+ * - 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
+ * - mip-sdk-4: Dgps Info (0x81,0x0E)
+ */
+struct mip_gnss_1_dgps_info {
+    /**
+     * Age of the corrections. Unit: s. Valid if MIP_GNSS_1_DGPS_INFO_FLAGS_AGE in valid_flags is
+     * set.
+     */
+    float age;
+    /**
+     * Number of the base station. Valid if MIP_GNSS_1_DGPS_INFO_FLAGS_BASE_STATION_ID in
+     * valid_flags is set.
+     */
+    int16_t base_station_id;
+    /**
+     * State of the base station: 0 to 5 are factors of the user differential range error, which are
+     * 1.0, 0.75, 0.5, 0.3, 0.2 and 0.1; 6 is not monitored, 7 not working. Valid if
+     * MIP_GNSS_1_DGPS_INFO_FLAGS_BASE_STATION_STATUS in valid_flags is set.
+     */
+    int16_t base_station_status;
+    /**
+     * Number of channels that have corrections. Unit: 1. Valid if
+     * MIP_GNSS_1_DGPS_INFO_FLAGS_NUM_CHANNELS in valid_flags is set.
+     */
+    uint16_t num_channels;
+    /** Which values are valid. */
+    mip_gnss_1_dgps_info_flags valid_flags;
+};
+
+#define MIP_GNSS_1_DGPS_INFO_DESCRIPTOR 0x0E
+#define MIP_GNSS_1_DGPS_INFO_NAME "gnss_1.dgps_info"
+
+extern const struct mip_codec mip_gnss_1_dgps_info_codec;
+mip_error mip_gnss_1_dgps_info_decode(struct mip_gnss_1_dgps_info *value,
+                                      const struct mip_field *field);
+mip_error mip_gnss_1_dgps_info_encode(const struct mip_gnss_1_dgps_info *value,
+                                      struct mip_builder *builder);
+
+/**
+ * DGPS channel: data (0x91,0x0F).
+ *
+ * Differential correction for one satellite.
+ *
+ * The active satellites come as one field each, all in one packet.
+ *
+ * - mip-sdk-4: Dgps Channel (0x81,0x0F)
+ */
+struct mip_gnss_1_dgps_channel {
+    /**
+     * Number of the satellite. Valid if MIP_GNSS_1_DGPS_CHANNEL_FLAGS_SATELLITE_ID in valid_flags
+     * is set.
+     */
+    uint8_t satellite_id;
+    /**
+     * Age of the correction. Unit: s. Valid if MIP_GNSS_1_DGPS_CHANNEL_FLAGS_AGE in valid_flags is
+     * set.
+     */
+    float age;
+    /**
+     * Correction of the range. Unit: m. Valid if MIP_GNSS_1_DGPS_CHANNEL_FLAGS_RANGE_CORRECTION in
+     * valid_flags is set.
+     */
+    float range_correction;
+    /**
+     * Correction of the range rate. Unit: m/s. Valid if
+     * MIP_GNSS_1_DGPS_CHANNEL_FLAGS_RANGE_RATE_CORRECTION in valid_flags is set.
+     */
+    float range_rate_correction;
+    /** Which values are valid. */
+    mip_gnss_1_dgps_channel_flags valid_flags;
+};
+
+#define MIP_GNSS_1_DGPS_CHANNEL_DESCRIPTOR 0x0F
+#define MIP_GNSS_1_DGPS_CHANNEL_NAME "gnss_1.dgps_channel"
+
+extern const struct mip_codec mip_gnss_1_dgps_channel_codec;
+mip_error mip_gnss_1_dgps_channel_decode(struct mip_gnss_1_dgps_channel *value,
+                                         const struct mip_field *field);
+mip_error mip_gnss_1_dgps_channel_encode(const struct mip_gnss_1_dgps_channel *value,
+                                         struct mip_builder *builder);
+
+/**
  * Clock info 2: data (0x91,0x10).
  *
  * Bias and drift of the receiver clock.
  *
- * It supersedes an older field, which the manual does not define.
+ * It supersedes clock info.
  *
  * Supported by 3DM-CV7-GNSS/INS.
  *
@@ -797,6 +1201,93 @@ mip_error mip_gnss_1_sbas_info_decode(struct mip_gnss_1_sbas_info *value,
                                       const struct mip_field *field);
 mip_error mip_gnss_1_sbas_info_encode(const struct mip_gnss_1_sbas_info *value,
                                       struct mip_builder *builder);
+
+/**
+ * SBAS correction: data (0x91,0x13).
+ *
+ * SBAS correction for one satellite.
+ *
+ * An epoch is sent as one field for each satellite; index and count number the fields.
+ *
+ * udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992,
+ * 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
+ *
+ * - mip-sdk-4: Sbas Correction (0x81,0x13)
+ */
+struct mip_gnss_1_sbas_correction {
+    /** Number of this field within the epoch. */
+    uint8_t index;
+    /** How many of these fields the epoch has. */
+    uint8_t count;
+    /** GPS time of week of the reception. Unit: s. */
+    double tow;
+    /** GPS week number. Unit: week. */
+    uint16_t week_number;
+    /** Constellation. */
+    mip_gnss_constellation gnss_id;
+    /** Satellite within the constellation. */
+    uint8_t satellite_id;
+    /**
+     * Indicator of the range error that is left after fast and long-term corrections, the
+     * atmosphere apart; 14 is not monitored, 15 not usable. Range: 0 to 15. Valid if
+     * MIP_GNSS_1_SBAS_CORRECTION_FLAGS_UDREI in valid_flags is set.
+     */
+    uint8_t udrei;
+    /**
+     * Correction of the pseudorange. Unit: m. Valid if
+     * MIP_GNSS_1_SBAS_CORRECTION_FLAGS_PSEUDORANGE_CORRECTION in valid_flags is set.
+     */
+    float pseudorange_correction;
+    /**
+     * Correction of the ionospheric delay. Unit: m. Valid if
+     * MIP_GNSS_1_SBAS_CORRECTION_FLAGS_IONO_CORRECTION in valid_flags is set.
+     */
+    float iono_correction;
+    /** Which values are valid. */
+    mip_gnss_1_sbas_correction_flags valid_flags;
+};
+
+#define MIP_GNSS_1_SBAS_CORRECTION_DESCRIPTOR 0x13
+#define MIP_GNSS_1_SBAS_CORRECTION_NAME "gnss_1.sbas_correction"
+
+extern const struct mip_codec mip_gnss_1_sbas_correction_codec;
+mip_error mip_gnss_1_sbas_correction_decode(struct mip_gnss_1_sbas_correction *value,
+                                            const struct mip_field *field);
+mip_error mip_gnss_1_sbas_correction_encode(const struct mip_gnss_1_sbas_correction *value,
+                                            struct mip_builder *builder);
+
+/**
+ * RF error detection: data (0x91,0x14).
+ *
+ * Jamming and spoofing as the receiver detects them in one band.
+ *
+ * - mip-sdk-4: Rf Error Detection (0x81,0x14)
+ */
+struct mip_gnss_1_rf_error_detection {
+    /** Band. Valid if MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_RF_BAND in valid_flags is set. */
+    mip_gnss_1_rf_band rf_band;
+    /**
+     * Jamming. Valid if MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_JAMMING_STATE in valid_flags is set.
+     */
+    mip_gnss_1_jamming_state jamming_state;
+    /**
+     * Spoofing. Valid if MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE in valid_flags is set.
+     */
+    mip_gnss_1_spoofing_state spoofing_state;
+    /**  */
+    uint8_t reserved[4];
+    /** Which values are valid. */
+    mip_gnss_1_rf_error_detection_flags valid_flags;
+};
+
+#define MIP_GNSS_1_RF_ERROR_DETECTION_DESCRIPTOR 0x14
+#define MIP_GNSS_1_RF_ERROR_DETECTION_NAME "gnss_1.rf_error_detection"
+
+extern const struct mip_codec mip_gnss_1_rf_error_detection_codec;
+mip_error mip_gnss_1_rf_error_detection_decode(struct mip_gnss_1_rf_error_detection *value,
+                                               const struct mip_field *field);
+mip_error mip_gnss_1_rf_error_detection_encode(const struct mip_gnss_1_rf_error_detection *value,
+                                               struct mip_builder *builder);
 
 /**
  * Satellite status: data (0x91,0x20).
@@ -950,6 +1441,121 @@ struct mip_gnss_1_raw {
 extern const struct mip_codec mip_gnss_1_raw_codec;
 mip_error mip_gnss_1_raw_decode(struct mip_gnss_1_raw *value, const struct mip_field *field);
 mip_error mip_gnss_1_raw_encode(const struct mip_gnss_1_raw *value, struct mip_builder *builder);
+
+/**
+ * Base station info: data (0x91,0x30).
+ *
+ * The base station of the corrections, from an RTCM message 1005 or 1006.
+ *
+ * - mip-sdk-4: Base Station Info (0x81,0x30)
+ */
+struct mip_gnss_1_base_station_info {
+    /**
+     * GPS time of week at which the message was received. Unit: s. Valid if
+     * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_TOW in valid_flags is set.
+     */
+    double time_of_week;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_BASE_STATION_INFO_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /**
+     * Position of the station. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+     * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_ECEF_POSITION in valid_flags is set.
+     */
+    double ecef_pos[3];
+    /**
+     * Height of the antenna above the marker that was surveyed. Unit: m. Valid if
+     * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_HEIGHT in valid_flags is set.
+     */
+    float height;
+    /**
+     * Number of the station. Range: 0 to 4095. Valid if
+     * MIP_GNSS_1_BASE_STATION_INFO_FLAGS_STATION_ID in valid_flags is set.
+     */
+    uint16_t station_id;
+    /**
+     * Properties of the station. Valid if MIP_GNSS_1_BASE_STATION_INFO_FLAGS_INDICATORS in
+     * valid_flags is set.
+     */
+    mip_gnss_1_base_station_indicators indicators;
+    /** Which values are valid. */
+    mip_gnss_1_base_station_info_flags valid_flags;
+};
+
+#define MIP_GNSS_1_BASE_STATION_INFO_DESCRIPTOR 0x30
+#define MIP_GNSS_1_BASE_STATION_INFO_NAME "gnss_1.base_station_info"
+
+extern const struct mip_codec mip_gnss_1_base_station_info_codec;
+mip_error mip_gnss_1_base_station_info_decode(struct mip_gnss_1_base_station_info *value,
+                                              const struct mip_field *field);
+mip_error mip_gnss_1_base_station_info_encode(const struct mip_gnss_1_base_station_info *value,
+                                              struct mip_builder *builder);
+
+/**
+ * RTK corrections status: data (0x91,0x31).
+ *
+ * Which corrections come, and how old they are.
+ *
+ * - mip-sdk-4: Rtk Corrections Status (0x81,0x31)
+ */
+struct mip_gnss_1_rtk_corrections_status {
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_TOW in
+     * valid_flags is set.
+     */
+    double time_of_week;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /**
+     * Corrections that came during this epoch. Valid if
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS in valid_flags is set.
+     */
+    mip_gnss_1_rtk_epoch_status epoch_status;
+    /**
+     * Status flags of the RTK dongle; of use only with a dongle. Valid if
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS in valid_flags is set. The same word as
+     * that of get status flags (0x0F,0x01), in one of its two forms.
+     */
+    mip_rtk_status_flags dongle_status;
+    /**
+     * Latency of the last GPS correction. Unit: s. Valid if
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GPS_LATENCY in valid_flags is set.
+     */
+    float gps_correction_latency;
+    /**
+     * Latency of the last GLONASS correction. Unit: s. Valid if
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GLONASS_LATENCY in valid_flags is set.
+     */
+    float glonass_correction_latency;
+    /**
+     * Latency of the last Galileo correction. Unit: s. Valid if
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GALILEO_LATENCY in valid_flags is set.
+     */
+    float galileo_correction_latency;
+    /**
+     * Latency of the last BeiDou correction. Unit: s. Valid if
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY in valid_flags is set.
+     */
+    float beidou_correction_latency;
+    /**  */
+    uint32_t reserved[4];
+    /** Which values are valid. */
+    mip_gnss_1_rtk_corrections_status_flags valid_flags;
+};
+
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_DESCRIPTOR 0x31
+#define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_NAME "gnss_1.rtk_corrections_status"
+
+extern const struct mip_codec mip_gnss_1_rtk_corrections_status_codec;
+mip_error mip_gnss_1_rtk_corrections_status_decode(struct mip_gnss_1_rtk_corrections_status *value,
+                                                   const struct mip_field *field);
+mip_error mip_gnss_1_rtk_corrections_status_encode(
+    const struct mip_gnss_1_rtk_corrections_status *value, struct mip_builder *builder);
 
 /**
  * GPS ephemeris: data (0x91,0x61).
@@ -1586,6 +2192,134 @@ mip_error mip_gnss_1_beidou_ephemeris_decode(struct mip_gnss_1_beidou_ephemeris 
                                              const struct mip_field *field);
 mip_error mip_gnss_1_beidou_ephemeris_encode(const struct mip_gnss_1_beidou_ephemeris *value,
                                              struct mip_builder *builder);
+
+/**
+ * GPS ionospheric correction: data (0x91,0x71).
+ *
+ * Model of the ionosphere that GPS broadcasts.
+ *
+ * - mip-sdk-4: Gps Iono Corr (0x81,0x71)
+ */
+struct mip_gnss_1_gps_iono_correction {
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_TOW in valid_flags
+     * is set.
+     */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /**
+     * Coefficients alpha 0 to 3. Valid if MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_ALPHA in valid_flags
+     * is set.
+     */
+    double alpha[4];
+    /**
+     * Coefficients beta 0 to 3. Valid if MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_BETA in valid_flags
+     * is set.
+     */
+    double beta[4];
+    /** Which values are valid. */
+    mip_gnss_1_gps_iono_correction_flags valid_flags;
+};
+
+#define MIP_GNSS_1_GPS_IONO_CORRECTION_DESCRIPTOR 0x71
+#define MIP_GNSS_1_GPS_IONO_CORRECTION_NAME "gnss_1.gps_iono_correction"
+
+extern const struct mip_codec mip_gnss_1_gps_iono_correction_codec;
+mip_error mip_gnss_1_gps_iono_correction_decode(struct mip_gnss_1_gps_iono_correction *value,
+                                                const struct mip_field *field);
+mip_error mip_gnss_1_gps_iono_correction_encode(const struct mip_gnss_1_gps_iono_correction *value,
+                                                struct mip_builder *builder);
+
+/**
+ * Galileo ionospheric correction: data (0x91,0x73).
+ *
+ * Model of the ionosphere that Galileo broadcasts.
+ *
+ * - mip-sdk-4: Galileo Iono Corr (0x81,0x73)
+ */
+struct mip_gnss_1_galileo_iono_correction {
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_TOW in
+     * valid_flags is set.
+     */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /**
+     * The three coefficients of the model. Valid if MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_ALPHA
+     * in valid_flags is set.
+     */
+    double alpha[3];
+    /**
+     * Storm flags of five regions, in bits 1 to 5. Valid if
+     * MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS in valid_flags is set.
+     */
+    uint8_t disturbance_flags;
+    /** Which values are valid. */
+    mip_gnss_1_galileo_iono_correction_flags valid_flags;
+};
+
+#define MIP_GNSS_1_GALILEO_IONO_CORRECTION_DESCRIPTOR 0x73
+#define MIP_GNSS_1_GALILEO_IONO_CORRECTION_NAME "gnss_1.galileo_iono_correction"
+
+extern const struct mip_codec mip_gnss_1_galileo_iono_correction_codec;
+mip_error mip_gnss_1_galileo_iono_correction_decode(
+    struct mip_gnss_1_galileo_iono_correction *value, const struct mip_field *field);
+mip_error mip_gnss_1_galileo_iono_correction_encode(
+    const struct mip_gnss_1_galileo_iono_correction *value, struct mip_builder *builder);
+
+/**
+ * BeiDou ionospheric correction: data (0x91,0x74).
+ *
+ * Model of the ionosphere that BeiDou broadcasts.
+ *
+ * - mip-sdk-4: Beidou Iono Corr (0x81,0x74)
+ */
+struct mip_gnss_1_beidou_iono_correction {
+    /**
+     * GPS time of week. Unit: s. Valid if MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_TOW in
+     * valid_flags is set.
+     */
+    double tow;
+    /**
+     * GPS week number. Unit: week. Valid if MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_WEEK_NUMBER in
+     * valid_flags is set.
+     */
+    uint16_t week_number;
+    /**
+     * Coefficients alpha 0 to 3. Valid if MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA in
+     * valid_flags is set.
+     */
+    double alpha[4];
+    /**
+     * Coefficients beta 0 to 3. Valid if MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_BETA in
+     * valid_flags is set.
+     */
+    double beta[4];
+    /**
+     * Nine further coefficients of the delay. Valid if
+     * MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA_CORRECTION in valid_flags is set.
+     */
+    double alpha_correction[9];
+    /** Which values are valid. */
+    mip_gnss_1_beidou_iono_correction_flags valid_flags;
+};
+
+#define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_DESCRIPTOR 0x74
+#define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_NAME "gnss_1.beidou_iono_correction"
+
+extern const struct mip_codec mip_gnss_1_beidou_iono_correction_codec;
+mip_error mip_gnss_1_beidou_iono_correction_decode(struct mip_gnss_1_beidou_iono_correction *value,
+                                                   const struct mip_field *field);
+mip_error mip_gnss_1_beidou_iono_correction_encode(
+    const struct mip_gnss_1_beidou_iono_correction *value, struct mip_builder *builder);
 
 #ifdef __cplusplus
 }

@@ -118,6 +118,20 @@ extern "C" {
 #define MIP_GNSS_2_GPS_TIME_NAME "gnss_2.gps_time"
 
 /**
+ * Clock info: data (0x92,0x0A).
+ *
+ * The same field as mip_gnss_1_clock_info.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_clock_info mip_gnss_1_clock_info
+#define mip_gnss_2_clock_info_codec mip_gnss_1_clock_info_codec
+#define mip_gnss_2_clock_info_decode mip_gnss_1_clock_info_decode
+#define mip_gnss_2_clock_info_encode mip_gnss_1_clock_info_encode
+#define MIP_GNSS_2_CLOCK_INFO_DESCRIPTOR 0x0A
+#define MIP_GNSS_2_CLOCK_INFO_NAME "gnss_2.clock_info"
+
+/**
  * Fix info: data (0x92,0x0B).
  *
  * The same field as mip_gnss_1_fix_info.
@@ -132,6 +146,20 @@ extern "C" {
 #define MIP_GNSS_2_FIX_INFO_NAME "gnss_2.fix_info"
 
 /**
+ * Satellite info: data (0x92,0x0C).
+ *
+ * The same field as mip_gnss_1_sv_info.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_sv_info mip_gnss_1_sv_info
+#define mip_gnss_2_sv_info_codec mip_gnss_1_sv_info_codec
+#define mip_gnss_2_sv_info_decode mip_gnss_1_sv_info_decode
+#define mip_gnss_2_sv_info_encode mip_gnss_1_sv_info_encode
+#define MIP_GNSS_2_SV_INFO_DESCRIPTOR 0x0C
+#define MIP_GNSS_2_SV_INFO_NAME "gnss_2.sv_info"
+
+/**
  * GNSS hardware status: data (0x92,0x0D).
  *
  * The same field as mip_gnss_1_gnss_hardware_status.
@@ -144,6 +172,34 @@ extern "C" {
 #define mip_gnss_2_gnss_hardware_status_encode mip_gnss_1_gnss_hardware_status_encode
 #define MIP_GNSS_2_GNSS_HARDWARE_STATUS_DESCRIPTOR 0x0D
 #define MIP_GNSS_2_GNSS_HARDWARE_STATUS_NAME "gnss_2.gnss_hardware_status"
+
+/**
+ * DGPS info: data (0x92,0x0E).
+ *
+ * The same field as mip_gnss_1_dgps_info.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_dgps_info mip_gnss_1_dgps_info
+#define mip_gnss_2_dgps_info_codec mip_gnss_1_dgps_info_codec
+#define mip_gnss_2_dgps_info_decode mip_gnss_1_dgps_info_decode
+#define mip_gnss_2_dgps_info_encode mip_gnss_1_dgps_info_encode
+#define MIP_GNSS_2_DGPS_INFO_DESCRIPTOR 0x0E
+#define MIP_GNSS_2_DGPS_INFO_NAME "gnss_2.dgps_info"
+
+/**
+ * DGPS channel: data (0x92,0x0F).
+ *
+ * The same field as mip_gnss_1_dgps_channel.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_dgps_channel mip_gnss_1_dgps_channel
+#define mip_gnss_2_dgps_channel_codec mip_gnss_1_dgps_channel_codec
+#define mip_gnss_2_dgps_channel_decode mip_gnss_1_dgps_channel_decode
+#define mip_gnss_2_dgps_channel_encode mip_gnss_1_dgps_channel_encode
+#define MIP_GNSS_2_DGPS_CHANNEL_DESCRIPTOR 0x0F
+#define MIP_GNSS_2_DGPS_CHANNEL_NAME "gnss_2.dgps_channel"
 
 /**
  * Clock info 2: data (0x92,0x10).
@@ -188,6 +244,34 @@ extern "C" {
 #define MIP_GNSS_2_SBAS_INFO_NAME "gnss_2.sbas_info"
 
 /**
+ * SBAS correction: data (0x92,0x13).
+ *
+ * The same field as mip_gnss_1_sbas_correction.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_sbas_correction mip_gnss_1_sbas_correction
+#define mip_gnss_2_sbas_correction_codec mip_gnss_1_sbas_correction_codec
+#define mip_gnss_2_sbas_correction_decode mip_gnss_1_sbas_correction_decode
+#define mip_gnss_2_sbas_correction_encode mip_gnss_1_sbas_correction_encode
+#define MIP_GNSS_2_SBAS_CORRECTION_DESCRIPTOR 0x13
+#define MIP_GNSS_2_SBAS_CORRECTION_NAME "gnss_2.sbas_correction"
+
+/**
+ * RF error detection: data (0x92,0x14).
+ *
+ * The same field as mip_gnss_1_rf_error_detection.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_rf_error_detection mip_gnss_1_rf_error_detection
+#define mip_gnss_2_rf_error_detection_codec mip_gnss_1_rf_error_detection_codec
+#define mip_gnss_2_rf_error_detection_decode mip_gnss_1_rf_error_detection_decode
+#define mip_gnss_2_rf_error_detection_encode mip_gnss_1_rf_error_detection_encode
+#define MIP_GNSS_2_RF_ERROR_DETECTION_DESCRIPTOR 0x14
+#define MIP_GNSS_2_RF_ERROR_DETECTION_NAME "gnss_2.rf_error_detection"
+
+/**
  * Satellite status: data (0x92,0x20).
  *
  * The same field as mip_gnss_1_satellite_status.
@@ -214,6 +298,34 @@ extern "C" {
 #define mip_gnss_2_raw_encode mip_gnss_1_raw_encode
 #define MIP_GNSS_2_RAW_DESCRIPTOR 0x22
 #define MIP_GNSS_2_RAW_NAME "gnss_2.raw"
+
+/**
+ * Base station info: data (0x92,0x30).
+ *
+ * The same field as mip_gnss_1_base_station_info.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_base_station_info mip_gnss_1_base_station_info
+#define mip_gnss_2_base_station_info_codec mip_gnss_1_base_station_info_codec
+#define mip_gnss_2_base_station_info_decode mip_gnss_1_base_station_info_decode
+#define mip_gnss_2_base_station_info_encode mip_gnss_1_base_station_info_encode
+#define MIP_GNSS_2_BASE_STATION_INFO_DESCRIPTOR 0x30
+#define MIP_GNSS_2_BASE_STATION_INFO_NAME "gnss_2.base_station_info"
+
+/**
+ * RTK corrections status: data (0x92,0x31).
+ *
+ * The same field as mip_gnss_1_rtk_corrections_status.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_rtk_corrections_status mip_gnss_1_rtk_corrections_status
+#define mip_gnss_2_rtk_corrections_status_codec mip_gnss_1_rtk_corrections_status_codec
+#define mip_gnss_2_rtk_corrections_status_decode mip_gnss_1_rtk_corrections_status_decode
+#define mip_gnss_2_rtk_corrections_status_encode mip_gnss_1_rtk_corrections_status_encode
+#define MIP_GNSS_2_RTK_CORRECTIONS_STATUS_DESCRIPTOR 0x31
+#define MIP_GNSS_2_RTK_CORRECTIONS_STATUS_NAME "gnss_2.rtk_corrections_status"
 
 /**
  * GPS ephemeris: data (0x92,0x61).
@@ -270,6 +382,48 @@ extern "C" {
 #define mip_gnss_2_beidou_ephemeris_encode mip_gnss_1_beidou_ephemeris_encode
 #define MIP_GNSS_2_BEIDOU_EPHEMERIS_DESCRIPTOR 0x64
 #define MIP_GNSS_2_BEIDOU_EPHEMERIS_NAME "gnss_2.beidou_ephemeris"
+
+/**
+ * GPS ionospheric correction: data (0x92,0x71).
+ *
+ * The same field as mip_gnss_1_gps_iono_correction.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_gps_iono_correction mip_gnss_1_gps_iono_correction
+#define mip_gnss_2_gps_iono_correction_codec mip_gnss_1_gps_iono_correction_codec
+#define mip_gnss_2_gps_iono_correction_decode mip_gnss_1_gps_iono_correction_decode
+#define mip_gnss_2_gps_iono_correction_encode mip_gnss_1_gps_iono_correction_encode
+#define MIP_GNSS_2_GPS_IONO_CORRECTION_DESCRIPTOR 0x71
+#define MIP_GNSS_2_GPS_IONO_CORRECTION_NAME "gnss_2.gps_iono_correction"
+
+/**
+ * Galileo ionospheric correction: data (0x92,0x73).
+ *
+ * The same field as mip_gnss_1_galileo_iono_correction.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_galileo_iono_correction mip_gnss_1_galileo_iono_correction
+#define mip_gnss_2_galileo_iono_correction_codec mip_gnss_1_galileo_iono_correction_codec
+#define mip_gnss_2_galileo_iono_correction_decode mip_gnss_1_galileo_iono_correction_decode
+#define mip_gnss_2_galileo_iono_correction_encode mip_gnss_1_galileo_iono_correction_encode
+#define MIP_GNSS_2_GALILEO_IONO_CORRECTION_DESCRIPTOR 0x73
+#define MIP_GNSS_2_GALILEO_IONO_CORRECTION_NAME "gnss_2.galileo_iono_correction"
+
+/**
+ * BeiDou ionospheric correction: data (0x92,0x74).
+ *
+ * The same field as mip_gnss_1_beidou_iono_correction.
+ *
+ * - mip-sdk-4: Gnss2 Data (0x92)
+ */
+#define mip_gnss_2_beidou_iono_correction mip_gnss_1_beidou_iono_correction
+#define mip_gnss_2_beidou_iono_correction_codec mip_gnss_1_beidou_iono_correction_codec
+#define mip_gnss_2_beidou_iono_correction_decode mip_gnss_1_beidou_iono_correction_decode
+#define mip_gnss_2_beidou_iono_correction_encode mip_gnss_1_beidou_iono_correction_encode
+#define MIP_GNSS_2_BEIDOU_IONO_CORRECTION_DESCRIPTOR 0x74
+#define MIP_GNSS_2_BEIDOU_IONO_CORRECTION_NAME "gnss_2.beidou_iono_correction"
 
 #ifdef __cplusplus
 }

@@ -48,6 +48,69 @@ typedef uint16_t mip_sensor_odometer_flags;
 #define MIP_SENSOR_ODOMETER_FLAGS_ODOMETER 0x0001U
 
 /**
+ * Raw accel: data (0x80,0x01).
+ *
+ * Raw acceleration in counts of the sensor, temperature compensated.
+ *
+ * - mip-sdk-4: Raw Accel (0x80,0x01)
+ */
+struct mip_sensor_raw_accel {
+    /** Acceleration in counts. Elements: x, y, z. Unit: 1. Frame: sensor. */
+    float raw_accel[3];
+};
+
+#define MIP_SENSOR_RAW_ACCEL_DESCRIPTOR 0x01
+#define MIP_SENSOR_RAW_ACCEL_NAME "sensor.raw_accel"
+
+extern const struct mip_codec mip_sensor_raw_accel_codec;
+mip_error mip_sensor_raw_accel_decode(struct mip_sensor_raw_accel *value,
+                                      const struct mip_field *field);
+mip_error mip_sensor_raw_accel_encode(const struct mip_sensor_raw_accel *value,
+                                      struct mip_builder *builder);
+
+/**
+ * Raw gyro: data (0x80,0x02).
+ *
+ * Raw angular rate in counts of the sensor, temperature compensated.
+ *
+ * - mip-sdk-4: Raw Gyro (0x80,0x02)
+ */
+struct mip_sensor_raw_gyro {
+    /** Angular rate in counts. Elements: x, y, z. Unit: 1. Frame: sensor. */
+    float raw_gyro[3];
+};
+
+#define MIP_SENSOR_RAW_GYRO_DESCRIPTOR 0x02
+#define MIP_SENSOR_RAW_GYRO_NAME "sensor.raw_gyro"
+
+extern const struct mip_codec mip_sensor_raw_gyro_codec;
+mip_error mip_sensor_raw_gyro_decode(struct mip_sensor_raw_gyro *value,
+                                     const struct mip_field *field);
+mip_error mip_sensor_raw_gyro_encode(const struct mip_sensor_raw_gyro *value,
+                                     struct mip_builder *builder);
+
+/**
+ * Raw mag: data (0x80,0x03).
+ *
+ * Raw magnetic field in counts of the sensor, temperature compensated.
+ *
+ * - mip-sdk-4: Raw Mag (0x80,0x03)
+ */
+struct mip_sensor_raw_mag {
+    /** Magnetic field in counts. Elements: x, y, z. Unit: 1. Frame: vehicle. */
+    float raw_mag[3];
+};
+
+#define MIP_SENSOR_RAW_MAG_DESCRIPTOR 0x03
+#define MIP_SENSOR_RAW_MAG_NAME "sensor.raw_mag"
+
+extern const struct mip_codec mip_sensor_raw_mag_codec;
+mip_error mip_sensor_raw_mag_decode(struct mip_sensor_raw_mag *value,
+                                    const struct mip_field *field);
+mip_error mip_sensor_raw_mag_encode(const struct mip_sensor_raw_mag *value,
+                                    struct mip_builder *builder);
+
+/**
  * Scaled accel: data (0x80,0x04).
  *
  * Measured acceleration, temperature compensated.
@@ -230,6 +293,31 @@ mip_error mip_sensor_complementary_filter_quaternion_encode(
     const struct mip_sensor_complementary_filter_quaternion *value, struct mip_builder *builder);
 
 /**
+ * Complementary filter orientation update matrix: data (0x80,0x0B).
+ *
+ * Change of the attitude by the complementary filter as a matrix.
+ *
+ * Deprecated: the SDK marks it so and names no replacement.
+ *
+ * - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
+ */
+struct mip_sensor_comp_orientation_update_matrix {
+    /**
+     * Matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1.
+     */
+    float m[9];
+};
+
+#define MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX_DESCRIPTOR 0x0B
+#define MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX_NAME "sensor.comp_orientation_update_matrix"
+
+extern const struct mip_codec mip_sensor_comp_orientation_update_matrix_codec;
+mip_error mip_sensor_comp_orientation_update_matrix_decode(
+    struct mip_sensor_comp_orientation_update_matrix *value, const struct mip_field *field);
+mip_error mip_sensor_comp_orientation_update_matrix_encode(
+    const struct mip_sensor_comp_orientation_update_matrix *value, struct mip_builder *builder);
+
+/**
  * Complementary filter Euler angles: data (0x80,0x0C).
  *
  * Attitude by the complementary filter as Euler angles, relative to the NED frame.
@@ -258,6 +346,77 @@ mip_error mip_sensor_complementary_filter_euler_angles_decode(
     struct mip_sensor_complementary_filter_euler_angles *value, const struct mip_field *field);
 mip_error mip_sensor_complementary_filter_euler_angles_encode(
     const struct mip_sensor_complementary_filter_euler_angles *value, struct mip_builder *builder);
+
+/**
+ * Orientation raw temperatures: data (0x80,0x0D).
+ *
+ * Raw readings of four temperature sensors.
+ *
+ * Deprecated: the SDK marks it so and names no replacement.
+ *
+ * - mip-sdk-4: Orientation Raw Temp (0x80,0x0D)
+ */
+struct mip_sensor_orientation_raw_temp {
+    /** Temperatures in counts. Unit: 1. */
+    uint16_t raw_temp[4];
+};
+
+#define MIP_SENSOR_ORIENTATION_RAW_TEMP_DESCRIPTOR 0x0D
+#define MIP_SENSOR_ORIENTATION_RAW_TEMP_NAME "sensor.orientation_raw_temp"
+
+extern const struct mip_codec mip_sensor_orientation_raw_temp_codec;
+mip_error mip_sensor_orientation_raw_temp_decode(struct mip_sensor_orientation_raw_temp *value,
+                                                 const struct mip_field *field);
+mip_error mip_sensor_orientation_raw_temp_encode(
+    const struct mip_sensor_orientation_raw_temp *value, struct mip_builder *builder);
+
+/**
+ * Internal timestamp: data (0x80,0x0E).
+ *
+ * Free-running counter of the device.
+ *
+ * Deprecated: the SDK marks it so and names no replacement.
+ *
+ * - mip-sdk-4: Internal Timestamp (0x80,0x0E)
+ */
+struct mip_sensor_internal_timestamp {
+    /** Counter. Unit: 1. */
+    uint32_t counts;
+};
+
+#define MIP_SENSOR_INTERNAL_TIMESTAMP_DESCRIPTOR 0x0E
+#define MIP_SENSOR_INTERNAL_TIMESTAMP_NAME "sensor.internal_timestamp"
+
+extern const struct mip_codec mip_sensor_internal_timestamp_codec;
+mip_error mip_sensor_internal_timestamp_decode(struct mip_sensor_internal_timestamp *value,
+                                               const struct mip_field *field);
+mip_error mip_sensor_internal_timestamp_encode(const struct mip_sensor_internal_timestamp *value,
+                                               struct mip_builder *builder);
+
+/**
+ * PPS timestamp: data (0x80,0x0F).
+ *
+ * Time that is counted with the pulse per second.
+ *
+ * Deprecated: the SDK marks it so and names no replacement.
+ *
+ * - mip-sdk-4: Pps Timestamp (0x80,0x0F)
+ */
+struct mip_sensor_pps_timestamp {
+    /** Whole seconds. Unit: s. */
+    uint32_t seconds;
+    /** Fraction of the second. Unit: us. */
+    uint32_t useconds;
+};
+
+#define MIP_SENSOR_PPS_TIMESTAMP_DESCRIPTOR 0x0F
+#define MIP_SENSOR_PPS_TIMESTAMP_NAME "sensor.pps_timestamp"
+
+extern const struct mip_codec mip_sensor_pps_timestamp_codec;
+mip_error mip_sensor_pps_timestamp_decode(struct mip_sensor_pps_timestamp *value,
+                                          const struct mip_field *field);
+mip_error mip_sensor_pps_timestamp_encode(const struct mip_sensor_pps_timestamp *value,
+                                          struct mip_builder *builder);
 
 /**
  * Complementary filter stabilized north vector: data (0x80,0x10).
@@ -391,6 +550,27 @@ mip_error mip_sensor_temperature_statistics_decode(struct mip_sensor_temperature
                                                    const struct mip_field *field);
 mip_error mip_sensor_temperature_statistics_encode(
     const struct mip_sensor_temperature_statistics *value, struct mip_builder *builder);
+
+/**
+ * Raw pressure: data (0x80,0x16).
+ *
+ * Raw ambient pressure in counts of the sensor, temperature compensated.
+ *
+ * - mip-sdk-4: Raw Pressure (0x80,0x16)
+ */
+struct mip_sensor_raw_pressure {
+    /** Pressure in counts. Unit: 1. */
+    float raw_pressure;
+};
+
+#define MIP_SENSOR_RAW_PRESSURE_DESCRIPTOR 0x16
+#define MIP_SENSOR_RAW_PRESSURE_NAME "sensor.raw_pressure"
+
+extern const struct mip_codec mip_sensor_raw_pressure_codec;
+mip_error mip_sensor_raw_pressure_decode(struct mip_sensor_raw_pressure *value,
+                                         const struct mip_field *field);
+mip_error mip_sensor_raw_pressure_encode(const struct mip_sensor_raw_pressure *value,
+                                         struct mip_builder *builder);
 
 /**
  * Scaled pressure: data (0x80,0x17).

@@ -66,6 +66,51 @@ mip_error mip_shared_event_source_encode(const struct mip_shared_event_source *v
                                          struct mip_builder *builder);
 
 /**
+ * Ticks: data (0xFF,0xD1).
+ *
+ * Base periods since power-up.
+ *
+ * One tick is one period of the base rate.
+ *
+ * - mip-sdk-4: Ticks (0xFF,0xD1)
+ */
+struct mip_shared_ticks {
+    /** Ticks. Unit: 1. */
+    uint32_t ticks;
+};
+
+#define MIP_SHARED_TICKS_DESCRIPTOR 0xD1
+#define MIP_SHARED_TICKS_NAME "shared.ticks"
+
+extern const struct mip_codec mip_shared_ticks_codec;
+mip_error mip_shared_ticks_decode(struct mip_shared_ticks *value, const struct mip_field *field);
+mip_error mip_shared_ticks_encode(const struct mip_shared_ticks *value,
+                                  struct mip_builder *builder);
+
+/**
+ * Delta ticks: data (0xFF,0xD2).
+ *
+ * Base periods since this field was last sent.
+ *
+ * One tick is one period of the base rate.
+ *
+ * - mip-sdk-4: Delta Ticks (0xFF,0xD2)
+ */
+struct mip_shared_delta_ticks {
+    /** Ticks. Unit: 1. */
+    uint32_t ticks;
+};
+
+#define MIP_SHARED_DELTA_TICKS_DESCRIPTOR 0xD2
+#define MIP_SHARED_DELTA_TICKS_NAME "shared.delta_ticks"
+
+extern const struct mip_codec mip_shared_delta_ticks_codec;
+mip_error mip_shared_delta_ticks_decode(struct mip_shared_delta_ticks *value,
+                                        const struct mip_field *field);
+mip_error mip_shared_delta_ticks_encode(const struct mip_shared_delta_ticks *value,
+                                        struct mip_builder *builder);
+
+/**
  * GPS timestamp: data (0xFF,0xD3).
  *
  * External time of the data as GPS time of week and week number.

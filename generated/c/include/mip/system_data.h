@@ -120,6 +120,31 @@ mip_error mip_system_data_gpio_state_decode(struct mip_system_data_gpio_state *v
 mip_error mip_system_data_gpio_state_encode(const struct mip_system_data_gpio_state *value,
                                             struct mip_builder *builder);
 
+/**
+ * GPIO analog value: data (0xA0,0x04).
+ *
+ * Voltage at one GPIO pin.
+ *
+ * Only for pins that are configured as analog inputs.
+ *
+ * - mip-sdk-4: Gpio Analog Value (0xA0,0x04)
+ */
+struct mip_system_data_gpio_analog_value {
+    /** GPIO pin, counted from 1. At least 1. */
+    uint8_t gpio_id;
+    /** Scaled voltage. Unit: V. */
+    float value;
+};
+
+#define MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE_DESCRIPTOR 0x04
+#define MIP_SYSTEM_DATA_GPIO_ANALOG_VALUE_NAME "system_data.gpio_analog_value"
+
+extern const struct mip_codec mip_system_data_gpio_analog_value_codec;
+mip_error mip_system_data_gpio_analog_value_decode(struct mip_system_data_gpio_analog_value *value,
+                                                   const struct mip_field *field);
+mip_error mip_system_data_gpio_analog_value_encode(
+    const struct mip_system_data_gpio_analog_value *value, struct mip_builder *builder);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1076,6 +1076,258 @@ void mip_nmea_message_read(struct mip_reader *r, struct mip_nmea_message *v);
 void mip_nmea_message_write(struct mip_writer *w, const struct mip_nmea_message *v);
 
 /**
+ * State of the modem and of the corrections. Models of another kind send rtk_status_flags_legacy.
+ *
+ * - mip-sdk-4: Get Status Flags (0x0F,0x01)
+ */
+typedef uint32_t mip_rtk_status_flags;
+/** Bits 0 to 3: State of the modem. */
+#define MIP_RTK_STATUS_FLAGS_MODEM_STATE UINT32_C(0x0000000F)
+/** Bits 4 to 7: Kind of the cellular connection. */
+#define MIP_RTK_STATUS_FLAGS_CONNECTION_TYPE UINT32_C(0x000000F0)
+/** Bits 8 to 15: Received signal strength. */
+#define MIP_RTK_STATUS_FLAGS_RSSI UINT32_C(0x0000FF00)
+/** Bits 16 to 19: Signal quality. */
+#define MIP_RTK_STATUS_FLAGS_SIGNAL_QUALITY UINT32_C(0x000F0000)
+/** Bits 20 to 23: Changes of the cell tower. */
+#define MIP_RTK_STATUS_FLAGS_TOWER_CHANGE_INDICATOR UINT32_C(0x00F00000)
+/** Bit 24: No NMEA came from the device in time. */
+#define MIP_RTK_STATUS_FLAGS_NMEA_TIMEOUT UINT32_C(0x01000000)
+/** Bit 25: The server did not answer in time. */
+#define MIP_RTK_STATUS_FLAGS_SERVER_TIMEOUT UINT32_C(0x02000000)
+/** Bit 26: No corrections came in time. */
+#define MIP_RTK_STATUS_FLAGS_CORRECTIONS_TIMEOUT UINT32_C(0x04000000)
+/** Bit 27: The device is outside of the area of the service. */
+#define MIP_RTK_STATUS_FLAGS_DEVICE_OUT_OF_RANGE UINT32_C(0x08000000)
+/** Bit 28: There are no corrections. */
+#define MIP_RTK_STATUS_FLAGS_CORRECTIONS_UNAVAILABLE UINT32_C(0x10000000)
+/** Bits 30 to 31: Form of these flags. */
+#define MIP_RTK_STATUS_FLAGS_VERSION UINT32_C(0xC0000000)
+
+/** Bits 0 to 3: State of the modem. */
+static inline uint8_t mip_rtk_status_flags_get_modem_state(mip_rtk_status_flags flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_MODEM_STATE;
+    return (uint8_t)bits;
+}
+static inline void mip_rtk_status_flags_set_modem_state(mip_rtk_status_flags *flags,
+                                                        uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_MODEM_STATE;
+    const uint32_t bits = value;
+    *flags = (mip_rtk_status_flags)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 4 to 7: Kind of the cellular connection. */
+static inline uint8_t mip_rtk_status_flags_get_connection_type(mip_rtk_status_flags flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_CONNECTION_TYPE;
+    return (uint8_t)(bits >> 4);
+}
+static inline void mip_rtk_status_flags_set_connection_type(mip_rtk_status_flags *flags,
+                                                            uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_CONNECTION_TYPE;
+    const uint32_t bits = (uint32_t)value << 4;
+    *flags = (mip_rtk_status_flags)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 8 to 15: Received signal strength. */
+static inline uint8_t mip_rtk_status_flags_get_rssi(mip_rtk_status_flags flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_RSSI;
+    return (uint8_t)(bits >> 8);
+}
+static inline void mip_rtk_status_flags_set_rssi(mip_rtk_status_flags *flags, uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_RSSI;
+    const uint32_t bits = (uint32_t)value << 8;
+    *flags = (mip_rtk_status_flags)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 16 to 19: Signal quality. */
+static inline uint8_t mip_rtk_status_flags_get_signal_quality(mip_rtk_status_flags flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_SIGNAL_QUALITY;
+    return (uint8_t)(bits >> 16);
+}
+static inline void mip_rtk_status_flags_set_signal_quality(mip_rtk_status_flags *flags,
+                                                           uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_SIGNAL_QUALITY;
+    const uint32_t bits = (uint32_t)value << 16;
+    *flags = (mip_rtk_status_flags)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 20 to 23: Changes of the cell tower. */
+static inline uint8_t mip_rtk_status_flags_get_tower_change_indicator(mip_rtk_status_flags flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_TOWER_CHANGE_INDICATOR;
+    return (uint8_t)(bits >> 20);
+}
+static inline void mip_rtk_status_flags_set_tower_change_indicator(mip_rtk_status_flags *flags,
+                                                                   uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_TOWER_CHANGE_INDICATOR;
+    const uint32_t bits = (uint32_t)value << 20;
+    *flags = (mip_rtk_status_flags)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 30 to 31: Form of these flags. */
+static inline uint8_t mip_rtk_status_flags_get_version(mip_rtk_status_flags flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_VERSION;
+    return (uint8_t)(bits >> 30);
+}
+static inline void mip_rtk_status_flags_set_version(mip_rtk_status_flags *flags, uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_VERSION;
+    const uint32_t bits = (uint32_t)value << 30;
+    *flags = (mip_rtk_status_flags)((*flags & ~mask) | (bits & mask));
+}
+
+/**
+ * State of the modem and of the corrections, in its older form.
+ *
+ * - mip-sdk-4: Get Status Flags (0x0F,0x01)
+ */
+typedef uint32_t mip_rtk_status_flags_legacy;
+/** Bits 0 to 2: State of the controller. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATE UINT32_C(0x00000007)
+/** Bits 3 to 7: State of the platform. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATE UINT32_C(0x000000F8)
+/** Bits 8 to 10: Status code of the controller. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATUS_CODE UINT32_C(0x00000700)
+/** Bits 11 to 13: Status code of the platform. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATUS_CODE UINT32_C(0x00003800)
+/** Bits 14 to 15: Reason of the last reset. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_RESET_CODE UINT32_C(0x0000C000)
+/** Bits 16 to 19: Signal quality. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_SIGNAL_QUALITY UINT32_C(0x000F0000)
+/** Bits 20 to 25: Received signal strength. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_RSSI UINT32_C(0x03F00000)
+/** Bits 26 to 27: Received power of the reference signal. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_RSRP UINT32_C(0x0C000000)
+/** Bits 28 to 29: Received quality of the reference signal. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_RSRQ UINT32_C(0x30000000)
+/** Bits 30 to 31: Signal to interference and noise ratio. */
+#define MIP_RTK_STATUS_FLAGS_LEGACY_SINR UINT32_C(0xC0000000)
+
+/** Bits 0 to 2: State of the controller. */
+static inline uint8_t mip_rtk_status_flags_legacy_get_controller_state(
+    mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATE;
+    return (uint8_t)bits;
+}
+static inline void mip_rtk_status_flags_legacy_set_controller_state(
+    mip_rtk_status_flags_legacy *flags, uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATE;
+    const uint32_t bits = value;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 3 to 7: State of the platform. */
+static inline uint8_t mip_rtk_status_flags_legacy_get_platform_state(
+    mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATE;
+    return (uint8_t)(bits >> 3);
+}
+static inline void mip_rtk_status_flags_legacy_set_platform_state(
+    mip_rtk_status_flags_legacy *flags, uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATE;
+    const uint32_t bits = (uint32_t)value << 3;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 8 to 10: Status code of the controller. */
+static inline uint8_t mip_rtk_status_flags_legacy_get_controller_status_code(
+    mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATUS_CODE;
+    return (uint8_t)(bits >> 8);
+}
+static inline void mip_rtk_status_flags_legacy_set_controller_status_code(
+    mip_rtk_status_flags_legacy *flags, uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_CONTROLLER_STATUS_CODE;
+    const uint32_t bits = (uint32_t)value << 8;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 11 to 13: Status code of the platform. */
+static inline uint8_t mip_rtk_status_flags_legacy_get_platform_status_code(
+    mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATUS_CODE;
+    return (uint8_t)(bits >> 11);
+}
+static inline void mip_rtk_status_flags_legacy_set_platform_status_code(
+    mip_rtk_status_flags_legacy *flags, uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_PLATFORM_STATUS_CODE;
+    const uint32_t bits = (uint32_t)value << 11;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 14 to 15: Reason of the last reset. */
+static inline uint8_t mip_rtk_status_flags_legacy_get_reset_code(
+    mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_RESET_CODE;
+    return (uint8_t)(bits >> 14);
+}
+static inline void mip_rtk_status_flags_legacy_set_reset_code(mip_rtk_status_flags_legacy *flags,
+                                                              uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_RESET_CODE;
+    const uint32_t bits = (uint32_t)value << 14;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 16 to 19: Signal quality. */
+static inline uint8_t mip_rtk_status_flags_legacy_get_signal_quality(
+    mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_SIGNAL_QUALITY;
+    return (uint8_t)(bits >> 16);
+}
+static inline void mip_rtk_status_flags_legacy_set_signal_quality(
+    mip_rtk_status_flags_legacy *flags, uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_SIGNAL_QUALITY;
+    const uint32_t bits = (uint32_t)value << 16;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 20 to 25: Received signal strength. */
+static inline uint8_t mip_rtk_status_flags_legacy_get_rssi(mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_RSSI;
+    return (uint8_t)(bits >> 20);
+}
+static inline void mip_rtk_status_flags_legacy_set_rssi(mip_rtk_status_flags_legacy *flags,
+                                                        uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_RSSI;
+    const uint32_t bits = (uint32_t)value << 20;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 26 to 27: Received power of the reference signal. */
+static inline uint8_t mip_rtk_status_flags_legacy_get_rsrp(mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_RSRP;
+    return (uint8_t)(bits >> 26);
+}
+static inline void mip_rtk_status_flags_legacy_set_rsrp(mip_rtk_status_flags_legacy *flags,
+                                                        uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_RSRP;
+    const uint32_t bits = (uint32_t)value << 26;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 28 to 29: Received quality of the reference signal. */
+static inline uint8_t mip_rtk_status_flags_legacy_get_rsrq(mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_RSRQ;
+    return (uint8_t)(bits >> 28);
+}
+static inline void mip_rtk_status_flags_legacy_set_rsrq(mip_rtk_status_flags_legacy *flags,
+                                                        uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_RSRQ;
+    const uint32_t bits = (uint32_t)value << 28;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/** Bits 30 to 31: Signal to interference and noise ratio. */
+static inline uint8_t mip_rtk_status_flags_legacy_get_sinr(mip_rtk_status_flags_legacy flags) {
+    const uint32_t bits = flags & MIP_RTK_STATUS_FLAGS_LEGACY_SINR;
+    return (uint8_t)(bits >> 30);
+}
+static inline void mip_rtk_status_flags_legacy_set_sinr(mip_rtk_status_flags_legacy *flags,
+                                                        uint8_t value) {
+    const uint32_t mask = MIP_RTK_STATUS_FLAGS_LEGACY_SINR;
+    const uint32_t bits = (uint32_t)value << 30;
+    *flags = (mip_rtk_status_flags_legacy)((*flags & ~mask) | (bits & mask));
+}
+
+/**
  * The result of a command.
  *
  * - 3dm-gx5-15: 4.5 Error Codes

@@ -252,3 +252,42 @@ mip_error mip_measurements_growing_encode(const struct mip_measurements_growing 
     return mip_encode_field(builder, 0x80, MIP_MEASUREMENTS_GROWING_DESCRIPTOR, write_growing,
                             value);
 }
+
+static void read_radio(struct mip_reader *r, void *value) {
+    struct mip_measurements_radio *v = (struct mip_measurements_radio *)value;
+    mip_read_bool(r, &v->connected, 1);
+    mip_read_s32(r, &v->strength, 1);
+    mip_read_float(r, &v->noise, 1);
+    mip_read_float(r, &v->gap, 1);
+    mip_read_double(r, v->gaps, 2);
+}
+
+static void write_radio(struct mip_writer *w, const void *value) {
+    const struct mip_measurements_radio *v = (const struct mip_measurements_radio *)value;
+    mip_write_bool(w, &v->connected, 1);
+    mip_write_s32(w, &v->strength, 1);
+    mip_write_float(w, &v->noise, 1);
+    mip_write_float(w, &v->gap, 1);
+    mip_write_double(w, v->gaps, 2);
+}
+
+const struct mip_codec mip_measurements_radio_codec = {
+    0x80,
+    MIP_MEASUREMENTS_RADIO_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_measurements_radio),
+    0,
+    read_radio,
+    write_radio,
+    NULL,
+};
+
+mip_error mip_measurements_radio_decode(struct mip_measurements_radio *value,
+                                        const struct mip_field *field) {
+    return mip_decode_field(field, read_radio, value, sizeof(*value), NULL);
+}
+
+mip_error mip_measurements_radio_encode(const struct mip_measurements_radio *value,
+                                        struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_MEASUREMENTS_RADIO_DESCRIPTOR, write_radio, value);
+}

@@ -1109,3 +1109,70 @@ mip_error mip_tools_pin_response_encode(const struct mip_tools_pin_response *val
     return mip_encode_field(builder, 0x01, MIP_TOOLS_PIN_RESPONSE_DESCRIPTOR, write_pin_response,
                             value);
 }
+
+static void read_hello(struct mip_reader *r, void *value) {
+    struct mip_tools_hello *v = (struct mip_tools_hello *)value;
+    mip_read_float(r, &v->reserved, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_double(r, v->later, 2);
+    v->present = mip_read_present(r);
+}
+
+static void write_hello(struct mip_writer *w, const void *value) {
+    const struct mip_tools_hello *v = (const struct mip_tools_hello *)value;
+    w->present = v->present;
+    mip_write_float(w, &v->reserved, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_double(w, v->later, 2);
+}
+
+const struct mip_codec mip_tools_hello_codec = {
+    0x01,
+    MIP_TOOLS_HELLO_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_tools_hello),
+    0,
+    read_hello,
+    write_hello,
+    NULL,
+};
+
+mip_error mip_tools_hello_decode(struct mip_tools_hello *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_hello, value, sizeof(*value), NULL);
+}
+
+mip_error mip_tools_hello_encode(const struct mip_tools_hello *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_HELLO_DESCRIPTOR, write_hello, value);
+}
+
+static void read_hello_response(struct mip_reader *r, void *value) {
+    struct mip_tools_hello_response *v = (struct mip_tools_hello_response *)value;
+    mip_read_u32(r, &v->seen, 1);
+}
+
+static void write_hello_response(struct mip_writer *w, const void *value) {
+    const struct mip_tools_hello_response *v = (const struct mip_tools_hello_response *)value;
+    mip_write_u32(w, &v->seen, 1);
+}
+
+const struct mip_codec mip_tools_hello_response_codec = {
+    0x01,
+    MIP_TOOLS_HELLO_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_tools_hello_response),
+    0,
+    read_hello_response,
+    write_hello_response,
+    NULL,
+};
+
+mip_error mip_tools_hello_response_decode(struct mip_tools_hello_response *value,
+                                          const struct mip_field *field) {
+    return mip_decode_field(field, read_hello_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_tools_hello_response_encode(const struct mip_tools_hello_response *value,
+                                          struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x01, MIP_TOOLS_HELLO_RESPONSE_DESCRIPTOR,
+                            write_hello_response, value);
+}

@@ -468,6 +468,38 @@ class PinResponse(Response):
         return codec.finished(out)
 
 
+_HELLO_RESPONSE_0 = codec.Block("I", "seen")
+
+
+@dataclass(slots=True)
+class HelloResponse(Response):
+    """Hello response (0x01,0x8C).
+
+    Answers Hello (0x01,0x0C).
+
+    - sheet: Hello
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x8C
+    NAME = "tools.hello_response"
+    ROLE = "response"
+
+    seen: int
+    """When the device was seen. [s]"""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[HelloResponse, int]:
+        v = _HELLO_RESPONSE_0.read(raw, at)
+        at += 4
+        seen = v[0]
+        return cls(seen), at
+
+    def _write(self) -> bytes:
+        out = _HELLO_RESPONSE_0.write(self.seen)
+        return codec.finished(out)
+
+
 _STATUS_SHORT_0 = codec.Block("H", "model")
 _STATUS_SHORT_1 = codec.Block("B", "selector")
 _STATUS_SHORT_2 = codec.Block("I", "flags")
@@ -1388,6 +1420,59 @@ class Pin(Command):
         return codec.finished(out)
 
 
+_HELLO_0 = codec.Block("f", "reserved")
+_HELLO_1 = codec.Block("dd", "later", "later")
+_HELLO_GROUPS = ((2, ("later",), False),)
+
+
+@dataclass(slots=True)
+class Hello(Command):
+    """Hello (0x01,0x0C).
+
+    The device asks and a host answers.
+
+    - sheet: Hello
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x0C
+    NAME = "tools.hello"
+    ROLE = "command"
+    RESPONSES = (HelloResponse,)
+
+    reserved: float = 1.0
+    later: tuple[float, float] | None = None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Hello, int]:
+        later: tuple[float, float] | None = None
+        v = _HELLO_0.read(raw, at)
+        at += 4
+        reserved = v[0]
+        required = 1
+        done, end = 1, at
+        try:
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _HELLO_1.read(raw, at)
+            at += 16
+            later = v[0:2]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(reserved, later), at
+
+    def _write(self) -> bytes:
+        out = _HELLO_0.write(self.reserved)
+        required = 1
+        there = codec.present(self, required, _HELLO_GROUPS)
+        if there >= 2:
+            out += _HELLO_1.write(*codec.exactly("later", self.later, 2))
+        return codec.finished(out)
+
+
 SettingsResponse.COMMANDS = (Settings,)
 SetTimeFastResponse.COMMANDS = (SetTime,)
 SetTimeSlowResponse.COMMANDS = (SetTime,)
@@ -1395,6 +1480,7 @@ ChoiceResponse.COMMANDS = (Choice,)
 ListResponse.COMMANDS = (List,)
 InventoryResponse.COMMANDS = (Inventory,)
 PinResponse.COMMANDS = (Pin,)
+HelloResponse.COMMANDS = (Hello,)
 StatusShort.COMMANDS = (Status,)
 StatusLong.COMMANDS = (Status,)
 BiasVector.COMMANDS = (Bias, CaptureBias)
@@ -1413,6 +1499,7 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x09: (List,),
     0x0A: (Inventory,),
     0x0B: (Pin,),
+    0x0C: (Hello,),
     0x82: (SettingsResponse,),
     0x83: (SetTimeFastResponse,),
     0x84: (SetTimeSlowResponse,),
@@ -1420,6 +1507,7 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x89: (ListResponse,),
     0x8A: (InventoryResponse,),
     0x8B: (PinResponse,),
+    0x8C: (HelloResponse,),
     0x90: (StatusShort, StatusLong),
     0x9B: (BiasVector,),
 }

@@ -1,0 +1,433 @@
+/**
+ * @file
+ *
+ * GNSS data (0x81). Measurements and status of the GNSS receiver of 4-series and 5-series devices.
+ */
+#ifndef MIP_GNSS_DATA_H
+#define MIP_GNSS_DATA_H
+
+#include "mip/protocol.h"
+#include "mip/gnss_1.h"
+
+#if MIP_VERSION_NUMBER != 100
+#error "mip/gnss_data.h and mip/core.h are not of one version"
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define MIP_GNSS_DATA_SET 0x81
+
+/**
+ * GNSS LLH position: data (0x81,0x03).
+ *
+ * The same field as mip_gnss_1_gnss_llh_position.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_gnss_llh_position mip_gnss_1_gnss_llh_position
+#define mip_gnss_data_gnss_llh_position_codec mip_gnss_1_gnss_llh_position_codec
+#define mip_gnss_data_gnss_llh_position_decode mip_gnss_1_gnss_llh_position_decode
+#define mip_gnss_data_gnss_llh_position_encode mip_gnss_1_gnss_llh_position_encode
+#define MIP_GNSS_DATA_GNSS_LLH_POSITION_DESCRIPTOR 0x03
+#define MIP_GNSS_DATA_GNSS_LLH_POSITION_NAME "gnss_data.gnss_llh_position"
+
+/**
+ * GNSS ECEF position: data (0x81,0x04).
+ *
+ * The same field as mip_gnss_1_gnss_ecef_position.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_gnss_ecef_position mip_gnss_1_gnss_ecef_position
+#define mip_gnss_data_gnss_ecef_position_codec mip_gnss_1_gnss_ecef_position_codec
+#define mip_gnss_data_gnss_ecef_position_decode mip_gnss_1_gnss_ecef_position_decode
+#define mip_gnss_data_gnss_ecef_position_encode mip_gnss_1_gnss_ecef_position_encode
+#define MIP_GNSS_DATA_GNSS_ECEF_POSITION_DESCRIPTOR 0x04
+#define MIP_GNSS_DATA_GNSS_ECEF_POSITION_NAME "gnss_data.gnss_ecef_position"
+
+/**
+ * NED velocity: data (0x81,0x05).
+ *
+ * The same field as mip_gnss_1_ned_velocity.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_ned_velocity mip_gnss_1_ned_velocity
+#define mip_gnss_data_ned_velocity_codec mip_gnss_1_ned_velocity_codec
+#define mip_gnss_data_ned_velocity_decode mip_gnss_1_ned_velocity_decode
+#define mip_gnss_data_ned_velocity_encode mip_gnss_1_ned_velocity_encode
+#define MIP_GNSS_DATA_NED_VELOCITY_DESCRIPTOR 0x05
+#define MIP_GNSS_DATA_NED_VELOCITY_NAME "gnss_data.ned_velocity"
+
+/**
+ * GNSS ECEF velocity: data (0x81,0x06).
+ *
+ * The same field as mip_gnss_1_gnss_ecef_velocity.
+ *
+ * - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
+ */
+#define mip_gnss_data_gnss_ecef_velocity mip_gnss_1_gnss_ecef_velocity
+#define mip_gnss_data_gnss_ecef_velocity_codec mip_gnss_1_gnss_ecef_velocity_codec
+#define mip_gnss_data_gnss_ecef_velocity_decode mip_gnss_1_gnss_ecef_velocity_decode
+#define mip_gnss_data_gnss_ecef_velocity_encode mip_gnss_1_gnss_ecef_velocity_encode
+#define MIP_GNSS_DATA_GNSS_ECEF_VELOCITY_DESCRIPTOR 0x06
+#define MIP_GNSS_DATA_GNSS_ECEF_VELOCITY_NAME "gnss_data.gnss_ecef_velocity"
+
+/**
+ * DOP: data (0x81,0x07).
+ *
+ * The same field as mip_gnss_1_dop.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_dop mip_gnss_1_dop
+#define mip_gnss_data_dop_codec mip_gnss_1_dop_codec
+#define mip_gnss_data_dop_decode mip_gnss_1_dop_decode
+#define mip_gnss_data_dop_encode mip_gnss_1_dop_encode
+#define MIP_GNSS_DATA_DOP_DESCRIPTOR 0x07
+#define MIP_GNSS_DATA_DOP_NAME "gnss_data.dop"
+
+/**
+ * UTC time: data (0x81,0x08).
+ *
+ * The same field as mip_gnss_1_utc_time.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_utc_time mip_gnss_1_utc_time
+#define mip_gnss_data_utc_time_codec mip_gnss_1_utc_time_codec
+#define mip_gnss_data_utc_time_decode mip_gnss_1_utc_time_decode
+#define mip_gnss_data_utc_time_encode mip_gnss_1_utc_time_encode
+#define MIP_GNSS_DATA_UTC_TIME_DESCRIPTOR 0x08
+#define MIP_GNSS_DATA_UTC_TIME_NAME "gnss_data.utc_time"
+
+/**
+ * GPS time: data (0x81,0x09).
+ *
+ * The same field as mip_gnss_1_gps_time.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_gps_time mip_gnss_1_gps_time
+#define mip_gnss_data_gps_time_codec mip_gnss_1_gps_time_codec
+#define mip_gnss_data_gps_time_decode mip_gnss_1_gps_time_decode
+#define mip_gnss_data_gps_time_encode mip_gnss_1_gps_time_encode
+#define MIP_GNSS_DATA_GPS_TIME_DESCRIPTOR 0x09
+#define MIP_GNSS_DATA_GPS_TIME_NAME "gnss_data.gps_time"
+
+/**
+ * Clock info: data (0x81,0x0A).
+ *
+ * The same field as mip_gnss_1_clock_info.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_clock_info mip_gnss_1_clock_info
+#define mip_gnss_data_clock_info_codec mip_gnss_1_clock_info_codec
+#define mip_gnss_data_clock_info_decode mip_gnss_1_clock_info_decode
+#define mip_gnss_data_clock_info_encode mip_gnss_1_clock_info_encode
+#define MIP_GNSS_DATA_CLOCK_INFO_DESCRIPTOR 0x0A
+#define MIP_GNSS_DATA_CLOCK_INFO_NAME "gnss_data.clock_info"
+
+/**
+ * Fix info: data (0x81,0x0B).
+ *
+ * The same field as mip_gnss_1_fix_info.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_fix_info mip_gnss_1_fix_info
+#define mip_gnss_data_fix_info_codec mip_gnss_1_fix_info_codec
+#define mip_gnss_data_fix_info_decode mip_gnss_1_fix_info_decode
+#define mip_gnss_data_fix_info_encode mip_gnss_1_fix_info_encode
+#define MIP_GNSS_DATA_FIX_INFO_DESCRIPTOR 0x0B
+#define MIP_GNSS_DATA_FIX_INFO_NAME "gnss_data.fix_info"
+
+/**
+ * Satellite info: data (0x81,0x0C).
+ *
+ * The same field as mip_gnss_1_sv_info.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_sv_info mip_gnss_1_sv_info
+#define mip_gnss_data_sv_info_codec mip_gnss_1_sv_info_codec
+#define mip_gnss_data_sv_info_decode mip_gnss_1_sv_info_decode
+#define mip_gnss_data_sv_info_encode mip_gnss_1_sv_info_encode
+#define MIP_GNSS_DATA_SV_INFO_DESCRIPTOR 0x0C
+#define MIP_GNSS_DATA_SV_INFO_NAME "gnss_data.sv_info"
+
+/**
+ * GNSS hardware status: data (0x81,0x0D).
+ *
+ * The same field as mip_gnss_1_gnss_hardware_status.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_gnss_hardware_status mip_gnss_1_gnss_hardware_status
+#define mip_gnss_data_gnss_hardware_status_codec mip_gnss_1_gnss_hardware_status_codec
+#define mip_gnss_data_gnss_hardware_status_decode mip_gnss_1_gnss_hardware_status_decode
+#define mip_gnss_data_gnss_hardware_status_encode mip_gnss_1_gnss_hardware_status_encode
+#define MIP_GNSS_DATA_GNSS_HARDWARE_STATUS_DESCRIPTOR 0x0D
+#define MIP_GNSS_DATA_GNSS_HARDWARE_STATUS_NAME "gnss_data.gnss_hardware_status"
+
+/**
+ * DGPS info: data (0x81,0x0E).
+ *
+ * The same field as mip_gnss_1_dgps_info.
+ *
+ * - 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
+ * - mip-sdk-4: Dgps Info (0x81,0x0E)
+ */
+#define mip_gnss_data_dgps_info mip_gnss_1_dgps_info
+#define mip_gnss_data_dgps_info_codec mip_gnss_1_dgps_info_codec
+#define mip_gnss_data_dgps_info_decode mip_gnss_1_dgps_info_decode
+#define mip_gnss_data_dgps_info_encode mip_gnss_1_dgps_info_encode
+#define MIP_GNSS_DATA_DGPS_INFO_DESCRIPTOR 0x0E
+#define MIP_GNSS_DATA_DGPS_INFO_NAME "gnss_data.dgps_info"
+
+/**
+ * DGPS channel: data (0x81,0x0F).
+ *
+ * The same field as mip_gnss_1_dgps_channel.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_dgps_channel mip_gnss_1_dgps_channel
+#define mip_gnss_data_dgps_channel_codec mip_gnss_1_dgps_channel_codec
+#define mip_gnss_data_dgps_channel_decode mip_gnss_1_dgps_channel_decode
+#define mip_gnss_data_dgps_channel_encode mip_gnss_1_dgps_channel_encode
+#define MIP_GNSS_DATA_DGPS_CHANNEL_DESCRIPTOR 0x0F
+#define MIP_GNSS_DATA_DGPS_CHANNEL_NAME "gnss_data.dgps_channel"
+
+/**
+ * Clock info 2: data (0x81,0x10).
+ *
+ * The same field as mip_gnss_1_clock_info_2.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_clock_info_2 mip_gnss_1_clock_info_2
+#define mip_gnss_data_clock_info_2_codec mip_gnss_1_clock_info_2_codec
+#define mip_gnss_data_clock_info_2_decode mip_gnss_1_clock_info_2_decode
+#define mip_gnss_data_clock_info_2_encode mip_gnss_1_clock_info_2_encode
+#define MIP_GNSS_DATA_CLOCK_INFO_2_DESCRIPTOR 0x10
+#define MIP_GNSS_DATA_CLOCK_INFO_2_NAME "gnss_data.clock_info_2"
+
+/**
+ * GPS leap seconds: data (0x81,0x11).
+ *
+ * The same field as mip_gnss_1_gps_leap_seconds.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_gps_leap_seconds mip_gnss_1_gps_leap_seconds
+#define mip_gnss_data_gps_leap_seconds_codec mip_gnss_1_gps_leap_seconds_codec
+#define mip_gnss_data_gps_leap_seconds_decode mip_gnss_1_gps_leap_seconds_decode
+#define mip_gnss_data_gps_leap_seconds_encode mip_gnss_1_gps_leap_seconds_encode
+#define MIP_GNSS_DATA_GPS_LEAP_SECONDS_DESCRIPTOR 0x11
+#define MIP_GNSS_DATA_GPS_LEAP_SECONDS_NAME "gnss_data.gps_leap_seconds"
+
+/**
+ * SBAS info: data (0x81,0x12).
+ *
+ * The same field as mip_gnss_1_sbas_info.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_sbas_info mip_gnss_1_sbas_info
+#define mip_gnss_data_sbas_info_codec mip_gnss_1_sbas_info_codec
+#define mip_gnss_data_sbas_info_decode mip_gnss_1_sbas_info_decode
+#define mip_gnss_data_sbas_info_encode mip_gnss_1_sbas_info_encode
+#define MIP_GNSS_DATA_SBAS_INFO_DESCRIPTOR 0x12
+#define MIP_GNSS_DATA_SBAS_INFO_NAME "gnss_data.sbas_info"
+
+/**
+ * SBAS correction: data (0x81,0x13).
+ *
+ * The same field as mip_gnss_1_sbas_correction.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_sbas_correction mip_gnss_1_sbas_correction
+#define mip_gnss_data_sbas_correction_codec mip_gnss_1_sbas_correction_codec
+#define mip_gnss_data_sbas_correction_decode mip_gnss_1_sbas_correction_decode
+#define mip_gnss_data_sbas_correction_encode mip_gnss_1_sbas_correction_encode
+#define MIP_GNSS_DATA_SBAS_CORRECTION_DESCRIPTOR 0x13
+#define MIP_GNSS_DATA_SBAS_CORRECTION_NAME "gnss_data.sbas_correction"
+
+/**
+ * RF error detection: data (0x81,0x14).
+ *
+ * The same field as mip_gnss_1_rf_error_detection.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_rf_error_detection mip_gnss_1_rf_error_detection
+#define mip_gnss_data_rf_error_detection_codec mip_gnss_1_rf_error_detection_codec
+#define mip_gnss_data_rf_error_detection_decode mip_gnss_1_rf_error_detection_decode
+#define mip_gnss_data_rf_error_detection_encode mip_gnss_1_rf_error_detection_encode
+#define MIP_GNSS_DATA_RF_ERROR_DETECTION_DESCRIPTOR 0x14
+#define MIP_GNSS_DATA_RF_ERROR_DETECTION_NAME "gnss_data.rf_error_detection"
+
+/**
+ * Satellite status: data (0x81,0x20).
+ *
+ * The same field as mip_gnss_1_satellite_status.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_satellite_status mip_gnss_1_satellite_status
+#define mip_gnss_data_satellite_status_codec mip_gnss_1_satellite_status_codec
+#define mip_gnss_data_satellite_status_decode mip_gnss_1_satellite_status_decode
+#define mip_gnss_data_satellite_status_encode mip_gnss_1_satellite_status_encode
+#define MIP_GNSS_DATA_SATELLITE_STATUS_DESCRIPTOR 0x20
+#define MIP_GNSS_DATA_SATELLITE_STATUS_NAME "gnss_data.satellite_status"
+
+/**
+ * Raw: data (0x81,0x22).
+ *
+ * The same field as mip_gnss_1_raw.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_raw mip_gnss_1_raw
+#define mip_gnss_data_raw_codec mip_gnss_1_raw_codec
+#define mip_gnss_data_raw_decode mip_gnss_1_raw_decode
+#define mip_gnss_data_raw_encode mip_gnss_1_raw_encode
+#define MIP_GNSS_DATA_RAW_DESCRIPTOR 0x22
+#define MIP_GNSS_DATA_RAW_NAME "gnss_data.raw"
+
+/**
+ * Base station info: data (0x81,0x30).
+ *
+ * The same field as mip_gnss_1_base_station_info.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_base_station_info mip_gnss_1_base_station_info
+#define mip_gnss_data_base_station_info_codec mip_gnss_1_base_station_info_codec
+#define mip_gnss_data_base_station_info_decode mip_gnss_1_base_station_info_decode
+#define mip_gnss_data_base_station_info_encode mip_gnss_1_base_station_info_encode
+#define MIP_GNSS_DATA_BASE_STATION_INFO_DESCRIPTOR 0x30
+#define MIP_GNSS_DATA_BASE_STATION_INFO_NAME "gnss_data.base_station_info"
+
+/**
+ * RTK corrections status: data (0x81,0x31).
+ *
+ * The same field as mip_gnss_1_rtk_corrections_status.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_rtk_corrections_status mip_gnss_1_rtk_corrections_status
+#define mip_gnss_data_rtk_corrections_status_codec mip_gnss_1_rtk_corrections_status_codec
+#define mip_gnss_data_rtk_corrections_status_decode mip_gnss_1_rtk_corrections_status_decode
+#define mip_gnss_data_rtk_corrections_status_encode mip_gnss_1_rtk_corrections_status_encode
+#define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_DESCRIPTOR 0x31
+#define MIP_GNSS_DATA_RTK_CORRECTIONS_STATUS_NAME "gnss_data.rtk_corrections_status"
+
+/**
+ * GPS ephemeris: data (0x81,0x61).
+ *
+ * The same field as mip_gnss_1_gps_ephemeris.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_gps_ephemeris mip_gnss_1_gps_ephemeris
+#define mip_gnss_data_gps_ephemeris_codec mip_gnss_1_gps_ephemeris_codec
+#define mip_gnss_data_gps_ephemeris_decode mip_gnss_1_gps_ephemeris_decode
+#define mip_gnss_data_gps_ephemeris_encode mip_gnss_1_gps_ephemeris_encode
+#define MIP_GNSS_DATA_GPS_EPHEMERIS_DESCRIPTOR 0x61
+#define MIP_GNSS_DATA_GPS_EPHEMERIS_NAME "gnss_data.gps_ephemeris"
+
+/**
+ * GLONASS ephemeris: data (0x81,0x62).
+ *
+ * The same field as mip_gnss_1_glonass_ephemeris.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_glonass_ephemeris mip_gnss_1_glonass_ephemeris
+#define mip_gnss_data_glonass_ephemeris_codec mip_gnss_1_glonass_ephemeris_codec
+#define mip_gnss_data_glonass_ephemeris_decode mip_gnss_1_glonass_ephemeris_decode
+#define mip_gnss_data_glonass_ephemeris_encode mip_gnss_1_glonass_ephemeris_encode
+#define MIP_GNSS_DATA_GLONASS_EPHEMERIS_DESCRIPTOR 0x62
+#define MIP_GNSS_DATA_GLONASS_EPHEMERIS_NAME "gnss_data.glonass_ephemeris"
+
+/**
+ * Galileo ephemeris: data (0x81,0x63).
+ *
+ * The same field as mip_gnss_1_galileo_ephemeris.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_galileo_ephemeris mip_gnss_1_galileo_ephemeris
+#define mip_gnss_data_galileo_ephemeris_codec mip_gnss_1_galileo_ephemeris_codec
+#define mip_gnss_data_galileo_ephemeris_decode mip_gnss_1_galileo_ephemeris_decode
+#define mip_gnss_data_galileo_ephemeris_encode mip_gnss_1_galileo_ephemeris_encode
+#define MIP_GNSS_DATA_GALILEO_EPHEMERIS_DESCRIPTOR 0x63
+#define MIP_GNSS_DATA_GALILEO_EPHEMERIS_NAME "gnss_data.galileo_ephemeris"
+
+/**
+ * BeiDou ephemeris: data (0x81,0x64).
+ *
+ * The same field as mip_gnss_1_beidou_ephemeris.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_beidou_ephemeris mip_gnss_1_beidou_ephemeris
+#define mip_gnss_data_beidou_ephemeris_codec mip_gnss_1_beidou_ephemeris_codec
+#define mip_gnss_data_beidou_ephemeris_decode mip_gnss_1_beidou_ephemeris_decode
+#define mip_gnss_data_beidou_ephemeris_encode mip_gnss_1_beidou_ephemeris_encode
+#define MIP_GNSS_DATA_BEIDOU_EPHEMERIS_DESCRIPTOR 0x64
+#define MIP_GNSS_DATA_BEIDOU_EPHEMERIS_NAME "gnss_data.beidou_ephemeris"
+
+/**
+ * GPS ionospheric correction: data (0x81,0x71).
+ *
+ * The same field as mip_gnss_1_gps_iono_correction.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_gps_iono_correction mip_gnss_1_gps_iono_correction
+#define mip_gnss_data_gps_iono_correction_codec mip_gnss_1_gps_iono_correction_codec
+#define mip_gnss_data_gps_iono_correction_decode mip_gnss_1_gps_iono_correction_decode
+#define mip_gnss_data_gps_iono_correction_encode mip_gnss_1_gps_iono_correction_encode
+#define MIP_GNSS_DATA_GPS_IONO_CORRECTION_DESCRIPTOR 0x71
+#define MIP_GNSS_DATA_GPS_IONO_CORRECTION_NAME "gnss_data.gps_iono_correction"
+
+/**
+ * Galileo ionospheric correction: data (0x81,0x73).
+ *
+ * The same field as mip_gnss_1_galileo_iono_correction.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_galileo_iono_correction mip_gnss_1_galileo_iono_correction
+#define mip_gnss_data_galileo_iono_correction_codec mip_gnss_1_galileo_iono_correction_codec
+#define mip_gnss_data_galileo_iono_correction_decode mip_gnss_1_galileo_iono_correction_decode
+#define mip_gnss_data_galileo_iono_correction_encode mip_gnss_1_galileo_iono_correction_encode
+#define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_DESCRIPTOR 0x73
+#define MIP_GNSS_DATA_GALILEO_IONO_CORRECTION_NAME "gnss_data.galileo_iono_correction"
+
+/**
+ * BeiDou ionospheric correction: data (0x81,0x74).
+ *
+ * The same field as mip_gnss_1_beidou_iono_correction.
+ *
+ * - mip-sdk-4: Gnss Data (0x81)
+ */
+#define mip_gnss_data_beidou_iono_correction mip_gnss_1_beidou_iono_correction
+#define mip_gnss_data_beidou_iono_correction_codec mip_gnss_1_beidou_iono_correction_codec
+#define mip_gnss_data_beidou_iono_correction_decode mip_gnss_1_beidou_iono_correction_decode
+#define mip_gnss_data_beidou_iono_correction_encode mip_gnss_1_beidou_iono_correction_encode
+#define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_DESCRIPTOR 0x74
+#define MIP_GNSS_DATA_BEIDOU_IONO_CORRECTION_NAME "gnss_data.beidou_iono_correction"
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
