@@ -84,11 +84,11 @@ static bool silent_poll_imu_data(const void *value) {
 }
 
 const struct mip_codec mip_3dm_poll_imu_data_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_POLL_IMU_DATA_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_poll_imu_data),
-    0,
+    0, /* time-out */
     read_poll_imu_data,
     write_poll_imu_data,
     silent_poll_imu_data,
@@ -143,11 +143,11 @@ static bool silent_poll_estimation_filter_data(const void *value) {
 }
 
 const struct mip_codec mip_3dm_poll_estimation_filter_data_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_POLL_ESTIMATION_FILTER_DATA_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_poll_estimation_filter_data),
-    0,
+    0, /* time-out */
     read_poll_estimation_filter_data,
     write_poll_estimation_filter_data,
     silent_poll_estimation_filter_data,
@@ -199,11 +199,11 @@ static bool silent_poll_nmea_data(const void *value) {
 }
 
 const struct mip_codec mip_3dm_poll_nmea_data_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_POLL_NMEA_DATA_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_poll_nmea_data),
-    0,
+    0, /* time-out */
     read_poll_nmea_data,
     write_poll_nmea_data,
     silent_poll_nmea_data,
@@ -232,11 +232,11 @@ struct mip_3dm_poll_nmea_data mip_3dm_poll_nmea_data_make(
 }
 
 const struct mip_codec mip_3dm_get_imu_data_base_rate_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_IMU_DATA_BASE_RATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_imu_data_base_rate),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -266,11 +266,11 @@ static void write_get_imu_data_base_rate_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_3dm_get_imu_data_base_rate_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_IMU_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_imu_data_base_rate_response),
-    0,
+    0, /* time-out */
     read_get_imu_data_base_rate_response,
     write_get_imu_data_base_rate_response,
     NULL,
@@ -317,11 +317,11 @@ static void write_imu_message_format(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_imu_message_format_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_IMU_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_imu_message_format),
-    0,
+    0, /* time-out */
     read_imu_message_format,
     write_imu_message_format,
     NULL,
@@ -396,11 +396,11 @@ static void write_imu_message_format_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_imu_message_format_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_imu_message_format_response),
-    0,
+    0, /* time-out */
     read_imu_message_format_response,
     write_imu_message_format_response,
     NULL,
@@ -448,11 +448,11 @@ static void write_estimation_filter_message_format(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_3dm_estimation_filter_message_format_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_estimation_filter_message_format),
-    0,
+    0, /* time-out */
     read_estimation_filter_message_format,
     write_estimation_filter_message_format,
     NULL,
@@ -533,11 +533,11 @@ static void write_estimation_filter_message_format_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_3dm_estimation_filter_message_format_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_estimation_filter_message_format_response),
-    0,
+    0, /* time-out */
     read_estimation_filter_message_format_response,
     write_estimation_filter_message_format_response,
     NULL,
@@ -559,11 +559,11 @@ mip_error mip_3dm_estimation_filter_message_format_response_encode(
 }
 
 const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_estimation_filter_data_base_rate),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -594,11 +594,11 @@ static void write_get_estimation_filter_data_base_rate_response(struct mip_write
 }
 
 const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_estimation_filter_data_base_rate_response),
-    0,
+    0, /* time-out */
     read_get_estimation_filter_data_base_rate_response,
     write_get_estimation_filter_data_base_rate_response,
     NULL,
@@ -648,11 +648,11 @@ static void write_nmea_message_format(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_nmea_message_format_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_NMEA_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_nmea_message_format),
-    0,
+    0, /* time-out */
     read_nmea_message_format,
     write_nmea_message_format,
     NULL,
@@ -669,8 +669,8 @@ mip_error mip_3dm_nmea_message_format_encode(const struct mip_3dm_nmea_message_f
                             write_nmea_message_format, value);
 }
 
-struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_write(
-    uint8_t count, const struct mip_nmea_message format_entries[]) {
+struct mip_3dm_nmea_message_format
+mip_3dm_nmea_message_format_write(uint8_t count, const struct mip_nmea_message format_entries[]) {
     struct mip_3dm_nmea_message_format v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -727,11 +727,11 @@ static void write_nmea_message_format_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_3dm_nmea_message_format_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_nmea_message_format_response),
-    0,
+    0, /* time-out */
     read_nmea_message_format_response,
     write_nmea_message_format_response,
     NULL,
@@ -770,11 +770,11 @@ static bool silent_poll_data(const void *value) {
 }
 
 const struct mip_codec mip_3dm_poll_data_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_POLL_DATA_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_poll_data),
-    0,
+    0, /* time-out */
     read_poll_data,
     write_poll_data,
     silent_poll_data,
@@ -813,11 +813,11 @@ static void write_get_data_base_rate(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_get_data_base_rate_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_DATA_BASE_RATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_data_base_rate),
-    0,
+    0, /* time-out */
     read_get_data_base_rate,
     write_get_data_base_rate,
     NULL,
@@ -856,11 +856,11 @@ static void write_get_data_base_rate_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_get_data_base_rate_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_data_base_rate_response),
-    0,
+    0, /* time-out */
     read_get_data_base_rate_response,
     write_get_data_base_rate_response,
     NULL,
@@ -909,11 +909,11 @@ static void write_message_format(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_message_format_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_message_format),
-    0,
+    0, /* time-out */
     read_message_format,
     write_message_format,
     NULL,
@@ -994,11 +994,11 @@ static void write_message_format_response(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_3dm_message_format_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_message_format_response),
-    0,
+    0, /* time-out */
     read_message_format_response,
     write_message_format_response,
     NULL,
@@ -1028,11 +1028,11 @@ static void write_factory_streaming(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_factory_streaming_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_FACTORY_STREAMING_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_factory_streaming),
-    0,
+    0, /* time-out */
     read_factory_streaming,
     write_factory_streaming,
     NULL,
@@ -1049,8 +1049,8 @@ mip_error mip_3dm_factory_streaming_encode(const struct mip_3dm_factory_streamin
                             write_factory_streaming, value);
 }
 
-struct mip_3dm_factory_streaming mip_3dm_factory_streaming_make(
-    mip_3dm_factory_streaming_action action) {
+struct mip_3dm_factory_streaming
+mip_3dm_factory_streaming_make(mip_3dm_factory_streaming_action action) {
     struct mip_3dm_factory_streaming v;
     memset(&v, 0, sizeof(v));
     v.action = action;
@@ -1084,11 +1084,11 @@ static void write_data_stream_control(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_data_stream_control_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_data_stream_control),
-    0,
+    0, /* time-out */
     read_data_stream_control,
     write_data_stream_control,
     NULL,
@@ -1162,11 +1162,11 @@ static void write_data_stream_control_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_3dm_data_stream_control_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_data_stream_control_response),
-    0,
+    0, /* time-out */
     read_data_stream_control_response,
     write_data_stream_control_response,
     NULL,
@@ -1216,11 +1216,11 @@ static void write_gnss_sbas_settings(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_SBAS_SETTINGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gnss_sbas_settings),
-    0,
+    0, /* time-out */
     read_gnss_sbas_settings,
     write_gnss_sbas_settings,
     NULL,
@@ -1237,9 +1237,9 @@ mip_error mip_3dm_gnss_sbas_settings_encode(const struct mip_3dm_gnss_sbas_setti
                             write_gnss_sbas_settings, value);
 }
 
-struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_write(
-    uint8_t enable_sbas, mip_3dm_sbas_options sbas_options, uint8_t num_included_prns,
-    const uint16_t included_prns[]) {
+struct mip_3dm_gnss_sbas_settings
+mip_3dm_gnss_sbas_settings_write(uint8_t enable_sbas, mip_3dm_sbas_options sbas_options,
+                                 uint8_t num_included_prns, const uint16_t included_prns[]) {
     struct mip_3dm_gnss_sbas_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -1298,11 +1298,11 @@ static void write_gnss_sbas_settings_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gnss_sbas_settings_response),
-    0,
+    0, /* time-out */
     read_gnss_sbas_settings_response,
     write_gnss_sbas_settings_response,
     NULL,
@@ -1342,11 +1342,11 @@ static void write_pps_source_control(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_pps_source_control_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_pps_source_control),
-    0,
+    0, /* time-out */
     read_pps_source_control,
     write_pps_source_control,
     NULL,
@@ -1412,11 +1412,11 @@ static void write_pps_source_control_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_pps_source_control_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_pps_source_control_response),
-    0,
+    0, /* time-out */
     read_pps_source_control_response,
     write_pps_source_control_response,
     NULL,
@@ -1445,11 +1445,11 @@ static void write_get_supported_events(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_3dm_get_supported_events_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_SUPPORTED_EVENTS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_supported_events),
-    0,
+    0, /* time-out */
     read_get_supported_events,
     write_get_supported_events,
     NULL,
@@ -1466,8 +1466,8 @@ mip_error mip_3dm_get_supported_events_encode(const struct mip_3dm_get_supported
                             write_get_supported_events, value);
 }
 
-struct mip_3dm_get_supported_events mip_3dm_get_supported_events_make(
-    mip_3dm_supported_events_query query) {
+struct mip_3dm_get_supported_events
+mip_3dm_get_supported_events_make(mip_3dm_supported_events_query query) {
     struct mip_3dm_get_supported_events v;
     memset(&v, 0, sizeof(v));
     v.query = query;
@@ -1497,11 +1497,11 @@ static void write_get_supported_events_response(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_3dm_get_supported_events_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_SUPPORTED_EVENTS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_supported_events_response),
-    0,
+    0, /* time-out */
     read_get_supported_events_response,
     write_get_supported_events_response,
     NULL,
@@ -1544,11 +1544,11 @@ static void write_event_control(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_event_control_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_event_control),
-    0,
+    0, /* time-out */
     read_event_control,
     write_event_control,
     NULL,
@@ -1621,11 +1621,11 @@ static void write_event_control_response(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_3dm_event_control_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_event_control_response),
-    0,
+    0, /* time-out */
     read_event_control_response,
     write_event_control_response,
     NULL,
@@ -1656,11 +1656,11 @@ static void write_get_event_trigger_status(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_TRIGGER_STATUS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_event_trigger_status),
-    0,
+    0, /* time-out */
     read_get_event_trigger_status,
     write_get_event_trigger_status,
     NULL,
@@ -1706,11 +1706,11 @@ static void write_get_event_trigger_status_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_3dm_get_event_trigger_status_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_event_trigger_status_response),
-    0,
+    0, /* time-out */
     read_get_event_trigger_status_response,
     write_get_event_trigger_status_response,
     NULL,
@@ -1742,11 +1742,11 @@ static void write_get_event_action_status(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_3dm_get_event_action_status_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_ACTION_STATUS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_event_action_status),
-    0,
+    0, /* time-out */
     read_get_event_action_status,
     write_get_event_action_status,
     NULL,
@@ -1763,8 +1763,8 @@ mip_error mip_3dm_get_event_action_status_encode(
                             write_get_event_action_status, value);
 }
 
-struct mip_3dm_get_event_action_status mip_3dm_get_event_action_status_make(
-    uint8_t requested_count, const uint8_t requested_instances[]) {
+struct mip_3dm_get_event_action_status
+mip_3dm_get_event_action_status_make(uint8_t requested_count, const uint8_t requested_instances[]) {
     struct mip_3dm_get_event_action_status v;
     memset(&v, 0, sizeof(v));
     v.requested_count = requested_count;
@@ -1792,11 +1792,11 @@ static void write_get_event_action_status_response(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_3dm_get_event_action_status_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_event_action_status_response),
-    0,
+    0, /* time-out */
     read_get_event_action_status_response,
     write_get_event_action_status_response,
     NULL,
@@ -1871,11 +1871,11 @@ static void write_event_trigger_configuration(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_event_trigger_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_TRIGGER_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_event_trigger_configuration),
-    0,
+    0, /* time-out */
     read_event_trigger_configuration,
     write_event_trigger_configuration,
     NULL,
@@ -1906,8 +1906,8 @@ struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_w
     return v;
 }
 
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_read(
-    uint8_t instance) {
+struct mip_3dm_event_trigger_configuration
+mip_3dm_event_trigger_configuration_read(uint8_t instance) {
     struct mip_3dm_event_trigger_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -1915,8 +1915,8 @@ struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_r
     return v;
 }
 
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_save(
-    uint8_t instance) {
+struct mip_3dm_event_trigger_configuration
+mip_3dm_event_trigger_configuration_save(uint8_t instance) {
     struct mip_3dm_event_trigger_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -1924,8 +1924,8 @@ struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_s
     return v;
 }
 
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_load(
-    uint8_t instance) {
+struct mip_3dm_event_trigger_configuration
+mip_3dm_event_trigger_configuration_load(uint8_t instance) {
     struct mip_3dm_event_trigger_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
@@ -1933,8 +1933,8 @@ struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_l
     return v;
 }
 
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_default(
-    uint8_t instance) {
+struct mip_3dm_event_trigger_configuration
+mip_3dm_event_trigger_configuration_default(uint8_t instance) {
     struct mip_3dm_event_trigger_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -1983,11 +1983,11 @@ static void write_event_trigger_configuration_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_3dm_event_trigger_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_TRIGGER_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_event_trigger_configuration_response),
-    0,
+    0, /* time-out */
     read_event_trigger_configuration_response,
     write_event_trigger_configuration_response,
     NULL,
@@ -2060,11 +2060,11 @@ static void write_event_action_configuration(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_3dm_event_action_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_ACTION_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_event_action_configuration),
-    0,
+    0, /* time-out */
     read_event_action_configuration,
     write_event_action_configuration,
     NULL,
@@ -2096,8 +2096,8 @@ struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_wri
     return v;
 }
 
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_read(
-    uint8_t instance) {
+struct mip_3dm_event_action_configuration
+mip_3dm_event_action_configuration_read(uint8_t instance) {
     struct mip_3dm_event_action_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -2105,8 +2105,8 @@ struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_rea
     return v;
 }
 
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_save(
-    uint8_t instance) {
+struct mip_3dm_event_action_configuration
+mip_3dm_event_action_configuration_save(uint8_t instance) {
     struct mip_3dm_event_action_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -2114,8 +2114,8 @@ struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_sav
     return v;
 }
 
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_load(
-    uint8_t instance) {
+struct mip_3dm_event_action_configuration
+mip_3dm_event_action_configuration_load(uint8_t instance) {
     struct mip_3dm_event_action_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
@@ -2123,8 +2123,8 @@ struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_loa
     return v;
 }
 
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_default(
-    uint8_t instance) {
+struct mip_3dm_event_action_configuration
+mip_3dm_event_action_configuration_default(uint8_t instance) {
     struct mip_3dm_event_action_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -2169,11 +2169,11 @@ static void write_event_action_configuration_response(struct mip_writer *w, cons
 }
 
 const struct mip_codec mip_3dm_event_action_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_ACTION_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_event_action_configuration_response),
-    0,
+    0, /* time-out */
     read_event_action_configuration_response,
     write_event_action_configuration_response,
     NULL,
@@ -2203,11 +2203,11 @@ static void write_device_start_up_settings(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_3dm_device_start_up_settings_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DEVICE_START_UP_SETTINGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_device_start_up_settings),
-    1000,
+    1000, /* time-out */
     read_device_start_up_settings,
     write_device_start_up_settings,
     NULL,
@@ -2279,11 +2279,11 @@ static void write_sensor_to_vehicle_frame_transformation_euler(struct mip_writer
 }
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_frame_transformation_euler,
     write_sensor_to_vehicle_frame_transformation_euler,
     NULL,
@@ -2366,11 +2366,11 @@ static void write_sensor_to_vehicle_frame_transformation_euler_response(struct m
 }
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_frame_transformation_euler_response,
     write_sensor_to_vehicle_frame_transformation_euler_response,
     NULL,
@@ -2392,8 +2392,8 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_sensor_to_vehicle_frame_transformation_quaternion[] = {
-    0, 1, 0, 0, 0, 0};
+static const uint8_t required_sensor_to_vehicle_frame_transformation_quaternion[] = {0, 1, 0,
+                                                                                     0, 0, 0};
 
 static void read_sensor_to_vehicle_frame_transformation_quaternion(struct mip_reader *r,
                                                                    void *value) {
@@ -2420,11 +2420,11 @@ static void write_sensor_to_vehicle_frame_transformation_quaternion(struct mip_w
 }
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_frame_transformation_quaternion,
     write_sensor_to_vehicle_frame_transformation_quaternion,
     NULL,
@@ -2501,11 +2501,11 @@ static void write_sensor_to_vehicle_frame_transformation_quaternion_response(str
 }
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_frame_transformation_quaternion_response,
     write_sensor_to_vehicle_frame_transformation_quaternion_response,
     NULL,
@@ -2547,7 +2547,8 @@ static void read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix(
 static void write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix(
     struct mip_writer *w, const void *value) {
     const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *v =
-        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *)value;
+        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *)
+            value;
     mip_write_u8(w, &v->function, 1);
     mip_write_required(
         w, v->function, required_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
@@ -2557,15 +2558,16 @@ static void write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
     mip_write_float(w, v->dcm, 9);
 }
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_codec = {
-    0x0C,
-    MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix),
-    0,
-    read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
-    write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
-    NULL,
+const struct mip_codec
+    mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_codec = {
+        0x0C, /* descriptor set */
+        MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_DESCRIPTOR,
+        MIP_COMMAND,
+        sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix),
+        0, /* time-out */
+        read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
+        write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
+        NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_decode(
@@ -2629,26 +2631,31 @@ mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_default(v
 static void read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response(
     struct mip_reader *r, void *value) {
     struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *v =
-        (struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *)value;
+        (struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *)
+            value;
     mip_read_float(r, v->dcm, 9);
 }
 
 static void write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response(
     struct mip_writer *w, const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *v =
-        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *)value;
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response
+        *v = (const struct
+              mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *)
+            value;
     mip_write_float(w, v->dcm, 9);
 }
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_codec = {
-    0x0C,
-    MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response),
-    0,
-    read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
-    write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
-    NULL,
+const struct mip_codec
+    mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_codec = {
+        0x0C, /* descriptor set */
+        MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_DESCRIPTOR,
+        MIP_RESPONSE,
+        sizeof(
+            struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response),
+        0, /* time-out */
+        read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
+        write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
+        NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_decode(
@@ -2659,9 +2666,9 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
         sizeof(*value), NULL);
 }
 
-mip_error
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *value,
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response
+        *value,
     struct mip_builder *builder) {
     return mip_encode_field(
         builder, 0x0C,
@@ -2700,11 +2707,11 @@ static bool silent_accelerometer_bias_configuration(const void *value) {
 }
 
 const struct mip_codec mip_3dm_accelerometer_bias_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_accelerometer_bias_configuration),
-    0,
+    0, /* time-out */
     read_accelerometer_bias_configuration,
     write_accelerometer_bias_configuration,
     silent_accelerometer_bias_configuration,
@@ -2722,8 +2729,8 @@ mip_error mip_3dm_accelerometer_bias_configuration_encode(
                             write_accelerometer_bias_configuration, value);
 }
 
-struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_write(
-    const float bias[3]) {
+struct mip_3dm_accelerometer_bias_configuration
+mip_3dm_accelerometer_bias_configuration_write(const float bias[3]) {
     struct mip_3dm_accelerometer_bias_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -2763,8 +2770,8 @@ mip_3dm_accelerometer_bias_configuration_default(void) {
     return v;
 }
 
-struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_apply(
-    const float bias[3]) {
+struct mip_3dm_accelerometer_bias_configuration
+mip_3dm_accelerometer_bias_configuration_apply(const float bias[3]) {
     struct mip_3dm_accelerometer_bias_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_APPLY;
@@ -2786,11 +2793,11 @@ static void write_accelerometer_bias_configuration_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_3dm_accelerometer_bias_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_accelerometer_bias_configuration_response),
-    0,
+    0, /* time-out */
     read_accelerometer_bias_configuration_response,
     write_accelerometer_bias_configuration_response,
     NULL,
@@ -2842,11 +2849,11 @@ static bool silent_gyroscope_bias_configuration(const void *value) {
 }
 
 const struct mip_codec mip_3dm_gyroscope_bias_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gyroscope_bias_configuration),
-    0,
+    0, /* time-out */
     read_gyroscope_bias_configuration,
     write_gyroscope_bias_configuration,
     silent_gyroscope_bias_configuration,
@@ -2863,8 +2870,8 @@ mip_error mip_3dm_gyroscope_bias_configuration_encode(
                             write_gyroscope_bias_configuration, value);
 }
 
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_write(
-    const float bias[3]) {
+struct mip_3dm_gyroscope_bias_configuration
+mip_3dm_gyroscope_bias_configuration_write(const float bias[3]) {
     struct mip_3dm_gyroscope_bias_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -2900,8 +2907,8 @@ struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration
     return v;
 }
 
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_apply(
-    const float bias[3]) {
+struct mip_3dm_gyroscope_bias_configuration
+mip_3dm_gyroscope_bias_configuration_apply(const float bias[3]) {
     struct mip_3dm_gyroscope_bias_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_APPLY;
@@ -2922,11 +2929,11 @@ static void write_gyroscope_bias_configuration_response(struct mip_writer *w, co
 }
 
 const struct mip_codec mip_3dm_gyroscope_bias_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gyroscope_bias_configuration_response),
-    0,
+    0, /* time-out */
     read_gyroscope_bias_configuration_response,
     write_gyroscope_bias_configuration_response,
     NULL,
@@ -2957,11 +2964,11 @@ static void write_capture_gyroscope_bias(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_3dm_capture_gyroscope_bias_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_CAPTURE_GYROSCOPE_BIAS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_capture_gyroscope_bias),
-    31000,
+    31000, /* time-out */
     read_capture_gyroscope_bias,
     write_capture_gyroscope_bias,
     NULL,
@@ -2978,8 +2985,8 @@ mip_error mip_3dm_capture_gyroscope_bias_encode(const struct mip_3dm_capture_gyr
                             write_capture_gyroscope_bias, value);
 }
 
-struct mip_3dm_capture_gyroscope_bias mip_3dm_capture_gyroscope_bias_make(
-    uint16_t averaging_time_ms) {
+struct mip_3dm_capture_gyroscope_bias
+mip_3dm_capture_gyroscope_bias_make(uint16_t averaging_time_ms) {
     struct mip_3dm_capture_gyroscope_bias v;
     memset(&v, 0, sizeof(v));
     v.averaging_time_ms = averaging_time_ms;
@@ -3011,11 +3018,11 @@ static void write_magnetometer_hard_iron_offset(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_magnetometer_hard_iron_offset),
-    0,
+    0, /* time-out */
     read_magnetometer_hard_iron_offset,
     write_magnetometer_hard_iron_offset,
     NULL,
@@ -3032,8 +3039,8 @@ mip_error mip_3dm_magnetometer_hard_iron_offset_encode(
                             write_magnetometer_hard_iron_offset, value);
 }
 
-struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_write(
-    const float offset[3]) {
+struct mip_3dm_magnetometer_hard_iron_offset
+mip_3dm_magnetometer_hard_iron_offset_write(const float offset[3]) {
     struct mip_3dm_magnetometer_hard_iron_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3082,11 +3089,11 @@ static void write_magnetometer_hard_iron_offset_response(struct mip_writer *w, c
 }
 
 const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_magnetometer_hard_iron_offset_response),
-    0,
+    0, /* time-out */
     read_magnetometer_hard_iron_offset_response,
     write_magnetometer_hard_iron_offset_response,
     NULL,
@@ -3131,11 +3138,11 @@ static void write_magnetometer_soft_iron_matrix(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_magnetometer_soft_iron_matrix),
-    0,
+    0, /* time-out */
     read_magnetometer_soft_iron_matrix,
     write_magnetometer_soft_iron_matrix,
     NULL,
@@ -3152,8 +3159,8 @@ mip_error mip_3dm_magnetometer_soft_iron_matrix_encode(
                             write_magnetometer_soft_iron_matrix, value);
 }
 
-struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_write(
-    const float offset[9]) {
+struct mip_3dm_magnetometer_soft_iron_matrix
+mip_3dm_magnetometer_soft_iron_matrix_write(const float offset[9]) {
     struct mip_3dm_magnetometer_soft_iron_matrix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3202,11 +3209,11 @@ static void write_magnetometer_soft_iron_matrix_response(struct mip_writer *w, c
 }
 
 const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_magnetometer_soft_iron_matrix_response),
-    0,
+    0, /* time-out */
     read_magnetometer_soft_iron_matrix_response,
     write_magnetometer_soft_iron_matrix_response,
     NULL,
@@ -3251,11 +3258,11 @@ static void write_coning_and_sculling_enable(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_3dm_coning_and_sculling_enable_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_CONING_AND_SCULLING_ENABLE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_coning_and_sculling_enable),
-    0,
+    0, /* time-out */
     read_coning_and_sculling_enable,
     write_coning_and_sculling_enable,
     NULL,
@@ -3272,8 +3279,8 @@ mip_error mip_3dm_coning_and_sculling_enable_encode(
                             write_coning_and_sculling_enable, value);
 }
 
-struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_write(
-    mip_bool enable) {
+struct mip_3dm_coning_and_sculling_enable
+mip_3dm_coning_and_sculling_enable_write(mip_bool enable) {
     struct mip_3dm_coning_and_sculling_enable v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3322,11 +3329,11 @@ static void write_coning_and_sculling_enable_response(struct mip_writer *w, cons
 }
 
 const struct mip_codec mip_3dm_coning_and_sculling_enable_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_CONING_AND_SCULLING_ENABLE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_coning_and_sculling_enable_response),
-    0,
+    0, /* time-out */
     read_coning_and_sculling_enable_response,
     write_coning_and_sculling_enable_response,
     NULL,
@@ -3366,11 +3373,11 @@ static void write_uart_baud_rate(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_uart_baud_rate_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_UART_BAUD_RATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_uart_baud_rate),
-    0,
+    0, /* time-out */
     read_uart_baud_rate,
     write_uart_baud_rate,
     NULL,
@@ -3435,11 +3442,11 @@ static void write_uart_baud_rate_response(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_3dm_uart_baud_rate_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_UART_BAUD_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_uart_baud_rate_response),
-    0,
+    0, /* time-out */
     read_uart_baud_rate_response,
     write_uart_baud_rate_response,
     NULL,
@@ -3491,11 +3498,11 @@ static void write_gpio_configuration(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_gpio_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GPIO_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gpio_configuration),
-    0,
+    0, /* time-out */
     read_gpio_configuration,
     write_gpio_configuration,
     NULL,
@@ -3577,11 +3584,11 @@ static void write_gpio_configuration_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_gpio_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GPIO_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gpio_configuration_response),
-    0,
+    0, /* time-out */
     read_gpio_configuration_response,
     write_gpio_configuration_response,
     NULL,
@@ -3624,11 +3631,11 @@ static void write_gpio_state(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_gpio_state_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GPIO_STATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gpio_state),
-    0,
+    0, /* time-out */
     read_gpio_state,
     write_gpio_state,
     NULL,
@@ -3674,11 +3681,11 @@ static void write_gpio_state_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_gpio_state_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GPIO_STATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gpio_state_response),
-    0,
+    0, /* time-out */
     read_gpio_state_response,
     write_gpio_state_response,
     NULL,
@@ -3727,11 +3734,11 @@ static void write_odometer_configuration(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_3dm_odometer_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ODOMETER_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_odometer_configuration),
-    0,
+    0, /* time-out */
     read_odometer_configuration,
     write_odometer_configuration,
     NULL,
@@ -3748,8 +3755,8 @@ mip_error mip_3dm_odometer_configuration_encode(const struct mip_3dm_odometer_co
                             write_odometer_configuration, value);
 }
 
-struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_write(
-    mip_3dm_odometer_mode mode, float scaling, float uncertainty) {
+struct mip_3dm_odometer_configuration
+mip_3dm_odometer_configuration_write(mip_3dm_odometer_mode mode, float scaling, float uncertainty) {
     struct mip_3dm_odometer_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3804,11 +3811,11 @@ static void write_odometer_configuration_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_3dm_odometer_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ODOMETER_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_odometer_configuration_response),
-    0,
+    0, /* time-out */
     read_odometer_configuration_response,
     write_odometer_configuration_response,
     NULL,
@@ -3867,11 +3874,11 @@ static void write_advanced_low_pass_filter_settings(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_advanced_low_pass_filter_settings),
-    0,
+    0, /* time-out */
     read_advanced_low_pass_filter_settings,
     write_advanced_low_pass_filter_settings,
     NULL,
@@ -3901,8 +3908,8 @@ struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filte
     return v;
 }
 
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_read(
-    uint8_t target_descriptor) {
+struct mip_3dm_advanced_low_pass_filter_settings
+mip_3dm_advanced_low_pass_filter_settings_read(uint8_t target_descriptor) {
     struct mip_3dm_advanced_low_pass_filter_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -3910,8 +3917,8 @@ struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filte
     return v;
 }
 
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_save(
-    uint8_t target_descriptor) {
+struct mip_3dm_advanced_low_pass_filter_settings
+mip_3dm_advanced_low_pass_filter_settings_save(uint8_t target_descriptor) {
     struct mip_3dm_advanced_low_pass_filter_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -3919,8 +3926,8 @@ struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filte
     return v;
 }
 
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_load(
-    uint8_t target_descriptor) {
+struct mip_3dm_advanced_low_pass_filter_settings
+mip_3dm_advanced_low_pass_filter_settings_load(uint8_t target_descriptor) {
     struct mip_3dm_advanced_low_pass_filter_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
@@ -3928,8 +3935,8 @@ struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filte
     return v;
 }
 
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_default(
-    uint8_t target_descriptor) {
+struct mip_3dm_advanced_low_pass_filter_settings
+mip_3dm_advanced_low_pass_filter_settings_default(uint8_t target_descriptor) {
     struct mip_3dm_advanced_low_pass_filter_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -3959,11 +3966,11 @@ static void write_advanced_low_pass_filter_settings_response(struct mip_writer *
 }
 
 const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_advanced_low_pass_filter_settings_response),
-    0,
+    0, /* time-out */
     read_advanced_low_pass_filter_settings_response,
     write_advanced_low_pass_filter_settings_response,
     NULL,
@@ -4021,11 +4028,11 @@ static void write_complementary_filter_configuration(struct mip_writer *w, const
 }
 
 const struct mip_codec mip_3dm_complementary_filter_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_complementary_filter_configuration),
-    0,
+    0, /* time-out */
     read_complementary_filter_configuration,
     write_complementary_filter_configuration,
     NULL,
@@ -4108,11 +4115,11 @@ static void write_complementary_filter_configuration_response(struct mip_writer 
 }
 
 const struct mip_codec mip_3dm_complementary_filter_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_complementary_filter_configuration_response),
-    0,
+    0, /* time-out */
     read_complementary_filter_configuration_response,
     write_complementary_filter_configuration_response,
     NULL,
@@ -4159,11 +4166,11 @@ static void write_sensor_range(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_sensor_range_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_RANGE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_sensor_range),
-    0,
+    0, /* time-out */
     read_sensor_range,
     write_sensor_range,
     NULL,
@@ -4236,11 +4243,11 @@ static void write_sensor_range_response(struct mip_writer *w, const void *value)
 }
 
 const struct mip_codec mip_3dm_sensor_range_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_RANGE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_sensor_range_response),
-    0,
+    0, /* time-out */
     read_sensor_range_response,
     write_sensor_range_response,
     NULL,
@@ -4270,11 +4277,11 @@ static void write_get_calibrated_sensor_ranges(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_calibrated_sensor_ranges),
-    0,
+    0, /* time-out */
     read_get_calibrated_sensor_ranges,
     write_get_calibrated_sensor_ranges,
     NULL,
@@ -4291,8 +4298,8 @@ mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
                             write_get_calibrated_sensor_ranges, value);
 }
 
-struct mip_3dm_get_calibrated_sensor_ranges mip_3dm_get_calibrated_sensor_ranges_make(
-    mip_3dm_sensor_range_type sensor) {
+struct mip_3dm_get_calibrated_sensor_ranges
+mip_3dm_get_calibrated_sensor_ranges_make(mip_3dm_sensor_range_type sensor) {
     struct mip_3dm_get_calibrated_sensor_ranges v;
     memset(&v, 0, sizeof(v));
     v.sensor = sensor;
@@ -4320,11 +4327,11 @@ static void write_get_calibrated_sensor_ranges_response(struct mip_writer *w, co
 }
 
 const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response),
-    0,
+    0, /* time-out */
     read_get_calibrated_sensor_ranges_response,
     write_get_calibrated_sensor_ranges_response,
     NULL,
@@ -4384,11 +4391,11 @@ static void write_low_pass_anti_aliasing_filter(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_low_pass_anti_aliasing_filter),
-    0,
+    0, /* time-out */
     read_low_pass_anti_aliasing_filter,
     write_low_pass_anti_aliasing_filter,
     NULL,
@@ -4418,8 +4425,8 @@ struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filt
     return v;
 }
 
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_read(
-    uint8_t desc_set, uint8_t field_desc) {
+struct mip_3dm_low_pass_anti_aliasing_filter
+mip_3dm_low_pass_anti_aliasing_filter_read(uint8_t desc_set, uint8_t field_desc) {
     struct mip_3dm_low_pass_anti_aliasing_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -4428,8 +4435,8 @@ struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filt
     return v;
 }
 
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_save(
-    uint8_t desc_set, uint8_t field_desc) {
+struct mip_3dm_low_pass_anti_aliasing_filter
+mip_3dm_low_pass_anti_aliasing_filter_save(uint8_t desc_set, uint8_t field_desc) {
     struct mip_3dm_low_pass_anti_aliasing_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -4438,8 +4445,8 @@ struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filt
     return v;
 }
 
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_load(
-    uint8_t desc_set, uint8_t field_desc) {
+struct mip_3dm_low_pass_anti_aliasing_filter
+mip_3dm_low_pass_anti_aliasing_filter_load(uint8_t desc_set, uint8_t field_desc) {
     struct mip_3dm_low_pass_anti_aliasing_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
@@ -4448,8 +4455,8 @@ struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filt
     return v;
 }
 
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_default(
-    uint8_t desc_set, uint8_t field_desc) {
+struct mip_3dm_low_pass_anti_aliasing_filter
+mip_3dm_low_pass_anti_aliasing_filter_default(uint8_t desc_set, uint8_t field_desc) {
     struct mip_3dm_low_pass_anti_aliasing_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -4479,11 +4486,11 @@ static void write_low_pass_anti_aliasing_filter_response(struct mip_writer *w, c
 }
 
 const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_low_pass_anti_aliasing_filter_response),
-    0,
+    0, /* time-out */
     read_low_pass_anti_aliasing_filter_response,
     write_low_pass_anti_aliasing_filter_response,
     NULL,
@@ -4516,11 +4523,11 @@ static void write_device_status(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_device_status_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DEVICE_STATUS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_device_status),
-    0,
+    0, /* time-out */
     read_device_status,
     write_device_status,
     NULL,
@@ -4537,8 +4544,8 @@ mip_error mip_3dm_device_status_encode(const struct mip_3dm_device_status *value
                             value);
 }
 
-struct mip_3dm_device_status mip_3dm_device_status_make(
-    mip_3dm_device_status_selector status_selector) {
+struct mip_3dm_device_status
+mip_3dm_device_status_make(mip_3dm_device_status_selector status_selector) {
     struct mip_3dm_device_status v;
     memset(&v, 0, sizeof(v));
     v.status_selector = status_selector;
@@ -4566,11 +4573,11 @@ static void write_device_status_basic_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_3dm_device_status_basic_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_device_status_basic_response),
-    0,
+    0, /* time-out */
     read_device_status_basic_response,
     write_device_status_basic_response,
     NULL,
@@ -4630,11 +4637,11 @@ static void write_device_status_diagnostic_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_3dm_device_status_diagnostic_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_device_status_diagnostic_response),
-    0,
+    0, /* time-out */
     read_device_status_diagnostic_response,
     write_device_status_diagnostic_response,
     NULL,

@@ -4,11 +4,11 @@
 #include <string.h>
 
 const struct mip_codec mip_filter_reset_navigation_filter_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_RESET_NAVIGATION_FILTER_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_reset_navigation_filter),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -41,11 +41,11 @@ static void write_set_initial_attitude(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_filter_set_initial_attitude_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SET_INITIAL_ATTITUDE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_set_initial_attitude),
-    0,
+    0, /* time-out */
     read_set_initial_attitude,
     write_set_initial_attitude,
     NULL,
@@ -85,11 +85,11 @@ static void write_set_initial_heading_control(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_set_initial_heading_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SET_INITIAL_HEADING_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_set_initial_heading_control),
-    0,
+    0, /* time-out */
     read_set_initial_heading_control,
     write_set_initial_heading_control,
     NULL,
@@ -106,8 +106,8 @@ mip_error mip_filter_set_initial_heading_control_encode(
                             write_set_initial_heading_control, value);
 }
 
-struct mip_filter_set_initial_heading_control mip_filter_set_initial_heading_control_make(
-    float heading) {
+struct mip_filter_set_initial_heading_control
+mip_filter_set_initial_heading_control_make(float heading) {
     struct mip_filter_set_initial_heading_control v;
     memset(&v, 0, sizeof(v));
     v.heading = heading;
@@ -115,11 +115,11 @@ struct mip_filter_set_initial_heading_control mip_filter_set_initial_heading_con
 }
 
 const struct mip_codec mip_filter_run_navigation_filter_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_RUN_NAVIGATION_FILTER_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_run_navigation_filter),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -169,11 +169,11 @@ static void write_sensor_to_vehicle_frame_transformation(struct mip_writer *w, c
 }
 
 const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_frame_transformation,
     write_sensor_to_vehicle_frame_transformation,
     NULL,
@@ -256,11 +256,11 @@ static void write_sensor_to_vehicle_frame_transformation_response(struct mip_wri
 }
 
 const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_frame_transformation_response,
     write_sensor_to_vehicle_frame_transformation_response,
     NULL,
@@ -306,11 +306,11 @@ static void write_gnss_antenna_offset_control(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_gnss_antenna_offset_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gnss_antenna_offset_control),
-    0,
+    0, /* time-out */
     read_gnss_antenna_offset_control,
     write_gnss_antenna_offset_control,
     NULL,
@@ -327,8 +327,8 @@ mip_error mip_filter_gnss_antenna_offset_control_encode(
                             write_gnss_antenna_offset_control, value);
 }
 
-struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_write(
-    const float offset[3]) {
+struct mip_filter_gnss_antenna_offset_control
+mip_filter_gnss_antenna_offset_control_write(const float offset[3]) {
     struct mip_filter_gnss_antenna_offset_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -377,11 +377,11 @@ static void write_gnss_antenna_offset_control_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_filter_gnss_antenna_offset_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gnss_antenna_offset_control_response),
-    0,
+    0, /* time-out */
     read_gnss_antenna_offset_control_response,
     write_gnss_antenna_offset_control_response,
     NULL,
@@ -426,11 +426,11 @@ static void write_estimation_control_flags(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_estimation_control_flags_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ESTIMATION_CONTROL_FLAGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_estimation_control_flags),
-    0,
+    0, /* time-out */
     read_estimation_control_flags,
     write_estimation_control_flags,
     NULL,
@@ -447,8 +447,8 @@ mip_error mip_filter_estimation_control_flags_encode(
                             write_estimation_control_flags, value);
 }
 
-struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_write(
-    mip_filter_estimated_states flags) {
+struct mip_filter_estimation_control_flags
+mip_filter_estimation_control_flags_write(mip_filter_estimated_states flags) {
     struct mip_filter_estimation_control_flags v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -497,11 +497,11 @@ static void write_estimation_control_flags_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_filter_estimation_control_flags_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ESTIMATION_CONTROL_FLAGS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_estimation_control_flags_response),
-    0,
+    0, /* time-out */
     read_estimation_control_flags_response,
     write_estimation_control_flags_response,
     NULL,
@@ -544,11 +544,11 @@ static void write_gnss_aiding_source_control(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_filter_gnss_aiding_source_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gnss_aiding_source_control),
-    0,
+    0, /* time-out */
     read_gnss_aiding_source_control,
     write_gnss_aiding_source_control,
     NULL,
@@ -565,8 +565,8 @@ mip_error mip_filter_gnss_aiding_source_control_encode(
                             write_gnss_aiding_source_control, value);
 }
 
-struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_write(
-    mip_filter_gnss_aiding_source source) {
+struct mip_filter_gnss_aiding_source_control
+mip_filter_gnss_aiding_source_control_write(mip_filter_gnss_aiding_source source) {
     struct mip_filter_gnss_aiding_source_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -615,11 +615,11 @@ static void write_gnss_aiding_source_control_response(struct mip_writer *w, cons
 }
 
 const struct mip_codec mip_filter_gnss_aiding_source_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gnss_aiding_source_control_response),
-    0,
+    0, /* time-out */
     read_gnss_aiding_source_control_response,
     write_gnss_aiding_source_control_response,
     NULL,
@@ -656,11 +656,11 @@ static void write_external_heading_update(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_filter_external_heading_update_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_EXTERNAL_HEADING_UPDATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_external_heading_update),
-    0,
+    0, /* time-out */
     read_external_heading_update,
     write_external_heading_update,
     NULL,
@@ -711,11 +711,11 @@ static void write_heading_update_control(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_filter_heading_update_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_HEADING_UPDATE_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_heading_update_control),
-    0,
+    0, /* time-out */
     read_heading_update_control,
     write_heading_update_control,
     NULL,
@@ -732,8 +732,8 @@ mip_error mip_filter_heading_update_control_encode(
                             write_heading_update_control, value);
 }
 
-struct mip_filter_heading_update_control mip_filter_heading_update_control_write(
-    mip_filter_heading_update_source enable) {
+struct mip_filter_heading_update_control
+mip_filter_heading_update_control_write(mip_filter_heading_update_source enable) {
     struct mip_filter_heading_update_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -782,11 +782,11 @@ static void write_heading_update_control_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_heading_update_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_HEADING_UPDATE_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_heading_update_control_response),
-    0,
+    0, /* time-out */
     read_heading_update_control_response,
     write_heading_update_control_response,
     NULL,
@@ -829,11 +829,11 @@ static void write_auto_initialization_control(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_auto_initialization_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AUTO_INITIALIZATION_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_auto_initialization_control),
-    0,
+    0, /* time-out */
     read_auto_initialization_control,
     write_auto_initialization_control,
     NULL,
@@ -850,8 +850,8 @@ mip_error mip_filter_auto_initialization_control_encode(
                             write_auto_initialization_control, value);
 }
 
-struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_write(
-    uint8_t enable) {
+struct mip_filter_auto_initialization_control
+mip_filter_auto_initialization_control_write(uint8_t enable) {
     struct mip_filter_auto_initialization_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -900,11 +900,11 @@ static void write_auto_initialization_control_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_filter_auto_initialization_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_auto_initialization_control_response),
-    0,
+    0, /* time-out */
     read_auto_initialization_control_response,
     write_auto_initialization_control_response,
     NULL,
@@ -949,11 +949,11 @@ static void write_accelerometer_noise_standard_deviation(struct mip_writer *w, c
 }
 
 const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_accelerometer_noise_standard_deviation),
-    0,
+    0, /* time-out */
     read_accelerometer_noise_standard_deviation,
     write_accelerometer_noise_standard_deviation,
     NULL,
@@ -1030,11 +1030,11 @@ static void write_accelerometer_noise_standard_deviation_response(struct mip_wri
 }
 
 const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_accelerometer_noise_standard_deviation_response),
-    0,
+    0, /* time-out */
     read_accelerometer_noise_standard_deviation_response,
     write_accelerometer_noise_standard_deviation_response,
     NULL,
@@ -1080,11 +1080,11 @@ static void write_gyroscope_noise_standard_deviation(struct mip_writer *w, const
 }
 
 const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gyroscope_noise_standard_deviation),
-    0,
+    0, /* time-out */
     read_gyroscope_noise_standard_deviation,
     write_gyroscope_noise_standard_deviation,
     NULL,
@@ -1158,11 +1158,11 @@ static void write_gyroscope_noise_standard_deviation_response(struct mip_writer 
 }
 
 const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gyroscope_noise_standard_deviation_response),
-    0,
+    0, /* time-out */
     read_gyroscope_noise_standard_deviation_response,
     write_gyroscope_noise_standard_deviation_response,
     NULL,
@@ -1212,11 +1212,11 @@ static void write_accelerometer_bias_model_parameters(struct mip_writer *w, cons
 }
 
 const struct mip_codec mip_filter_accelerometer_bias_model_parameters_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_accelerometer_bias_model_parameters),
-    0,
+    0, /* time-out */
     read_accelerometer_bias_model_parameters,
     write_accelerometer_bias_model_parameters,
     NULL,
@@ -1294,11 +1294,11 @@ static void write_accelerometer_bias_model_parameters_response(struct mip_writer
 }
 
 const struct mip_codec mip_filter_accelerometer_bias_model_parameters_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_accelerometer_bias_model_parameters_response),
-    0,
+    0, /* time-out */
     read_accelerometer_bias_model_parameters_response,
     write_accelerometer_bias_model_parameters_response,
     NULL,
@@ -1348,11 +1348,11 @@ static void write_gyroscope_bias_model_parameters(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_gyroscope_bias_model_parameters_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gyroscope_bias_model_parameters),
-    0,
+    0, /* time-out */
     read_gyroscope_bias_model_parameters,
     write_gyroscope_bias_model_parameters,
     NULL,
@@ -1370,8 +1370,8 @@ mip_error mip_filter_gyroscope_bias_model_parameters_encode(
                             write_gyroscope_bias_model_parameters, value);
 }
 
-struct mip_filter_gyroscope_bias_model_parameters mip_filter_gyroscope_bias_model_parameters_write(
-    const float beta[3], const float noise[3]) {
+struct mip_filter_gyroscope_bias_model_parameters
+mip_filter_gyroscope_bias_model_parameters_write(const float beta[3], const float noise[3]) {
     struct mip_filter_gyroscope_bias_model_parameters v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -1428,11 +1428,11 @@ static void write_gyroscope_bias_model_parameters_response(struct mip_writer *w,
 }
 
 const struct mip_codec mip_filter_gyroscope_bias_model_parameters_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gyroscope_bias_model_parameters_response),
-    0,
+    0, /* time-out */
     read_gyroscope_bias_model_parameters_response,
     write_gyroscope_bias_model_parameters_response,
     NULL,
@@ -1474,11 +1474,11 @@ static void write_external_heading_update_with_time(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_filter_external_heading_update_with_time_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_external_heading_update_with_time),
-    0,
+    0, /* time-out */
     read_external_heading_update_with_time,
     write_external_heading_update_with_time,
     NULL,
@@ -1539,11 +1539,11 @@ static void write_zero_angular_rate_update_control(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_filter_zero_angular_rate_update_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_zero_angular_rate_update_control),
-    0,
+    0, /* time-out */
     read_zero_angular_rate_update_control,
     write_zero_angular_rate_update_control,
     NULL,
@@ -1619,11 +1619,11 @@ static void write_zero_angular_rate_update_control_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_filter_zero_angular_rate_update_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_zero_angular_rate_update_control_response),
-    0,
+    0, /* time-out */
     read_zero_angular_rate_update_control_response,
     write_zero_angular_rate_update_control_response,
     NULL,
@@ -1666,11 +1666,11 @@ static void write_tare_orientation(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_tare_orientation_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_TARE_ORIENTATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_tare_orientation),
-    0,
+    0, /* time-out */
     read_tare_orientation,
     write_tare_orientation,
     NULL,
@@ -1717,11 +1717,11 @@ struct mip_filter_tare_orientation mip_filter_tare_orientation_default(void) {
 }
 
 const struct mip_codec mip_filter_commanded_zero_angular_rate_update_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_COMMANDED_ZERO_ANGULAR_RATE_UPDATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_commanded_zero_angular_rate_update),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -1775,11 +1775,11 @@ static void write_set_reference_position(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_filter_set_reference_position_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SET_REFERENCE_POSITION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_set_reference_position),
-    0,
+    0, /* time-out */
     read_set_reference_position,
     write_set_reference_position,
     NULL,
@@ -1857,11 +1857,11 @@ static void write_set_reference_position_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_set_reference_position_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SET_REFERENCE_POSITION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_set_reference_position_response),
-    0,
+    0, /* time-out */
     read_set_reference_position_response,
     write_set_reference_position_response,
     NULL,
@@ -1904,11 +1904,11 @@ static void write_gravity_noise_standard_deviation(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_filter_gravity_noise_standard_deviation_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gravity_noise_standard_deviation),
-    0,
+    0, /* time-out */
     read_gravity_noise_standard_deviation,
     write_gravity_noise_standard_deviation,
     NULL,
@@ -1981,11 +1981,11 @@ static void write_gravity_noise_standard_deviation_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_filter_gravity_noise_standard_deviation_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gravity_noise_standard_deviation_response),
-    0,
+    0, /* time-out */
     read_gravity_noise_standard_deviation_response,
     write_gravity_noise_standard_deviation_response,
     NULL,
@@ -2031,11 +2031,11 @@ static void write_enable_disable_measurements(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_enable_disable_measurements_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_enable_disable_measurements),
-    0,
+    0, /* time-out */
     read_enable_disable_measurements,
     write_enable_disable_measurements,
     NULL,
@@ -2052,8 +2052,8 @@ mip_error mip_filter_enable_disable_measurements_encode(
                             write_enable_disable_measurements, value);
 }
 
-struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_write(
-    mip_filter_measurement_flags control) {
+struct mip_filter_enable_disable_measurements
+mip_filter_enable_disable_measurements_write(mip_filter_measurement_flags control) {
     struct mip_filter_enable_disable_measurements v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -2102,11 +2102,11 @@ static void write_enable_disable_measurements_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_filter_enable_disable_measurements_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_enable_disable_measurements_response),
-    0,
+    0, /* time-out */
     read_enable_disable_measurements_response,
     write_enable_disable_measurements_response,
     NULL,
@@ -2156,11 +2156,11 @@ static void write_magnetic_field_declination_source_control(struct mip_writer *w
 }
 
 const struct mip_codec mip_filter_magnetic_field_declination_source_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_magnetic_field_declination_source_control),
-    0,
+    0, /* time-out */
     read_magnetic_field_declination_source_control,
     write_magnetic_field_declination_source_control,
     NULL,
@@ -2241,11 +2241,11 @@ static void write_magnetic_field_declination_source_control_response(struct mip_
 }
 
 const struct mip_codec mip_filter_magnetic_field_declination_source_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_magnetic_field_declination_source_control_response),
-    0,
+    0, /* time-out */
     read_magnetic_field_declination_source_control_response,
     write_magnetic_field_declination_source_control_response,
     NULL,
@@ -2316,11 +2316,11 @@ static void write_gravity_magnitude_error_adaptive_measurement(struct mip_writer
 }
 
 const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement),
-    0,
+    0, /* time-out */
     read_gravity_magnitude_error_adaptive_measurement,
     write_gravity_magnitude_error_adaptive_measurement,
     NULL,
@@ -2410,11 +2410,11 @@ static void write_gravity_magnitude_error_adaptive_measurement_response(struct m
 }
 
 const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response),
-    0,
+    0, /* time-out */
     read_gravity_magnitude_error_adaptive_measurement_response,
     write_gravity_magnitude_error_adaptive_measurement_response,
     NULL,
@@ -2460,11 +2460,11 @@ static void write_pitch_roll_aiding_control(struct mip_writer *w, const void *va
 }
 
 const struct mip_codec mip_filter_pitch_roll_aiding_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_pitch_roll_aiding_control),
-    0,
+    0, /* time-out */
     read_pitch_roll_aiding_control,
     write_pitch_roll_aiding_control,
     NULL,
@@ -2481,8 +2481,8 @@ mip_error mip_filter_pitch_roll_aiding_control_encode(
                             write_pitch_roll_aiding_control, value);
 }
 
-struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_write(
-    mip_filter_pitch_roll_aiding_source aiding) {
+struct mip_filter_pitch_roll_aiding_control
+mip_filter_pitch_roll_aiding_control_write(mip_filter_pitch_roll_aiding_source aiding) {
     struct mip_filter_pitch_roll_aiding_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -2531,11 +2531,11 @@ static void write_pitch_roll_aiding_control_response(struct mip_writer *w, const
 }
 
 const struct mip_codec mip_filter_pitch_roll_aiding_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_pitch_roll_aiding_control_response),
-    0,
+    0, /* time-out */
     read_pitch_roll_aiding_control_response,
     write_pitch_roll_aiding_control_response,
     NULL,
@@ -2583,11 +2583,11 @@ static void write_aiding_measurement_control(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_filter_aiding_measurement_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AIDING_MEASUREMENT_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_aiding_measurement_control),
-    0,
+    0, /* time-out */
     read_aiding_measurement_control,
     write_aiding_measurement_control,
     NULL,
@@ -2614,8 +2614,8 @@ struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_contr
     return v;
 }
 
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_read(
-    mip_filter_aiding_source aiding_source) {
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_read(mip_filter_aiding_source aiding_source) {
     struct mip_filter_aiding_measurement_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -2623,8 +2623,8 @@ struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_contr
     return v;
 }
 
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_save(
-    mip_filter_aiding_source aiding_source) {
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_save(mip_filter_aiding_source aiding_source) {
     struct mip_filter_aiding_measurement_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -2632,8 +2632,8 @@ struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_contr
     return v;
 }
 
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_load(
-    mip_filter_aiding_source aiding_source) {
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_load(mip_filter_aiding_source aiding_source) {
     struct mip_filter_aiding_measurement_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
@@ -2641,8 +2641,8 @@ struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_contr
     return v;
 }
 
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_default(
-    mip_filter_aiding_source aiding_source) {
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_default(mip_filter_aiding_source aiding_source) {
     struct mip_filter_aiding_measurement_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -2665,11 +2665,11 @@ static void write_aiding_measurement_control_response(struct mip_writer *w, cons
 }
 
 const struct mip_codec mip_filter_aiding_measurement_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AIDING_MEASUREMENT_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_aiding_measurement_control_response),
-    0,
+    0, /* time-out */
     read_aiding_measurement_control_response,
     write_aiding_measurement_control_response,
     NULL,
@@ -2746,11 +2746,11 @@ static void write_navigation_filter_initialization(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_filter_navigation_filter_initialization_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_navigation_filter_initialization),
-    0,
+    0, /* time-out */
     read_navigation_filter_initialization,
     write_navigation_filter_initialization,
     NULL,
@@ -2851,11 +2851,11 @@ static void write_navigation_filter_initialization_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_filter_navigation_filter_initialization_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_navigation_filter_initialization_response),
-    0,
+    0, /* time-out */
     read_navigation_filter_initialization_response,
     write_navigation_filter_initialization_response,
     NULL,
@@ -2905,11 +2905,11 @@ static void write_adaptive_filter_control(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_filter_adaptive_filter_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ADAPTIVE_FILTER_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_adaptive_filter_control),
-    0,
+    0, /* time-out */
     read_adaptive_filter_control,
     write_adaptive_filter_control,
     NULL,
@@ -2926,8 +2926,8 @@ mip_error mip_filter_adaptive_filter_control_encode(
                             write_adaptive_filter_control, value);
 }
 
-struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_write(
-    mip_filter_adaptive_level level, uint16_t time_limit) {
+struct mip_filter_adaptive_filter_control
+mip_filter_adaptive_filter_control_write(mip_filter_adaptive_level level, uint16_t time_limit) {
     struct mip_filter_adaptive_filter_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -2979,11 +2979,11 @@ static void write_adaptive_filter_control_response(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_filter_adaptive_filter_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ADAPTIVE_FILTER_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_adaptive_filter_control_response),
-    0,
+    0, /* time-out */
     read_adaptive_filter_control_response,
     write_adaptive_filter_control_response,
     NULL,
@@ -3030,11 +3030,11 @@ static void write_gnss_multi_antenna_offset_control(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gnss_multi_antenna_offset_control),
-    0,
+    0, /* time-out */
     read_gnss_multi_antenna_offset_control,
     write_gnss_multi_antenna_offset_control,
     NULL,
@@ -3115,11 +3115,11 @@ static void write_gnss_multi_antenna_offset_control_response(struct mip_writer *
 }
 
 const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gnss_multi_antenna_offset_control_response),
-    0,
+    0, /* time-out */
     read_gnss_multi_antenna_offset_control_response,
     write_gnss_multi_antenna_offset_control_response,
     NULL,
@@ -3173,11 +3173,11 @@ static void write_relative_position_configuration(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_relative_position_configuration_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_relative_position_configuration),
-    0,
+    0, /* time-out */
     read_relative_position_configuration,
     write_relative_position_configuration,
     NULL,
@@ -3257,11 +3257,11 @@ static void write_relative_position_configuration_response(struct mip_writer *w,
 }
 
 const struct mip_codec mip_filter_relative_position_configuration_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_relative_position_configuration_response),
-    0,
+    0, /* time-out */
     read_relative_position_configuration_response,
     write_relative_position_configuration_response,
     NULL,
@@ -3311,11 +3311,11 @@ static void write_reference_point_lever_arm(struct mip_writer *w, const void *va
 }
 
 const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_REFERENCE_POINT_LEVER_ARM_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_reference_point_lever_arm),
-    0,
+    0, /* time-out */
     read_reference_point_lever_arm,
     write_reference_point_lever_arm,
     NULL,
@@ -3385,11 +3385,11 @@ static void write_reference_point_lever_arm_response(struct mip_writer *w, const
 }
 
 const struct mip_codec mip_filter_reference_point_lever_arm_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_reference_point_lever_arm_response),
-    0,
+    0, /* time-out */
     read_reference_point_lever_arm_response,
     write_reference_point_lever_arm_response,
     NULL,
@@ -3437,11 +3437,11 @@ static void write_measurement_speed_lever_arm(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_measurement_speed_lever_arm_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_measurement_speed_lever_arm),
-    0,
+    0, /* time-out */
     read_measurement_speed_lever_arm,
     write_measurement_speed_lever_arm,
     NULL,
@@ -3458,8 +3458,8 @@ mip_error mip_filter_measurement_speed_lever_arm_encode(
                             write_measurement_speed_lever_arm, value);
 }
 
-struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_write(
-    const float lever_arm_offset[3]) {
+struct mip_filter_measurement_speed_lever_arm
+mip_filter_measurement_speed_lever_arm_write(const float lever_arm_offset[3]) {
     struct mip_filter_measurement_speed_lever_arm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3515,11 +3515,11 @@ static void write_measurement_speed_lever_arm_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_filter_measurement_speed_lever_arm_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_measurement_speed_lever_arm_response),
-    0,
+    0, /* time-out */
     read_measurement_speed_lever_arm_response,
     write_measurement_speed_lever_arm_response,
     NULL,
@@ -3564,11 +3564,11 @@ static void write_wheeled_vehicle_constraint_control(struct mip_writer *w, const
 }
 
 const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_wheeled_vehicle_constraint_control),
-    0,
+    0, /* time-out */
     read_wheeled_vehicle_constraint_control,
     write_wheeled_vehicle_constraint_control,
     NULL,
@@ -3642,11 +3642,11 @@ static void write_wheeled_vehicle_constraint_control_response(struct mip_writer 
 }
 
 const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_wheeled_vehicle_constraint_control_response),
-    0,
+    0, /* time-out */
     read_wheeled_vehicle_constraint_control_response,
     write_wheeled_vehicle_constraint_control_response,
     NULL,
@@ -3696,11 +3696,11 @@ static void write_gnss_antenna_offset_calibration_control(struct mip_writer *w, 
 }
 
 const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gnss_antenna_offset_calibration_control),
-    0,
+    0, /* time-out */
     read_gnss_antenna_offset_calibration_control,
     write_gnss_antenna_offset_calibration_control,
     NULL,
@@ -3780,11 +3780,11 @@ static void write_gnss_antenna_offset_calibration_control_response(struct mip_wr
 }
 
 const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gnss_antenna_offset_calibration_control_response),
-    0,
+    0, /* time-out */
     read_gnss_antenna_offset_calibration_control_response,
     write_gnss_antenna_offset_calibration_control_response,
     NULL,

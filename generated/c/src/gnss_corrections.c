@@ -28,11 +28,11 @@ static void write_base_station_info(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_corrections_base_station_info_codec = {
-    0x93,
+    0x93, /* descriptor set */
     MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_corrections_base_station_info),
-    0,
+    0, /* time-out */
     read_base_station_info,
     write_base_station_info,
     NULL,
@@ -80,11 +80,11 @@ static void write_rtk_corrections_status(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_gnss_corrections_rtk_corrections_status_codec = {
-    0x93,
+    0x93, /* descriptor set */
     MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_corrections_rtk_corrections_status),
-    0,
+    0, /* time-out */
     read_rtk_corrections_status,
     write_rtk_corrections_status,
     NULL,

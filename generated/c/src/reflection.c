@@ -1,3 +1,5 @@
+
+
 /* The parameters, types and names of all fields. */
 #include "mip/reflect.h"
 
@@ -24,42 +26,32 @@
 /* ---------------------------------------------------------------------------------------- names */
 
 static const struct mip_named_value values_function_selector[] = {
-    {"write", 1},
-    {"read", 2},
-    {"save", 3},
-    {"load", 4},
-    {"default", 5},
-    {"apply", 6},
+    {"write", 1}, {"read", 2}, {"save", 3}, {"load", 4}, {"default", 5}, {"apply", 6},
 };
 static const struct mip_names names_function_selector = {
-    "function_selector", values_function_selector, NULL, 6, 1};
+    "function_selector", values_function_selector, NULL, 6, 1,
+};
 
 static const struct mip_named_bits bits_gx5_built_in_test[] = {
-    {"watchdog_reset", 0, 1, NULL},
-    {"imu_communication_fault", 8, 1, NULL},
-    {"magnetometer_fault", 9, 1, NULL},
-    {"pressure_sensor_fault", 10, 1, NULL},
+    {"watchdog_reset", 0, 1, NULL},     {"imu_communication_fault", 8, 1, NULL},
+    {"magnetometer_fault", 9, 1, NULL}, {"pressure_sensor_fault", 10, 1, NULL},
     {"solution_fault", 24, 1, NULL},
 };
 static const struct mip_names names_gx5_built_in_test = {
-    "gx5_built_in_test", NULL, bits_gx5_built_in_test, 5, 4};
+    "gx5_built_in_test", NULL, bits_gx5_built_in_test, 5, 4,
+};
 
 static const struct mip_named_bits bits_cv7_built_in_test[] = {
-    {"general_hardware_fault", 0, 1, NULL},
-    {"general_firmware_fault", 1, 1, NULL},
-    {"timing_overload", 2, 1, NULL},
-    {"buffer_overrun", 3, 1, NULL},
-    {"accelerometer_fault", 12, 1, NULL},
-    {"gyroscope_fault", 13, 1, NULL},
-    {"magnetometer_fault", 14, 1, NULL},
-    {"pressure_sensor_fault", 15, 1, NULL},
-    {"calibration_error", 18, 1, NULL},
-    {"general_imu_fault", 19, 1, NULL},
-    {"filter_solution_fault", 22, 1, NULL},
-    {"general_filter_fault", 23, 1, NULL},
+    {"general_hardware_fault", 0, 1, NULL}, {"general_firmware_fault", 1, 1, NULL},
+    {"timing_overload", 2, 1, NULL},        {"buffer_overrun", 3, 1, NULL},
+    {"accelerometer_fault", 12, 1, NULL},   {"gyroscope_fault", 13, 1, NULL},
+    {"magnetometer_fault", 14, 1, NULL},    {"pressure_sensor_fault", 15, 1, NULL},
+    {"calibration_error", 18, 1, NULL},     {"general_imu_fault", 19, 1, NULL},
+    {"filter_solution_fault", 22, 1, NULL}, {"general_filter_fault", 23, 1, NULL},
 };
 static const struct mip_names names_cv7_built_in_test = {
-    "cv7_built_in_test", NULL, bits_cv7_built_in_test, 12, 4};
+    "cv7_built_in_test", NULL, bits_cv7_built_in_test, 12, 4,
+};
 
 static const struct mip_named_bits bits_cv7_continuous_built_in_test[] = {
     {"system_clock_failure", 0, 1, NULL},
@@ -106,7 +98,8 @@ static const struct mip_named_bits bits_cv7_continuous_built_in_test[] = {
     {"receiver_2_no_solution", 113, 1, NULL},
 };
 static const struct mip_names names_cv7_continuous_built_in_test = {
-    "cv7_continuous_built_in_test", NULL, bits_cv7_continuous_built_in_test, 42, 16};
+    "cv7_continuous_built_in_test", NULL, bits_cv7_continuous_built_in_test, 42, 16,
+};
 
 static const struct mip_named_value values_event_trigger_type[] = {
     {"none", 0},
@@ -115,7 +108,8 @@ static const struct mip_named_value values_event_trigger_type[] = {
     {"combination", 3},
 };
 static const struct mip_names names_event_trigger_type = {
-    "event_trigger_type", values_event_trigger_type, NULL, 4, 1};
+    "event_trigger_type", values_event_trigger_type, NULL, 4, 1,
+};
 
 static const struct mip_named_value values_event_action_type[] = {
     {"none", 0},
@@ -123,7 +117,8 @@ static const struct mip_named_value values_event_action_type[] = {
     {"message", 2},
 };
 static const struct mip_names names_event_action_type = {
-    "event_action_type", values_event_action_type, NULL, 3, 1};
+    "event_action_type", values_event_action_type, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_event_trigger_mode[] = {
     {"disabled", 0},
@@ -132,7 +127,8 @@ static const struct mip_named_value values_event_trigger_mode[] = {
     {"test_pulse", 3},
 };
 static const struct mip_names names_event_trigger_mode = {
-    "event_trigger_mode", values_event_trigger_mode, NULL, 4, 1};
+    "event_trigger_mode", values_event_trigger_mode, NULL, 4, 1,
+};
 
 static const struct mip_named_bits bits_event_trigger_status[] = {
     {"active", 0, 1, NULL},
@@ -140,7 +136,8 @@ static const struct mip_named_bits bits_event_trigger_status[] = {
     {"test", 2, 1, NULL},
 };
 static const struct mip_names names_event_trigger_status = {
-    "event_trigger_status", NULL, bits_event_trigger_status, 3, 1};
+    "event_trigger_status", NULL, bits_event_trigger_status, 3, 1,
+};
 
 static const struct mip_named_value values_event_trigger_gpio_mode[] = {
     {"disabled", 0},
@@ -149,137 +146,76 @@ static const struct mip_named_value values_event_trigger_gpio_mode[] = {
     {"edge", 4},
 };
 static const struct mip_names names_event_trigger_gpio_mode = {
-    "event_trigger_gpio_mode", values_event_trigger_gpio_mode, NULL, 4, 1};
+    "event_trigger_gpio_mode", values_event_trigger_gpio_mode, NULL, 4, 1,
+};
 
 static const struct mip_named_value values_event_threshold_type[] = {
     {"window", 1},
     {"interval", 2},
 };
 static const struct mip_names names_event_threshold_type = {
-    "event_threshold_type", values_event_threshold_type, NULL, 2, 1};
+    "event_threshold_type", values_event_threshold_type, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_event_action_gpio_mode[] = {
-    {"disabled", 0},
-    {"active_high", 1},
-    {"active_low", 2},
-    {"oneshot_high", 5},
-    {"oneshot_low", 6},
-    {"toggle", 7},
+    {"disabled", 0},     {"active_high", 1}, {"active_low", 2},
+    {"oneshot_high", 5}, {"oneshot_low", 6}, {"toggle", 7},
 };
 static const struct mip_names names_event_action_gpio_mode = {
-    "event_action_gpio_mode", values_event_action_gpio_mode, NULL, 6, 1};
+    "event_action_gpio_mode", values_event_action_gpio_mode, NULL, 6, 1,
+};
 
 static const struct mip_named_value values_gnss_constellation[] = {
-    {"unknown", 0},
-    {"gps", 1},
-    {"glonass", 2},
-    {"galileo", 3},
-    {"beidou", 4},
-    {"sbas", 5},
+    {"unknown", 0}, {"gps", 1}, {"glonass", 2}, {"galileo", 3}, {"beidou", 4}, {"sbas", 5},
 };
 static const struct mip_names names_gnss_constellation = {
-    "gnss_constellation", values_gnss_constellation, NULL, 6, 1};
+    "gnss_constellation", values_gnss_constellation, NULL, 6, 1,
+};
 
 static const struct mip_named_value values_gnss_fix_type[] = {
-    {"fix_3d", 0},
-    {"fix_2d", 1},
-    {"fix_time_only", 2},
-    {"fix_none", 3},
-    {"fix_invalid", 4},
-    {"fix_rtk_float", 5},
-    {"fix_rtk_fixed", 6},
-    {"fix_differential", 7},
+    {"fix_3d", 0},      {"fix_2d", 1},        {"fix_time_only", 2}, {"fix_none", 3},
+    {"fix_invalid", 4}, {"fix_rtk_float", 5}, {"fix_rtk_fixed", 6}, {"fix_differential", 7},
 };
 static const struct mip_names names_gnss_fix_type = {
-    "gnss_fix_type", values_gnss_fix_type, NULL, 8, 1};
+    "gnss_fix_type", values_gnss_fix_type, NULL, 8, 1,
+};
 
 static const struct mip_named_value values_gnss_signal[] = {
-    {"unknown", 0},
-    {"gps_l1ca", 1},
-    {"gps_l1p", 2},
-    {"gps_l1z", 3},
-    {"gps_l2ca", 4},
-    {"gps_l2p", 5},
-    {"gps_l2z", 6},
-    {"gps_l2cl", 7},
-    {"gps_l2cm", 8},
-    {"gps_l2cml", 9},
-    {"gps_l5i", 10},
-    {"gps_l5q", 11},
-    {"gps_l5iq", 12},
-    {"gps_l1cd", 13},
-    {"gps_l1cp", 14},
-    {"gps_l1cdp", 15},
-    {"glonass_g1ca", 32},
-    {"glonass_g1p", 33},
-    {"glonass_g2c", 34},
-    {"glonass_g2p", 35},
-    {"galileo_e1c", 64},
-    {"galileo_e1a", 65},
-    {"galileo_e1b", 66},
-    {"galileo_e1bc", 67},
-    {"galileo_e1abc", 68},
-    {"galileo_e6c", 69},
-    {"galileo_e6a", 70},
-    {"galileo_e6b", 71},
-    {"galileo_e6bc", 72},
-    {"galileo_e6abc", 73},
-    {"galileo_e5bi", 74},
-    {"galileo_e5bq", 75},
-    {"galileo_e5biq", 76},
-    {"galileo_e5abi", 77},
-    {"galileo_e5abq", 78},
-    {"galileo_e5abiq", 79},
-    {"galileo_e5ai", 80},
-    {"galileo_e5aq", 81},
-    {"galileo_e5aiq", 82},
-    {"sbas_l1ca", 96},
-    {"sbas_l5i", 97},
-    {"sbas_l5q", 98},
-    {"sbas_l5iq", 99},
-    {"qzss_l1ca", 128},
-    {"qzss_lexs", 129},
-    {"qzss_lexl", 130},
-    {"qzss_lexsl", 131},
-    {"qzss_l2cm", 132},
-    {"qzss_l2cl", 133},
-    {"qzss_l2cml", 134},
-    {"qzss_l5i", 135},
-    {"qzss_l5q", 136},
-    {"qzss_l5iq", 137},
-    {"qzss_l1cd", 138},
-    {"qzss_l1cp", 139},
-    {"qzss_l1cdp", 140},
-    {"beidou_b1i", 160},
-    {"beidou_b1q", 161},
-    {"beidou_b1iq", 162},
-    {"beidou_b3i", 163},
-    {"beidou_b3q", 164},
-    {"beidou_b3iq", 165},
-    {"beidou_b2i", 166},
-    {"beidou_b2q", 167},
-    {"beidou_b2iq", 168},
-    {"beidou_b2a", 169},
+    {"unknown", 0},        {"gps_l1ca", 1},       {"gps_l1p", 2},        {"gps_l1z", 3},
+    {"gps_l2ca", 4},       {"gps_l2p", 5},        {"gps_l2z", 6},        {"gps_l2cl", 7},
+    {"gps_l2cm", 8},       {"gps_l2cml", 9},      {"gps_l5i", 10},       {"gps_l5q", 11},
+    {"gps_l5iq", 12},      {"gps_l1cd", 13},      {"gps_l1cp", 14},      {"gps_l1cdp", 15},
+    {"glonass_g1ca", 32},  {"glonass_g1p", 33},   {"glonass_g2c", 34},   {"glonass_g2p", 35},
+    {"galileo_e1c", 64},   {"galileo_e1a", 65},   {"galileo_e1b", 66},   {"galileo_e1bc", 67},
+    {"galileo_e1abc", 68}, {"galileo_e6c", 69},   {"galileo_e6a", 70},   {"galileo_e6b", 71},
+    {"galileo_e6bc", 72},  {"galileo_e6abc", 73}, {"galileo_e5bi", 74},  {"galileo_e5bq", 75},
+    {"galileo_e5biq", 76}, {"galileo_e5abi", 77}, {"galileo_e5abq", 78}, {"galileo_e5abiq", 79},
+    {"galileo_e5ai", 80},  {"galileo_e5aq", 81},  {"galileo_e5aiq", 82}, {"sbas_l1ca", 96},
+    {"sbas_l5i", 97},      {"sbas_l5q", 98},      {"sbas_l5iq", 99},     {"qzss_l1ca", 128},
+    {"qzss_lexs", 129},    {"qzss_lexl", 130},    {"qzss_lexsl", 131},   {"qzss_l2cm", 132},
+    {"qzss_l2cl", 133},    {"qzss_l2cml", 134},   {"qzss_l5i", 135},     {"qzss_l5q", 136},
+    {"qzss_l5iq", 137},    {"qzss_l1cd", 138},    {"qzss_l1cp", 139},    {"qzss_l1cdp", 140},
+    {"beidou_b1i", 160},   {"beidou_b1q", 161},   {"beidou_b1iq", 162},  {"beidou_b3i", 163},
+    {"beidou_b3q", 164},   {"beidou_b3iq", 165},  {"beidou_b2i", 166},   {"beidou_b2q", 167},
+    {"beidou_b2iq", 168},  {"beidou_b2a", 169},
 };
 static const struct mip_names names_gnss_signal = {
-    "gnss_signal", values_gnss_signal, NULL, 66, 1};
+    "gnss_signal", values_gnss_signal, NULL, 66, 1,
+};
 
 static const struct mip_named_value values_gpio_feature[] = {
-    {"unused", 0},
-    {"gpio", 1},
-    {"pps", 2},
-    {"encoder", 3},
-    {"timestamp", 4},
-    {"uart", 5},
+    {"unused", 0}, {"gpio", 1}, {"pps", 2}, {"encoder", 3}, {"timestamp", 4}, {"uart", 5},
 };
 static const struct mip_names names_gpio_feature = {
-    "gpio_feature", values_gpio_feature, NULL, 6, 1};
+    "gpio_feature", values_gpio_feature, NULL, 6, 1,
+};
 
 static const struct mip_named_value values_gpio_unused_behavior[] = {
     {"unused", 0},
 };
 static const struct mip_names names_gpio_unused_behavior = {
-    "gpio_unused_behavior", values_gpio_unused_behavior, NULL, 1, 1};
+    "gpio_unused_behavior", values_gpio_unused_behavior, NULL, 1, 1,
+};
 
 static const struct mip_named_value values_gpio_behavior[] = {
     {"input", 1},
@@ -287,21 +223,24 @@ static const struct mip_named_value values_gpio_behavior[] = {
     {"output_high", 3},
 };
 static const struct mip_names names_gpio_behavior = {
-    "gpio_behavior", values_gpio_behavior, NULL, 3, 1};
+    "gpio_behavior", values_gpio_behavior, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_gpio_pps_behavior[] = {
     {"input", 1},
     {"output", 2},
 };
 static const struct mip_names names_gpio_pps_behavior = {
-    "gpio_pps_behavior", values_gpio_pps_behavior, NULL, 2, 1};
+    "gpio_pps_behavior", values_gpio_pps_behavior, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_gpio_encoder_behavior[] = {
     {"a", 1},
     {"b", 2},
 };
 static const struct mip_names names_gpio_encoder_behavior = {
-    "gpio_encoder_behavior", values_gpio_encoder_behavior, NULL, 2, 1};
+    "gpio_encoder_behavior", values_gpio_encoder_behavior, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_gpio_timestamp_behavior[] = {
     {"rising", 1},
@@ -309,7 +248,8 @@ static const struct mip_named_value values_gpio_timestamp_behavior[] = {
     {"either", 3},
 };
 static const struct mip_names names_gpio_timestamp_behavior = {
-    "gpio_timestamp_behavior", values_gpio_timestamp_behavior, NULL, 3, 1};
+    "gpio_timestamp_behavior", values_gpio_timestamp_behavior, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_gpio_uart_behavior[] = {
     {"port_2_tx", 33},
@@ -318,7 +258,8 @@ static const struct mip_named_value values_gpio_uart_behavior[] = {
     {"port_3_rx", 50},
 };
 static const struct mip_names names_gpio_uart_behavior = {
-    "gpio_uart_behavior", values_gpio_uart_behavior, NULL, 4, 1};
+    "gpio_uart_behavior", values_gpio_uart_behavior, NULL, 4, 1,
+};
 
 static const struct mip_named_bits bits_gpio_pin_mode[] = {
     {"open_drain", 0, 1, NULL},
@@ -326,32 +267,23 @@ static const struct mip_named_bits bits_gpio_pin_mode[] = {
     {"pullup", 2, 1, NULL},
 };
 static const struct mip_names names_gpio_pin_mode = {
-    "gpio_pin_mode", NULL, bits_gpio_pin_mode, 3, 1};
+    "gpio_pin_mode", NULL, bits_gpio_pin_mode, 3, 1,
+};
 
 static const struct mip_named_value values_nmea_message_id[] = {
-    {"gga", 1},
-    {"gll", 2},
-    {"gsv", 3},
-    {"rmc", 4},
-    {"vtg", 5},
-    {"hdt", 6},
-    {"zda", 7},
-    {"gst", 8},
-    {"msra", 129},
-    {"msrr", 130},
+    {"gga", 1}, {"gll", 2}, {"gsv", 3}, {"rmc", 4},    {"vtg", 5},
+    {"hdt", 6}, {"zda", 7}, {"gst", 8}, {"msra", 129}, {"msrr", 130},
 };
 static const struct mip_names names_nmea_message_id = {
-    "nmea_message_id", values_nmea_message_id, NULL, 10, 1};
+    "nmea_message_id", values_nmea_message_id, NULL, 10, 1,
+};
 
 static const struct mip_named_value values_nmea_talker_id[] = {
-    {"ignored", 0},
-    {"gnss", 1},
-    {"gps", 2},
-    {"galileo", 3},
-    {"glonass", 4},
+    {"ignored", 0}, {"gnss", 1}, {"gps", 2}, {"galileo", 3}, {"glonass", 4},
 };
 static const struct mip_names names_nmea_talker_id = {
-    "nmea_talker_id", values_nmea_talker_id, NULL, 5, 1};
+    "nmea_talker_id", values_nmea_talker_id, NULL, 5, 1,
+};
 
 static const struct mip_named_value values_ack_code[] = {
     {"ok", 0},
@@ -363,17 +295,16 @@ static const struct mip_named_value values_ack_code[] = {
     {"unknown_descriptor_set", 6},
 };
 static const struct mip_names names_ack_code = {
-    "ack_code", values_ack_code, NULL, 7, 1};
+    "ack_code", values_ack_code, NULL, 7, 1,
+};
 
 static const struct mip_named_bits bits_sensor_gps_timestamp_flags[] = {
-    {"pps_valid", 0, 1, NULL},
-    {"time_refresh", 1, 1, NULL},
-    {"time_initialized", 2, 1, NULL},
-    {"tow_valid", 3, 1, NULL},
-    {"week_number_valid", 4, 1, NULL},
+    {"pps_valid", 0, 1, NULL}, {"time_refresh", 1, 1, NULL},      {"time_initialized", 2, 1, NULL},
+    {"tow_valid", 3, 1, NULL}, {"week_number_valid", 4, 1, NULL},
 };
 static const struct mip_names names_sensor_gps_timestamp_flags = {
-    "sensor_gps_timestamp_flags", NULL, bits_sensor_gps_timestamp_flags, 5, 2};
+    "sensor_gps_timestamp_flags", NULL, bits_sensor_gps_timestamp_flags, 5, 2,
+};
 
 static const struct mip_named_bits bits_gx5_sensor_gps_timestamp_flags[] = {
     {"pps_valid", 0, 1, NULL},
@@ -381,14 +312,16 @@ static const struct mip_named_bits bits_gx5_sensor_gps_timestamp_flags[] = {
     {"time_initialized", 2, 1, NULL},
 };
 static const struct mip_names names_gx5_sensor_gps_timestamp_flags = {
-    "gx5_sensor_gps_timestamp_flags", NULL, bits_gx5_sensor_gps_timestamp_flags, 3, 2};
+    "gx5_sensor_gps_timestamp_flags", NULL, bits_gx5_sensor_gps_timestamp_flags, 3, 2,
+};
 
 static const struct mip_named_value values_base_gps_time_field[] = {
     {"week_number", 1},
     {"time_of_week", 2},
 };
 static const struct mip_names names_base_gps_time_field = {
-    "base.gps_time_field", values_base_gps_time_field, NULL, 2, 1};
+    "base.gps_time_field", values_base_gps_time_field, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_3dm_factory_streaming_action[] = {
     {"overwrite", 0},
@@ -396,7 +329,55 @@ static const struct mip_named_value values_3dm_factory_streaming_action[] = {
     {"add", 2},
 };
 static const struct mip_names names_3dm_factory_streaming_action = {
-    "3dm.factory_streaming_action", values_3dm_factory_streaming_action, NULL, 3, 1};
+    "3dm.factory_streaming_action", values_3dm_factory_streaming_action, NULL, 3, 1,
+};
+
+static const struct mip_named_bits bits_3dm_sbas_options[] = {
+    {"enable_ranging", 0, 1, NULL},
+    {"enable_corrections", 1, 1, NULL},
+    {"apply_integrity", 2, 1, NULL},
+};
+static const struct mip_names names_3dm_sbas_options = {
+    "3dm.sbas_options", NULL, bits_3dm_sbas_options, 3, 2,
+};
+
+static const struct mip_named_value values_3dm_pps_source[] = {
+    {"disabled", 0}, {"receiver_1", 1}, {"receiver_2", 2}, {"gpio", 3}, {"generated", 4},
+};
+static const struct mip_names names_3dm_pps_source = {
+    "3dm.pps_source", values_3dm_pps_source, NULL, 5, 1,
+};
+
+static const struct mip_named_value values_3dm_supported_events_query[] = {
+    {"trigger_types", 1},
+    {"action_types", 2},
+};
+static const struct mip_names names_3dm_supported_events_query = {
+    "3dm.supported_events_query", values_3dm_supported_events_query, NULL, 2, 1,
+};
+
+static const struct mip_named_value values_3dm_odometer_mode[] = {
+    {"disabled", 0},
+    {"quadrature", 2},
+};
+static const struct mip_names names_3dm_odometer_mode = {
+    "3dm.odometer_mode", values_3dm_odometer_mode, NULL, 2, 1,
+};
+
+static const struct mip_named_value values_3dm_sensor_range_type[] = {
+    {"all", 0}, {"accel", 1}, {"gyro", 2}, {"mag", 3}, {"press", 4},
+};
+static const struct mip_names names_3dm_sensor_range_type = {
+    "3dm.sensor_range_type", values_3dm_sensor_range_type, NULL, 5, 1,
+};
+
+static const struct mip_named_value values_3dm_device_status_selector[] = {
+    {"basic", 1},
+    {"diagnostic", 2},
+};
+static const struct mip_names names_3dm_device_status_selector = {
+    "3dm.device_status_selector", values_3dm_device_status_selector, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_3dm_legacy_data_stream[] = {
     {"all_streams", 0},
@@ -405,62 +386,15 @@ static const struct mip_named_value values_3dm_legacy_data_stream[] = {
     {"filter", 3},
 };
 static const struct mip_names names_3dm_legacy_data_stream = {
-    "3dm.legacy_data_stream", values_3dm_legacy_data_stream, NULL, 4, 1};
-
-static const struct mip_named_bits bits_3dm_sbas_options[] = {
-    {"enable_ranging", 0, 1, NULL},
-    {"enable_corrections", 1, 1, NULL},
-    {"apply_integrity", 2, 1, NULL},
+    "3dm.legacy_data_stream", values_3dm_legacy_data_stream, NULL, 4, 1,
 };
-static const struct mip_names names_3dm_sbas_options = {
-    "3dm.sbas_options", NULL, bits_3dm_sbas_options, 3, 2};
-
-static const struct mip_named_value values_3dm_pps_source[] = {
-    {"disabled", 0},
-    {"receiver_1", 1},
-    {"receiver_2", 2},
-    {"gpio", 3},
-    {"generated", 4},
-};
-static const struct mip_names names_3dm_pps_source = {
-    "3dm.pps_source", values_3dm_pps_source, NULL, 5, 1};
-
-static const struct mip_named_value values_3dm_supported_events_query[] = {
-    {"trigger_types", 1},
-    {"action_types", 2},
-};
-static const struct mip_names names_3dm_supported_events_query = {
-    "3dm.supported_events_query", values_3dm_supported_events_query, NULL, 2, 1};
-
-static const struct mip_named_value values_3dm_odometer_mode[] = {
-    {"disabled", 0},
-    {"quadrature", 2},
-};
-static const struct mip_names names_3dm_odometer_mode = {
-    "3dm.odometer_mode", values_3dm_odometer_mode, NULL, 2, 1};
-
-static const struct mip_named_value values_3dm_sensor_range_type[] = {
-    {"all", 0},
-    {"accel", 1},
-    {"gyro", 2},
-    {"mag", 3},
-    {"press", 4},
-};
-static const struct mip_names names_3dm_sensor_range_type = {
-    "3dm.sensor_range_type", values_3dm_sensor_range_type, NULL, 5, 1};
-
-static const struct mip_named_value values_3dm_device_status_selector[] = {
-    {"basic", 1},
-    {"diagnostic", 2},
-};
-static const struct mip_names names_3dm_device_status_selector = {
-    "3dm.device_status_selector", values_3dm_device_status_selector, NULL, 2, 1};
 
 static const struct mip_named_bits bits_filter_estimated_states[] = {
     {"gyro_bias", 0, 1, NULL},
 };
 static const struct mip_names names_filter_estimated_states = {
-    "filter.estimated_states", NULL, bits_filter_estimated_states, 1, 2};
+    "filter.estimated_states", NULL, bits_filter_estimated_states, 1, 2,
+};
 
 static const struct mip_named_value values_filter_gnss_aiding_source[] = {
     {"all_int", 1},
@@ -469,21 +403,24 @@ static const struct mip_named_value values_filter_gnss_aiding_source[] = {
     {"int_2", 4},
 };
 static const struct mip_names names_filter_gnss_aiding_source = {
-    "filter.gnss_aiding_source", values_filter_gnss_aiding_source, NULL, 4, 1};
+    "filter.gnss_aiding_source", values_filter_gnss_aiding_source, NULL, 4, 1,
+};
 
 static const struct mip_named_value values_filter_heading_type[] = {
     {"true_heading", 1},
     {"magnetic_heading", 2},
 };
 static const struct mip_names names_filter_heading_type = {
-    "filter.heading_type", values_filter_heading_type, NULL, 2, 1};
+    "filter.heading_type", values_filter_heading_type, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_filter_heading_update_source[] = {
     {"none", 0},
     {"external", 3},
 };
 static const struct mip_names names_filter_heading_update_source = {
-    "filter.heading_update_source", values_filter_heading_update_source, NULL, 2, 1};
+    "filter.heading_update_source", values_filter_heading_update_source, NULL, 2, 1,
+};
 
 static const struct mip_named_bits bits_filter_tare_axes[] = {
     {"roll", 0, 1, NULL},
@@ -491,14 +428,16 @@ static const struct mip_named_bits bits_filter_tare_axes[] = {
     {"yaw", 2, 1, NULL},
 };
 static const struct mip_names names_filter_tare_axes = {
-    "filter.tare_axes", NULL, bits_filter_tare_axes, 3, 1};
+    "filter.tare_axes", NULL, bits_filter_tare_axes, 3, 1,
+};
 
 static const struct mip_named_bits bits_filter_measurement_flags[] = {
     {"accelerometer", 0, 1, NULL},
     {"magnetometer", 1, 1, NULL},
 };
 static const struct mip_names names_filter_measurement_flags = {
-    "filter.measurement_flags", NULL, bits_filter_measurement_flags, 2, 2};
+    "filter.measurement_flags", NULL, bits_filter_measurement_flags, 2, 2,
+};
 
 static const struct mip_named_value values_filter_declination_source[] = {
     {"none", 1},
@@ -506,7 +445,8 @@ static const struct mip_named_value values_filter_declination_source[] = {
     {"manual", 3},
 };
 static const struct mip_names names_filter_declination_source = {
-    "filter.declination_source", values_filter_declination_source, NULL, 3, 1};
+    "filter.declination_source", values_filter_declination_source, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_filter_adaptive_measurement_selector[] = {
     {"disabled", 0},
@@ -514,30 +454,27 @@ static const struct mip_named_value values_filter_adaptive_measurement_selector[
     {"auto", 2},
 };
 static const struct mip_names names_filter_adaptive_measurement_selector = {
-    "filter.adaptive_measurement_selector", values_filter_adaptive_measurement_selector, NULL, 3,
-    1};
+    "filter.adaptive_measurement_selector", values_filter_adaptive_measurement_selector, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_filter_pitch_roll_aiding_source[] = {
     {"none", 0},
     {"gravity_vector", 1},
 };
 static const struct mip_names names_filter_pitch_roll_aiding_source = {
-    "filter.pitch_roll_aiding_source", values_filter_pitch_roll_aiding_source, NULL, 2, 1};
+    "filter.pitch_roll_aiding_source", values_filter_pitch_roll_aiding_source, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_filter_aiding_source[] = {
-    {"gnss_pos_vel", 0},
-    {"gnss_heading", 1},
-    {"altimeter", 2},
-    {"speed", 3},
-    {"magnetometer", 4},
-    {"external_heading", 5},
-    {"external_altimeter", 6},
-    {"external_magnetometer", 7},
-    {"body_frame_vel", 8},
-    {"all", 0xFFFF},
+    {"gnss_pos_vel", 0},       {"gnss_heading", 1},
+    {"altimeter", 2},          {"speed", 3},
+    {"magnetometer", 4},       {"external_heading", 5},
+    {"external_altimeter", 6}, {"external_magnetometer", 7},
+    {"body_frame_vel", 8},     {"all", 0xFFFF},
 };
 static const struct mip_names names_filter_aiding_source = {
-    "filter.aiding_source", values_filter_aiding_source, NULL, 10, 2};
+    "filter.aiding_source", values_filter_aiding_source, NULL, 10, 2,
+};
 
 static const struct mip_named_value values_filter_initial_condition_source[] = {
     {"auto_pos_vel_att", 0},
@@ -546,7 +483,8 @@ static const struct mip_named_value values_filter_initial_condition_source[] = {
     {"manual", 3},
 };
 static const struct mip_names names_filter_initial_condition_source = {
-    "filter.initial_condition_source", values_filter_initial_condition_source, NULL, 4, 1};
+    "filter.initial_condition_source", values_filter_initial_condition_source, NULL, 4, 1,
+};
 
 static const struct mip_named_bits bits_filter_heading_alignment[] = {
     {"dual_antenna", 0, 1, NULL},
@@ -555,14 +493,16 @@ static const struct mip_named_bits bits_filter_heading_alignment[] = {
     {"external", 3, 1, NULL},
 };
 static const struct mip_names names_filter_heading_alignment = {
-    "filter.heading_alignment", NULL, bits_filter_heading_alignment, 4, 1};
+    "filter.heading_alignment", NULL, bits_filter_heading_alignment, 4, 1,
+};
 
 static const struct mip_named_value values_filter_reference_frame[] = {
     {"ecef", 1},
     {"llh", 2},
 };
 static const struct mip_names names_filter_reference_frame = {
-    "filter.reference_frame", values_filter_reference_frame, NULL, 2, 1};
+    "filter.reference_frame", values_filter_reference_frame, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_filter_adaptive_level[] = {
     {"off", 0},
@@ -571,20 +511,23 @@ static const struct mip_named_value values_filter_adaptive_level[] = {
     {"aggressive", 3},
 };
 static const struct mip_names names_filter_adaptive_level = {
-    "filter.adaptive_level", values_filter_adaptive_level, NULL, 4, 1};
+    "filter.adaptive_level", values_filter_adaptive_level, NULL, 4, 1,
+};
 
 static const struct mip_named_value values_filter_relative_position_source[] = {
     {"auto", 0},
     {"manual", 1},
 };
 static const struct mip_names names_filter_relative_position_source = {
-    "filter.relative_position_source", values_filter_relative_position_source, NULL, 2, 1};
+    "filter.relative_position_source", values_filter_relative_position_source, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_filter_reference_point[] = {
     {"veh", 1},
 };
 static const struct mip_names names_filter_reference_point = {
-    "filter.reference_point", values_filter_reference_point, NULL, 1, 1};
+    "filter.reference_point", values_filter_reference_point, NULL, 1, 1,
+};
 
 static const struct mip_named_bits bits_gnss_gps_signals[] = {
     {"l1ca", 0, 1, NULL},
@@ -592,14 +535,16 @@ static const struct mip_named_bits bits_gnss_gps_signals[] = {
     {"l5", 2, 1, NULL},
 };
 static const struct mip_names names_gnss_gps_signals = {
-    "gnss.gps_signals", NULL, bits_gnss_gps_signals, 3, 1};
+    "gnss.gps_signals", NULL, bits_gnss_gps_signals, 3, 1,
+};
 
 static const struct mip_named_bits bits_gnss_glonass_signals[] = {
     {"l1of", 0, 1, NULL},
     {"l2of", 1, 1, NULL},
 };
 static const struct mip_names names_gnss_glonass_signals = {
-    "gnss.glonass_signals", NULL, bits_gnss_glonass_signals, 2, 1};
+    "gnss.glonass_signals", NULL, bits_gnss_glonass_signals, 2, 1,
+};
 
 static const struct mip_named_bits bits_gnss_galileo_signals[] = {
     {"e1", 0, 1, NULL},
@@ -607,7 +552,8 @@ static const struct mip_named_bits bits_gnss_galileo_signals[] = {
     {"e5a", 2, 1, NULL},
 };
 static const struct mip_names names_gnss_galileo_signals = {
-    "gnss.galileo_signals", NULL, bits_gnss_galileo_signals, 3, 1};
+    "gnss.galileo_signals", NULL, bits_gnss_galileo_signals, 3, 1,
+};
 
 static const struct mip_named_bits bits_gnss_beidou_signals[] = {
     {"b1", 0, 1, NULL},
@@ -615,7 +561,8 @@ static const struct mip_named_bits bits_gnss_beidou_signals[] = {
     {"b2a", 2, 1, NULL},
 };
 static const struct mip_names names_gnss_beidou_signals = {
-    "gnss.beidou_signals", NULL, bits_gnss_beidou_signals, 3, 1};
+    "gnss.beidou_signals", NULL, bits_gnss_beidou_signals, 3, 1,
+};
 
 static const struct mip_named_value values_gnss_spartn_connection[] = {
     {"none", 0},
@@ -623,14 +570,16 @@ static const struct mip_named_value values_gnss_spartn_connection[] = {
     {"l_band", 2},
 };
 static const struct mip_names names_gnss_spartn_connection = {
-    "gnss.spartn_connection", values_gnss_spartn_connection, NULL, 3, 1};
+    "gnss.spartn_connection", values_gnss_spartn_connection, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_aiding_frame_format[] = {
     {"euler", 1},
     {"quaternion", 2},
 };
 static const struct mip_names names_aiding_frame_format = {
-    "aiding.aiding_frame_format", values_aiding_frame_format, NULL, 2, 1};
+    "aiding.aiding_frame_format", values_aiding_frame_format, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_aiding_echo_mode[] = {
     {"suppress_ack", 0},
@@ -638,7 +587,8 @@ static const struct mip_named_value values_aiding_echo_mode[] = {
     {"response", 2},
 };
 static const struct mip_names names_aiding_echo_mode = {
-    "aiding.aiding_echo_mode", values_aiding_echo_mode, NULL, 3, 1};
+    "aiding.aiding_echo_mode", values_aiding_echo_mode, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_aiding_timebase[] = {
     {"internal_reference", 1},
@@ -646,7 +596,8 @@ static const struct mip_named_value values_aiding_timebase[] = {
     {"time_of_arrival", 3},
 };
 static const struct mip_names names_aiding_timebase = {
-    "aiding.timebase", values_aiding_timebase, NULL, 3, 1};
+    "aiding.timebase", values_aiding_timebase, NULL, 3, 1,
+};
 
 static const struct mip_named_bits bits_aiding_axis_flags[] = {
     {"x", 0, 1, NULL},
@@ -654,7 +605,8 @@ static const struct mip_named_bits bits_aiding_axis_flags[] = {
     {"z", 2, 1, NULL},
 };
 static const struct mip_names names_aiding_axis_flags = {
-    "aiding.axis_flags", NULL, bits_aiding_axis_flags, 3, 2};
+    "aiding.axis_flags", NULL, bits_aiding_axis_flags, 3, 2,
+};
 
 static const struct mip_named_bits bits_aiding_llh_axis_flags[] = {
     {"latitude", 0, 1, NULL},
@@ -662,7 +614,8 @@ static const struct mip_named_bits bits_aiding_llh_axis_flags[] = {
     {"height", 2, 1, NULL},
 };
 static const struct mip_names names_aiding_llh_axis_flags = {
-    "aiding.llh_axis_flags", NULL, bits_aiding_llh_axis_flags, 3, 2};
+    "aiding.llh_axis_flags", NULL, bits_aiding_llh_axis_flags, 3, 2,
+};
 
 static const struct mip_named_value values_system_protocol_mode[] = {
     {"standard", 1},
@@ -670,34 +623,106 @@ static const struct mip_named_value values_system_protocol_mode[] = {
     {"gnss_direct", 3},
 };
 static const struct mip_names names_system_protocol_mode = {
-    "system.protocol_mode", values_system_protocol_mode, NULL, 3, 1};
+    "system.protocol_mode", values_system_protocol_mode, NULL, 3, 1,
+};
 
 static const struct mip_named_bits bits_sensor_overrange_flags[] = {
-    {"accel_x", 0, 1, NULL},
-    {"accel_y", 1, 1, NULL},
-    {"accel_z", 2, 1, NULL},
-    {"gyro_x", 4, 1, NULL},
-    {"gyro_y", 5, 1, NULL},
-    {"gyro_z", 6, 1, NULL},
-    {"mag_x", 8, 1, NULL},
-    {"mag_y", 9, 1, NULL},
-    {"mag_z", 10, 1, NULL},
+    {"accel_x", 0, 1, NULL}, {"accel_y", 1, 1, NULL}, {"accel_z", 2, 1, NULL},
+    {"gyro_x", 4, 1, NULL},  {"gyro_y", 5, 1, NULL},  {"gyro_z", 6, 1, NULL},
+    {"mag_x", 8, 1, NULL},   {"mag_y", 9, 1, NULL},   {"mag_z", 10, 1, NULL},
     {"press", 12, 1, NULL},
 };
 static const struct mip_names names_sensor_overrange_flags = {
-    "sensor.overrange_flags", NULL, bits_sensor_overrange_flags, 10, 2};
+    "sensor.overrange_flags", NULL, bits_sensor_overrange_flags, 10, 2,
+};
 
 static const struct mip_named_bits bits_sensor_odometer_flags[] = {
     {"odometer", 0, 1, NULL},
 };
 static const struct mip_names names_sensor_odometer_flags = {
-    "sensor.odometer_flags", NULL, bits_sensor_odometer_flags, 1, 2};
+    "sensor.odometer_flags", NULL, bits_sensor_odometer_flags, 1, 2,
+};
 
 static const struct mip_named_bits bits_filter_data_valid_flags[] = {
     {"valid", 0, 1, NULL},
 };
 static const struct mip_names names_filter_data_valid_flags = {
-    "filter_data.valid_flags", NULL, bits_filter_data_valid_flags, 1, 2};
+    "filter_data.valid_flags", NULL, bits_filter_data_valid_flags, 1, 2,
+};
+
+static const struct mip_named_bits bits_filter_data_heading_source_flags[] = {
+    {"external", 2, 1, NULL},
+};
+static const struct mip_names names_filter_data_heading_source_flags = {
+    "filter_data.heading_source_flags", NULL, bits_filter_data_heading_source_flags, 1, 2,
+};
+
+static const struct mip_named_bits bits_filter_data_gnss_aiding_status[] = {
+    {"tight_coupling", 0, 1, NULL}, {"differential", 1, 1, NULL}, {"integer_fix", 2, 1, NULL},
+    {"gps_l1", 3, 1, NULL},         {"gps_l2", 4, 1, NULL},       {"gps_l5", 5, 1, NULL},
+    {"glo_l1", 6, 1, NULL},         {"glo_l2", 7, 1, NULL},       {"gal_e1", 8, 1, NULL},
+    {"gal_e5", 9, 1, NULL},         {"gal_e6", 10, 1, NULL},      {"bei_b1", 11, 1, NULL},
+    {"bei_b2", 12, 1, NULL},        {"bei_b3", 13, 1, NULL},      {"no_fix", 14, 1, NULL},
+    {"config_error", 15, 1, NULL},
+};
+static const struct mip_names names_filter_data_gnss_aiding_status = {
+    "filter_data.gnss_aiding_status", NULL, bits_filter_data_gnss_aiding_status, 16, 2,
+};
+
+static const struct mip_named_value values_filter_data_aiding_measurement_type[] = {
+    {"gnss", 1},
+    {"dual_antenna", 2},
+    {"heading", 3},
+    {"pressure", 4},
+    {"magnetometer", 5},
+    {"speed", 6},
+    {"aiding_pos_ecef", 33},
+    {"aiding_pos_llh", 34},
+    {"aiding_height_above_ellipsoid", 35},
+    {"aiding_vel_ecef", 40},
+    {"aiding_vel_ned", 41},
+    {"aiding_vel_body_frame", 42},
+    {"aiding_heading_true", 49},
+    {"aiding_magnetic_field", 50},
+    {"aiding_pressure", 51},
+};
+static const struct mip_names names_filter_data_aiding_measurement_type = {
+    "filter_data.aiding_measurement_type", values_filter_data_aiding_measurement_type, NULL, 15, 1,
+};
+
+static const struct mip_named_bits bits_filter_data_aiding_measurement_indicator[] = {
+    {"enabled", 0, 1, NULL},
+    {"used", 1, 1, NULL},
+    {"residual_high_warning", 2, 1, NULL},
+    {"sample_time_warning", 3, 1, NULL},
+    {"configuration_error", 4, 1, NULL},
+    {"max_num_meas_exceeded", 5, 1, NULL},
+};
+static const struct mip_names names_filter_data_aiding_measurement_indicator = {
+    "filter_data.aiding_measurement_indicator",
+    NULL,
+    bits_filter_data_aiding_measurement_indicator,
+    6,
+    1,
+};
+
+static const struct mip_named_value values_filter_data_dual_antenna_fix_type[] = {
+    {"fix_none", 0},
+    {"fix_da_float", 1},
+    {"fix_da_fixed", 2},
+};
+static const struct mip_names names_filter_data_dual_antenna_fix_type = {
+    "filter_data.dual_antenna_fix_type", values_filter_data_dual_antenna_fix_type, NULL, 3, 1,
+};
+
+static const struct mip_named_bits bits_filter_data_dual_antenna_status_flags[] = {
+    {"rcv_1_data_valid", 0, 1, NULL},
+    {"rcv_2_data_valid", 1, 1, NULL},
+    {"antenna_offsets_valid", 2, 1, NULL},
+};
+static const struct mip_names names_filter_data_dual_antenna_status_flags = {
+    "filter_data.dual_antenna_status_flags", NULL, bits_filter_data_dual_antenna_status_flags, 3, 2,
+};
 
 static const struct mip_named_value values_filter_data_gx5_filter_state[] = {
     {"startup", 0},
@@ -706,7 +731,8 @@ static const struct mip_named_value values_filter_data_gx5_filter_state[] = {
     {"run_solution_error", 3},
 };
 static const struct mip_names names_filter_data_gx5_filter_state = {
-    "filter_data.gx5_filter_state", values_filter_data_gx5_filter_state, NULL, 4, 2};
+    "filter_data.gx5_filter_state", values_filter_data_gx5_filter_state, NULL, 4, 2,
+};
 
 static const struct mip_named_value values_filter_data_cv7_filter_state[] = {
     {"init", 1},
@@ -715,7 +741,8 @@ static const struct mip_named_value values_filter_data_cv7_filter_state[] = {
     {"full_nav", 4},
 };
 static const struct mip_names names_filter_data_cv7_filter_state = {
-    "filter_data.cv7_filter_state", values_filter_data_cv7_filter_state, NULL, 4, 2};
+    "filter_data.cv7_filter_state", values_filter_data_cv7_filter_state, NULL, 4, 2,
+};
 
 static const struct mip_named_value values_filter_data_gx5_dynamics_mode[] = {
     {"portable", 1},
@@ -723,13 +750,15 @@ static const struct mip_named_value values_filter_data_gx5_dynamics_mode[] = {
     {"airborne", 3},
 };
 static const struct mip_names names_filter_data_gx5_dynamics_mode = {
-    "filter_data.gx5_dynamics_mode", values_filter_data_gx5_dynamics_mode, NULL, 3, 2};
+    "filter_data.gx5_dynamics_mode", values_filter_data_gx5_dynamics_mode, NULL, 3, 2,
+};
 
 static const struct mip_named_value values_filter_data_cv7_dynamics_mode[] = {
     {"default", 1},
 };
 static const struct mip_names names_filter_data_cv7_dynamics_mode = {
-    "filter_data.cv7_dynamics_mode", values_filter_data_cv7_dynamics_mode, NULL, 1, 2};
+    "filter_data.cv7_dynamics_mode", values_filter_data_cv7_dynamics_mode, NULL, 1, 2,
+};
 
 static const struct mip_named_bits bits_filter_data_gx5_status_flags[] = {
     {"run_imu_unavailable", 0, 1, NULL},
@@ -751,7 +780,8 @@ static const struct mip_named_bits bits_filter_data_gx5_status_flags[] = {
     {"init_no_position_velocity", 13, 1, NULL},
 };
 static const struct mip_names names_filter_data_gx5_status_flags = {
-    "filter_data.gx5_status_flags", NULL, bits_filter_data_gx5_status_flags, 17, 2};
+    "filter_data.gx5_status_flags", NULL, bits_filter_data_gx5_status_flags, 17, 2,
+};
 
 static const struct mip_named_value values_filter_data_filter_condition[] = {
     {"stable", 1},
@@ -759,7 +789,8 @@ static const struct mip_named_value values_filter_data_filter_condition[] = {
     {"unstable", 3},
 };
 static const struct mip_names names_filter_data_filter_condition = {
-    "filter_data.filter_condition", values_filter_data_filter_condition, NULL, 3, 1};
+    "filter_data.filter_condition", values_filter_data_filter_condition, NULL, 3, 1,
+};
 
 static const struct mip_named_bits bits_filter_data_cv7_status_flags[] = {
     {"filter_condition", 0, 2, &names_filter_data_filter_condition},
@@ -775,94 +806,17 @@ static const struct mip_named_bits bits_filter_data_cv7_status_flags[] = {
     {"solution_error", 12, 4, NULL},
 };
 static const struct mip_names names_filter_data_cv7_status_flags = {
-    "filter_data.cv7_status_flags", NULL, bits_filter_data_cv7_status_flags, 11, 2};
-
-static const struct mip_named_bits bits_filter_data_heading_source_flags[] = {
-    {"external", 2, 1, NULL},
+    "filter_data.cv7_status_flags", NULL, bits_filter_data_cv7_status_flags, 11, 2,
 };
-static const struct mip_names names_filter_data_heading_source_flags = {
-    "filter_data.heading_source_flags", NULL, bits_filter_data_heading_source_flags, 1, 2};
-
-static const struct mip_named_bits bits_filter_data_gnss_aiding_status[] = {
-    {"tight_coupling", 0, 1, NULL},
-    {"differential", 1, 1, NULL},
-    {"integer_fix", 2, 1, NULL},
-    {"gps_l1", 3, 1, NULL},
-    {"gps_l2", 4, 1, NULL},
-    {"gps_l5", 5, 1, NULL},
-    {"glo_l1", 6, 1, NULL},
-    {"glo_l2", 7, 1, NULL},
-    {"gal_e1", 8, 1, NULL},
-    {"gal_e5", 9, 1, NULL},
-    {"gal_e6", 10, 1, NULL},
-    {"bei_b1", 11, 1, NULL},
-    {"bei_b2", 12, 1, NULL},
-    {"bei_b3", 13, 1, NULL},
-    {"no_fix", 14, 1, NULL},
-    {"config_error", 15, 1, NULL},
-};
-static const struct mip_names names_filter_data_gnss_aiding_status = {
-    "filter_data.gnss_aiding_status", NULL, bits_filter_data_gnss_aiding_status, 16, 2};
-
-static const struct mip_named_value values_filter_data_aiding_measurement_type[] = {
-    {"gnss", 1},
-    {"dual_antenna", 2},
-    {"heading", 3},
-    {"pressure", 4},
-    {"magnetometer", 5},
-    {"speed", 6},
-    {"aiding_pos_ecef", 33},
-    {"aiding_pos_llh", 34},
-    {"aiding_height_above_ellipsoid", 35},
-    {"aiding_vel_ecef", 40},
-    {"aiding_vel_ned", 41},
-    {"aiding_vel_body_frame", 42},
-    {"aiding_heading_true", 49},
-    {"aiding_magnetic_field", 50},
-    {"aiding_pressure", 51},
-};
-static const struct mip_names names_filter_data_aiding_measurement_type = {
-    "filter_data.aiding_measurement_type", values_filter_data_aiding_measurement_type, NULL, 15, 1};
-
-static const struct mip_named_bits bits_filter_data_aiding_measurement_indicator[] = {
-    {"enabled", 0, 1, NULL},
-    {"used", 1, 1, NULL},
-    {"residual_high_warning", 2, 1, NULL},
-    {"sample_time_warning", 3, 1, NULL},
-    {"configuration_error", 4, 1, NULL},
-    {"max_num_meas_exceeded", 5, 1, NULL},
-};
-static const struct mip_names names_filter_data_aiding_measurement_indicator = {
-    "filter_data.aiding_measurement_indicator", NULL, bits_filter_data_aiding_measurement_indicator,
-    6, 1};
-
-static const struct mip_named_value values_filter_data_dual_antenna_fix_type[] = {
-    {"fix_none", 0},
-    {"fix_da_float", 1},
-    {"fix_da_fixed", 2},
-};
-static const struct mip_names names_filter_data_dual_antenna_fix_type = {
-    "filter_data.dual_antenna_fix_type", values_filter_data_dual_antenna_fix_type, NULL, 3, 1};
-
-static const struct mip_named_bits bits_filter_data_dual_antenna_status_flags[] = {
-    {"rcv_1_data_valid", 0, 1, NULL},
-    {"rcv_2_data_valid", 1, 1, NULL},
-    {"antenna_offsets_valid", 2, 1, NULL},
-};
-static const struct mip_names names_filter_data_dual_antenna_status_flags = {
-    "filter_data.dual_antenna_status_flags", NULL, bits_filter_data_dual_antenna_status_flags, 3,
-    2};
 
 static const struct mip_named_bits bits_gnss_1_gnss_llh_position_flags[] = {
-    {"lat_lon", 0, 1, NULL},
-    {"ellipsoid_height", 1, 1, NULL},
-    {"msl_height", 2, 1, NULL},
-    {"horizontal_accuracy", 3, 1, NULL},
-    {"vertical_accuracy", 4, 1, NULL},
-    {"flags", 0, 5, NULL},
+    {"lat_lon", 0, 1, NULL},           {"ellipsoid_height", 1, 1, NULL},
+    {"msl_height", 2, 1, NULL},        {"horizontal_accuracy", 3, 1, NULL},
+    {"vertical_accuracy", 4, 1, NULL}, {"flags", 0, 5, NULL},
 };
 static const struct mip_names names_gnss_1_gnss_llh_position_flags = {
-    "gnss_1.gnss_llh_position_flags", NULL, bits_gnss_1_gnss_llh_position_flags, 6, 2};
+    "gnss_1.gnss_llh_position_flags", NULL, bits_gnss_1_gnss_llh_position_flags, 6, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_gnss_ecef_position_flags[] = {
     {"position", 0, 1, NULL},
@@ -870,19 +824,17 @@ static const struct mip_named_bits bits_gnss_1_gnss_ecef_position_flags[] = {
     {"flags", 0, 2, NULL},
 };
 static const struct mip_names names_gnss_1_gnss_ecef_position_flags = {
-    "gnss_1.gnss_ecef_position_flags", NULL, bits_gnss_1_gnss_ecef_position_flags, 3, 2};
+    "gnss_1.gnss_ecef_position_flags", NULL, bits_gnss_1_gnss_ecef_position_flags, 3, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_ned_velocity_flags[] = {
-    {"velocity", 0, 1, NULL},
-    {"speed_3d", 1, 1, NULL},
-    {"ground_speed", 2, 1, NULL},
-    {"heading", 3, 1, NULL},
-    {"speed_accuracy", 4, 1, NULL},
-    {"heading_accuracy", 5, 1, NULL},
+    {"velocity", 0, 1, NULL}, {"speed_3d", 1, 1, NULL},       {"ground_speed", 2, 1, NULL},
+    {"heading", 3, 1, NULL},  {"speed_accuracy", 4, 1, NULL}, {"heading_accuracy", 5, 1, NULL},
     {"flags", 0, 6, NULL},
 };
 static const struct mip_names names_gnss_1_ned_velocity_flags = {
-    "gnss_1.ned_velocity_flags", NULL, bits_gnss_1_ned_velocity_flags, 7, 2};
+    "gnss_1.ned_velocity_flags", NULL, bits_gnss_1_ned_velocity_flags, 7, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_gnss_ecef_velocity_flags[] = {
     {"velocity", 0, 1, NULL},
@@ -890,20 +842,16 @@ static const struct mip_named_bits bits_gnss_1_gnss_ecef_velocity_flags[] = {
     {"flags", 0, 2, NULL},
 };
 static const struct mip_names names_gnss_1_gnss_ecef_velocity_flags = {
-    "gnss_1.gnss_ecef_velocity_flags", NULL, bits_gnss_1_gnss_ecef_velocity_flags, 3, 2};
+    "gnss_1.gnss_ecef_velocity_flags", NULL, bits_gnss_1_gnss_ecef_velocity_flags, 3, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_dop_flags[] = {
-    {"gdop", 0, 1, NULL},
-    {"pdop", 1, 1, NULL},
-    {"hdop", 2, 1, NULL},
-    {"vdop", 3, 1, NULL},
-    {"tdop", 4, 1, NULL},
-    {"ndop", 5, 1, NULL},
-    {"edop", 6, 1, NULL},
-    {"flags", 0, 7, NULL},
+    {"gdop", 0, 1, NULL}, {"pdop", 1, 1, NULL}, {"hdop", 2, 1, NULL}, {"vdop", 3, 1, NULL},
+    {"tdop", 4, 1, NULL}, {"ndop", 5, 1, NULL}, {"edop", 6, 1, NULL}, {"flags", 0, 7, NULL},
 };
 static const struct mip_names names_gnss_1_dop_flags = {
-    "gnss_1.dop_flags", NULL, bits_gnss_1_dop_flags, 8, 2};
+    "gnss_1.dop_flags", NULL, bits_gnss_1_dop_flags, 8, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_utc_time_flags[] = {
     {"gnss_date_time", 0, 1, NULL},
@@ -911,7 +859,8 @@ static const struct mip_named_bits bits_gnss_1_utc_time_flags[] = {
     {"flags", 0, 2, NULL},
 };
 static const struct mip_names names_gnss_1_utc_time_flags = {
-    "gnss_1.utc_time_flags", NULL, bits_gnss_1_utc_time_flags, 3, 2};
+    "gnss_1.utc_time_flags", NULL, bits_gnss_1_utc_time_flags, 3, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_gps_time_flags[] = {
     {"tow", 0, 1, NULL},
@@ -919,14 +868,16 @@ static const struct mip_named_bits bits_gnss_1_gps_time_flags[] = {
     {"flags", 0, 2, NULL},
 };
 static const struct mip_names names_gnss_1_gps_time_flags = {
-    "gnss_1.gps_time_flags", NULL, bits_gnss_1_gps_time_flags, 3, 2};
+    "gnss_1.gps_time_flags", NULL, bits_gnss_1_gps_time_flags, 3, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_fix_flags[] = {
     {"sbas_used", 0, 1, NULL},
     {"dgnss_used", 1, 1, NULL},
 };
 static const struct mip_names names_gnss_1_fix_flags = {
-    "gnss_1.fix_flags", NULL, bits_gnss_1_fix_flags, 2, 2};
+    "gnss_1.fix_flags", NULL, bits_gnss_1_fix_flags, 2, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_fix_info_flags[] = {
     {"fix_type", 0, 1, NULL},
@@ -935,7 +886,8 @@ static const struct mip_named_bits bits_gnss_1_fix_info_flags[] = {
     {"flags", 0, 3, NULL},
 };
 static const struct mip_names names_gnss_1_fix_info_flags = {
-    "gnss_1.fix_info_flags", NULL, bits_gnss_1_fix_info_flags, 4, 2};
+    "gnss_1.fix_info_flags", NULL, bits_gnss_1_fix_info_flags, 4, 2,
+};
 
 static const struct mip_named_value values_gnss_1_receiver_state[] = {
     {"off", 0},
@@ -943,17 +895,15 @@ static const struct mip_named_value values_gnss_1_receiver_state[] = {
     {"unknown", 2},
 };
 static const struct mip_names names_gnss_1_receiver_state = {
-    "gnss_1.receiver_state", values_gnss_1_receiver_state, NULL, 3, 1};
+    "gnss_1.receiver_state", values_gnss_1_receiver_state, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_gnss_1_antenna_state[] = {
-    {"init", 1},
-    {"short", 2},
-    {"open", 3},
-    {"good", 4},
-    {"unknown", 5},
+    {"init", 1}, {"short", 2}, {"open", 3}, {"good", 4}, {"unknown", 5},
 };
 static const struct mip_names names_gnss_1_antenna_state = {
-    "gnss_1.antenna_state", values_gnss_1_antenna_state, NULL, 5, 1};
+    "gnss_1.antenna_state", values_gnss_1_antenna_state, NULL, 5, 1,
+};
 
 static const struct mip_named_value values_gnss_1_antenna_power[] = {
     {"off", 0},
@@ -961,7 +911,8 @@ static const struct mip_named_value values_gnss_1_antenna_power[] = {
     {"unknown", 2},
 };
 static const struct mip_names names_gnss_1_antenna_power = {
-    "gnss_1.antenna_power", values_gnss_1_antenna_power, NULL, 3, 1};
+    "gnss_1.antenna_power", values_gnss_1_antenna_power, NULL, 3, 1,
+};
 
 static const struct mip_named_bits bits_gnss_1_gnss_hardware_status_flags[] = {
     {"sensor_state", 0, 1, NULL},
@@ -970,33 +921,30 @@ static const struct mip_named_bits bits_gnss_1_gnss_hardware_status_flags[] = {
     {"flags", 0, 3, NULL},
 };
 static const struct mip_names names_gnss_1_gnss_hardware_status_flags = {
-    "gnss_1.gnss_hardware_status_flags", NULL, bits_gnss_1_gnss_hardware_status_flags, 4, 2};
+    "gnss_1.gnss_hardware_status_flags", NULL, bits_gnss_1_gnss_hardware_status_flags, 4, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_clock_info_2_flags[] = {
-    {"bias", 0, 1, NULL},
-    {"drift", 1, 1, NULL},
-    {"bias_accuracy", 2, 1, NULL},
-    {"drift_accuracy", 3, 1, NULL},
-    {"flags", 0, 4, NULL},
+    {"bias", 0, 1, NULL},           {"drift", 1, 1, NULL}, {"bias_accuracy", 2, 1, NULL},
+    {"drift_accuracy", 3, 1, NULL}, {"flags", 0, 4, NULL},
 };
 static const struct mip_names names_gnss_1_clock_info_2_flags = {
-    "gnss_1.clock_info_2_flags", NULL, bits_gnss_1_clock_info_2_flags, 5, 2};
+    "gnss_1.clock_info_2_flags", NULL, bits_gnss_1_clock_info_2_flags, 5, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_gps_leap_seconds_flags[] = {
     {"leap_seconds", 1, 1, NULL},
 };
 static const struct mip_names names_gnss_1_gps_leap_seconds_flags = {
-    "gnss_1.gps_leap_seconds_flags", NULL, bits_gnss_1_gps_leap_seconds_flags, 1, 2};
+    "gnss_1.gps_leap_seconds_flags", NULL, bits_gnss_1_gps_leap_seconds_flags, 1, 2,
+};
 
 static const struct mip_named_value values_gnss_1_sbas_system[] = {
-    {"unknown", 0},
-    {"waas", 1},
-    {"egnos", 2},
-    {"msas", 3},
-    {"gagan", 4},
+    {"unknown", 0}, {"waas", 1}, {"egnos", 2}, {"msas", 3}, {"gagan", 4},
 };
 static const struct mip_names names_gnss_1_sbas_system = {
-    "gnss_1.sbas_system", values_gnss_1_sbas_system, NULL, 5, 1};
+    "gnss_1.sbas_system", values_gnss_1_sbas_system, NULL, 5, 1,
+};
 
 static const struct mip_named_bits bits_gnss_1_sbas_status[] = {
     {"range_available", 0, 1, NULL},
@@ -1005,43 +953,34 @@ static const struct mip_named_bits bits_gnss_1_sbas_status[] = {
     {"test_mode", 3, 1, NULL},
 };
 static const struct mip_names names_gnss_1_sbas_status = {
-    "gnss_1.sbas_status", NULL, bits_gnss_1_sbas_status, 4, 1};
+    "gnss_1.sbas_status", NULL, bits_gnss_1_sbas_status, 4, 1,
+};
 
 static const struct mip_named_bits bits_gnss_1_sbas_info_flags[] = {
-    {"tow", 0, 1, NULL},
-    {"week_number", 1, 1, NULL},
-    {"sbas_system", 2, 1, NULL},
-    {"sbas_id", 3, 1, NULL},
-    {"count", 4, 1, NULL},
-    {"sbas_status", 5, 1, NULL},
+    {"tow", 0, 1, NULL},     {"week_number", 1, 1, NULL}, {"sbas_system", 2, 1, NULL},
+    {"sbas_id", 3, 1, NULL}, {"count", 4, 1, NULL},       {"sbas_status", 5, 1, NULL},
     {"flags", 0, 6, NULL},
 };
 static const struct mip_names names_gnss_1_sbas_info_flags = {
-    "gnss_1.sbas_info_flags", NULL, bits_gnss_1_sbas_info_flags, 7, 2};
+    "gnss_1.sbas_info_flags", NULL, bits_gnss_1_sbas_info_flags, 7, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_satellite_status_flags[] = {
-    {"tow", 0, 1, NULL},
-    {"week_number", 1, 1, NULL},
-    {"gnss_id", 2, 1, NULL},
-    {"satellite_id", 3, 1, NULL},
-    {"elevation", 4, 1, NULL},
-    {"azimuth", 5, 1, NULL},
-    {"health", 6, 1, NULL},
-    {"flags", 0, 7, NULL},
+    {"tow", 0, 1, NULL},          {"week_number", 1, 1, NULL}, {"gnss_id", 2, 1, NULL},
+    {"satellite_id", 3, 1, NULL}, {"elevation", 4, 1, NULL},   {"azimuth", 5, 1, NULL},
+    {"health", 6, 1, NULL},       {"flags", 0, 7, NULL},
 };
 static const struct mip_names names_gnss_1_satellite_status_flags = {
-    "gnss_1.satellite_status_flags", NULL, bits_gnss_1_satellite_status_flags, 8, 2};
+    "gnss_1.satellite_status_flags", NULL, bits_gnss_1_satellite_status_flags, 8, 2,
+};
 
 static const struct mip_named_value values_gnss_1_signal_quality[] = {
-    {"none", 0},
-    {"searching", 1},
-    {"acquired", 2},
-    {"unusable", 3},
-    {"time_locked", 4},
-    {"fully_locked", 5},
+    {"none", 0},     {"searching", 1},   {"acquired", 2},
+    {"unusable", 3}, {"time_locked", 4}, {"fully_locked", 5},
 };
 static const struct mip_names names_gnss_1_signal_quality = {
-    "gnss_1.signal_quality", values_gnss_1_signal_quality, NULL, 6, 1};
+    "gnss_1.signal_quality", values_gnss_1_signal_quality, NULL, 6, 1,
+};
 
 static const struct mip_named_bits bits_gnss_1_raw_flags[] = {
     {"tow", 0, 1, NULL},
@@ -1063,7 +1002,8 @@ static const struct mip_named_bits bits_gnss_1_raw_flags[] = {
     {"flags", 0, 16, NULL},
 };
 static const struct mip_names names_gnss_1_raw_flags = {
-    "gnss_1.raw_flags", NULL, bits_gnss_1_raw_flags, 17, 2};
+    "gnss_1.raw_flags", NULL, bits_gnss_1_raw_flags, 17, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_ephemeris_flags[] = {
     {"ephemeris", 0, 1, NULL},
@@ -1072,21 +1012,24 @@ static const struct mip_named_bits bits_gnss_1_ephemeris_flags[] = {
     {"flags", 0, 3, NULL},
 };
 static const struct mip_names names_gnss_1_ephemeris_flags = {
-    "gnss_1.ephemeris_flags", NULL, bits_gnss_1_ephemeris_flags, 4, 2};
+    "gnss_1.ephemeris_flags", NULL, bits_gnss_1_ephemeris_flags, 4, 2,
+};
 
 static const struct mip_named_value values_gnss_1_glonass_satellite_type[] = {
     {"glonass", 0},
     {"glonass_m", 1},
 };
 static const struct mip_names names_gnss_1_glonass_satellite_type = {
-    "gnss_1.glonass_satellite_type", values_gnss_1_glonass_satellite_type, NULL, 2, 1};
+    "gnss_1.glonass_satellite_type", values_gnss_1_glonass_satellite_type, NULL, 2, 1,
+};
 
 static const struct mip_named_bits bits_gnss_1_glonass_ephemeris_flags[] = {
     {"ephemeris", 0, 1, NULL},
     {"flags", 0, 1, NULL},
 };
 static const struct mip_names names_gnss_1_glonass_ephemeris_flags = {
-    "gnss_1.glonass_ephemeris_flags", NULL, bits_gnss_1_glonass_ephemeris_flags, 2, 2};
+    "gnss_1.glonass_ephemeris_flags", NULL, bits_gnss_1_glonass_ephemeris_flags, 2, 2,
+};
 
 static const struct mip_named_bits bits_gnss_corrections_base_station_indicators[] = {
     {"gps", 0, 1, NULL},
@@ -1100,21 +1043,25 @@ static const struct mip_named_bits bits_gnss_corrections_base_station_indicators
     {"quarter_cycle_bits", 6, 2, NULL},
 };
 static const struct mip_names names_gnss_corrections_base_station_indicators = {
-    "gnss_corrections.base_station_indicators", NULL, bits_gnss_corrections_base_station_indicators,
-    9, 2};
+    "gnss_corrections.base_station_indicators",
+    NULL,
+    bits_gnss_corrections_base_station_indicators,
+    9,
+    2,
+};
 
 static const struct mip_named_bits bits_gnss_corrections_base_station_info_flags[] = {
-    {"tow", 0, 1, NULL},
-    {"week_number", 1, 1, NULL},
-    {"ecef_position", 2, 1, NULL},
-    {"height", 3, 1, NULL},
-    {"station_id", 4, 1, NULL},
-    {"indicators", 5, 1, NULL},
+    {"tow", 0, 1, NULL},    {"week_number", 1, 1, NULL}, {"ecef_position", 2, 1, NULL},
+    {"height", 3, 1, NULL}, {"station_id", 4, 1, NULL},  {"indicators", 5, 1, NULL},
     {"flags", 0, 6, NULL},
 };
 static const struct mip_names names_gnss_corrections_base_station_info_flags = {
-    "gnss_corrections.base_station_info_flags", NULL, bits_gnss_corrections_base_station_info_flags,
-    7, 2};
+    "gnss_corrections.base_station_info_flags",
+    NULL,
+    bits_gnss_corrections_base_station_info_flags,
+    7,
+    2,
+};
 
 static const struct mip_named_bits bits_gnss_corrections_rtk_epoch_status[] = {
     {"antenna_location_received", 0, 1, NULL},
@@ -1128,7 +1075,8 @@ static const struct mip_named_bits bits_gnss_corrections_rtk_epoch_status[] = {
     {"dongle_status_read_failed", 8, 1, NULL},
 };
 static const struct mip_names names_gnss_corrections_rtk_epoch_status = {
-    "gnss_corrections.rtk_epoch_status", NULL, bits_gnss_corrections_rtk_epoch_status, 9, 2};
+    "gnss_corrections.rtk_epoch_status", NULL, bits_gnss_corrections_rtk_epoch_status, 9, 2,
+};
 
 static const struct mip_named_bits bits_gnss_corrections_rtk_corrections_status_flags[] = {
     {"tow", 0, 1, NULL},
@@ -1142,8 +1090,12 @@ static const struct mip_named_bits bits_gnss_corrections_rtk_corrections_status_
     {"flags", 0, 8, NULL},
 };
 static const struct mip_names names_gnss_corrections_rtk_corrections_status_flags = {
-    "gnss_corrections.rtk_corrections_status_flags", NULL,
-    bits_gnss_corrections_rtk_corrections_status_flags, 9, 2};
+    "gnss_corrections.rtk_corrections_status_flags",
+    NULL,
+    bits_gnss_corrections_rtk_corrections_status_flags,
+    9,
+    2,
+};
 
 static const struct mip_named_bits bits_system_data_gpio_pin_states[] = {
     {"pin_1", 0, 1, NULL},
@@ -1152,7 +1104,8 @@ static const struct mip_named_bits bits_system_data_gpio_pin_states[] = {
     {"pin_4", 3, 1, NULL},
 };
 static const struct mip_names names_system_data_gpio_pin_states = {
-    "system_data.gpio_pin_states", NULL, bits_system_data_gpio_pin_states, 4, 1};
+    "system_data.gpio_pin_states", NULL, bits_system_data_gpio_pin_states, 4, 1,
+};
 
 static const struct mip_named_bits bits_shared_gps_timestamp_flags[] = {
     {"tow", 0, 1, NULL},
@@ -1160,19 +1113,22 @@ static const struct mip_named_bits bits_shared_gps_timestamp_flags[] = {
     {"time_valid", 0, 2, NULL},
 };
 static const struct mip_names names_shared_gps_timestamp_flags = {
-    "shared.gps_timestamp_flags", NULL, bits_shared_gps_timestamp_flags, 3, 2};
+    "shared.gps_timestamp_flags", NULL, bits_shared_gps_timestamp_flags, 3, 2,
+};
 
 static const struct mip_named_bits bits_shared_external_timestamp_flags[] = {
     {"nanoseconds", 0, 1, NULL},
 };
 static const struct mip_names names_shared_external_timestamp_flags = {
-    "shared.external_timestamp_flags", NULL, bits_shared_external_timestamp_flags, 1, 2};
+    "shared.external_timestamp_flags", NULL, bits_shared_external_timestamp_flags, 1, 2,
+};
 
 static const struct mip_named_bits bits_shared_external_time_delta_flags[] = {
     {"dt_nanos", 0, 1, NULL},
 };
 static const struct mip_names names_shared_external_time_delta_flags = {
-    "shared.external_time_delta_flags", NULL, bits_shared_external_time_delta_flags, 1, 2};
+    "shared.external_time_delta_flags", NULL, bits_shared_external_time_delta_flags, 1, 2,
+};
 
 const struct mip_names *const mip_all_names[] = {
     &names_function_selector,
@@ -1204,13 +1160,13 @@ const struct mip_names *const mip_all_names[] = {
     &names_gx5_sensor_gps_timestamp_flags,
     &names_base_gps_time_field,
     &names_3dm_factory_streaming_action,
-    &names_3dm_legacy_data_stream,
     &names_3dm_sbas_options,
     &names_3dm_pps_source,
     &names_3dm_supported_events_query,
     &names_3dm_odometer_mode,
     &names_3dm_sensor_range_type,
     &names_3dm_device_status_selector,
+    &names_3dm_legacy_data_stream,
     &names_filter_estimated_states,
     &names_filter_gnss_aiding_source,
     &names_filter_heading_type,
@@ -1241,6 +1197,12 @@ const struct mip_names *const mip_all_names[] = {
     &names_sensor_overrange_flags,
     &names_sensor_odometer_flags,
     &names_filter_data_valid_flags,
+    &names_filter_data_heading_source_flags,
+    &names_filter_data_gnss_aiding_status,
+    &names_filter_data_aiding_measurement_type,
+    &names_filter_data_aiding_measurement_indicator,
+    &names_filter_data_dual_antenna_fix_type,
+    &names_filter_data_dual_antenna_status_flags,
     &names_filter_data_gx5_filter_state,
     &names_filter_data_cv7_filter_state,
     &names_filter_data_gx5_dynamics_mode,
@@ -1248,12 +1210,6 @@ const struct mip_names *const mip_all_names[] = {
     &names_filter_data_gx5_status_flags,
     &names_filter_data_filter_condition,
     &names_filter_data_cv7_status_flags,
-    &names_filter_data_heading_source_flags,
-    &names_filter_data_gnss_aiding_status,
-    &names_filter_data_aiding_measurement_type,
-    &names_filter_data_aiding_measurement_indicator,
-    &names_filter_data_dual_antenna_fix_type,
-    &names_filter_data_dual_antenna_status_flags,
     &names_gnss_1_gnss_llh_position_flags,
     &names_gnss_1_gnss_ecef_position_flags,
     &names_gnss_1_ned_velocity_flags,
@@ -1299,7 +1255,10 @@ static const struct mip_parameter parameters_event_trigger_gpio[] = {
      0},
 };
 static const struct mip_record record_event_trigger_gpio = {
-    parameters_event_trigger_gpio, 2, sizeof(struct mip_event_trigger_gpio)};
+    parameters_event_trigger_gpio,
+    2,
+    sizeof(struct mip_event_trigger_gpio),
+};
 
 static const struct mip_parameter parameters_event_threshold_window[] = {
     {"low_thres", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1308,7 +1267,10 @@ static const struct mip_parameter parameters_event_threshold_window[] = {
      ONE(struct mip_event_threshold_window, high_thres), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_event_threshold_window = {
-    parameters_event_threshold_window, 2, sizeof(struct mip_event_threshold_window)};
+    parameters_event_threshold_window,
+    2,
+    sizeof(struct mip_event_threshold_window),
+};
 
 static const struct mip_parameter parameters_event_threshold_interval[] = {
     {"int_thres", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1317,7 +1279,10 @@ static const struct mip_parameter parameters_event_threshold_interval[] = {
      ONE(struct mip_event_threshold_interval, interval), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_event_threshold_interval = {
-    parameters_event_threshold_interval, 2, sizeof(struct mip_event_threshold_interval)};
+    parameters_event_threshold_interval,
+    2,
+    sizeof(struct mip_event_threshold_interval),
+};
 
 static const struct mip_parameter members_event_trigger_threshold_thresholds[] = {
     {"window", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1346,7 +1311,10 @@ static const struct mip_parameter parameters_event_trigger_threshold[] = {
      cases_event_trigger_threshold_thresholds, 2},
 };
 static const struct mip_record record_event_trigger_threshold = {
-    parameters_event_trigger_threshold, 5, sizeof(struct mip_event_trigger_threshold)};
+    parameters_event_trigger_threshold,
+    5,
+    sizeof(struct mip_event_trigger_threshold),
+};
 
 static const struct mip_parameter parameters_event_trigger_combination[] = {
     {"logic_table", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1355,7 +1323,10 @@ static const struct mip_parameter parameters_event_trigger_combination[] = {
      MANY(struct mip_event_trigger_combination, input_triggers), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_event_trigger_combination = {
-    parameters_event_trigger_combination, 2, sizeof(struct mip_event_trigger_combination)};
+    parameters_event_trigger_combination,
+    2,
+    sizeof(struct mip_event_trigger_combination),
+};
 
 static const struct mip_parameter parameters_event_action_gpio[] = {
     {"pin", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1365,7 +1336,10 @@ static const struct mip_parameter parameters_event_action_gpio[] = {
      0},
 };
 static const struct mip_record record_event_action_gpio = {
-    parameters_event_action_gpio, 2, sizeof(struct mip_event_action_gpio)};
+    parameters_event_action_gpio,
+    2,
+    sizeof(struct mip_event_action_gpio),
+};
 
 static const struct mip_parameter parameters_event_action_message[] = {
     {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1378,7 +1352,10 @@ static const struct mip_parameter parameters_event_action_message[] = {
      MANY(struct mip_event_action_message, descriptors), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_event_action_message = {
-    parameters_event_action_message, 4, sizeof(struct mip_event_action_message)};
+    parameters_event_action_message,
+    4,
+    sizeof(struct mip_event_action_message),
+};
 
 static const struct mip_parameter parameters_nmea_message[] = {
     {"message_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1391,7 +1368,10 @@ static const struct mip_parameter parameters_nmea_message[] = {
      ONE(struct mip_nmea_message, decimation), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_nmea_message = {
-    parameters_nmea_message, 4, sizeof(struct mip_nmea_message)};
+    parameters_nmea_message,
+    4,
+    sizeof(struct mip_nmea_message),
+};
 
 static const struct mip_parameter parameters_descriptor_rate[] = {
     {"descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1400,7 +1380,10 @@ static const struct mip_parameter parameters_descriptor_rate[] = {
      ONE(struct mip_descriptor_rate, decimation), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_descriptor_rate = {
-    parameters_descriptor_rate, 2, sizeof(struct mip_descriptor_rate)};
+    parameters_descriptor_rate,
+    2,
+    sizeof(struct mip_descriptor_rate),
+};
 
 static const struct mip_parameter parameters_base_device_info[] = {
     {"firmware_version", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1417,7 +1400,10 @@ static const struct mip_parameter parameters_base_device_info[] = {
      MANY(struct mip_base_device_info, device_options), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_base_device_info = {
-    parameters_base_device_info, 6, sizeof(struct mip_base_device_info)};
+    parameters_base_device_info,
+    6,
+    sizeof(struct mip_base_device_info),
+};
 
 static const struct mip_parameter parameters_3dm_poll_entry[] = {
     {"descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1426,7 +1412,10 @@ static const struct mip_parameter parameters_3dm_poll_entry[] = {
      ONE(struct mip_3dm_poll_entry, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_poll_entry = {
-    parameters_3dm_poll_entry, 2, sizeof(struct mip_3dm_poll_entry)};
+    parameters_3dm_poll_entry,
+    2,
+    sizeof(struct mip_3dm_poll_entry),
+};
 
 static const struct mip_parameter parameters_3dm_supported_event_info[] = {
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1435,7 +1424,10 @@ static const struct mip_parameter parameters_3dm_supported_event_info[] = {
      ONE(struct mip_3dm_supported_event_info, count), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_supported_event_info = {
-    parameters_3dm_supported_event_info, 2, sizeof(struct mip_3dm_supported_event_info)};
+    parameters_3dm_supported_event_info,
+    2,
+    sizeof(struct mip_3dm_supported_event_info),
+};
 
 static const struct mip_parameter parameters_3dm_event_trigger_status_entry[] = {
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1446,8 +1438,10 @@ static const struct mip_parameter parameters_3dm_event_trigger_status_entry[] = 
      NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_event_trigger_status_entry = {
-    parameters_3dm_event_trigger_status_entry, 2,
-    sizeof(struct mip_3dm_event_trigger_status_entry)};
+    parameters_3dm_event_trigger_status_entry,
+    2,
+    sizeof(struct mip_3dm_event_trigger_status_entry),
+};
 
 static const struct mip_parameter parameters_3dm_event_action_status_entry[] = {
     {"action_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1457,7 +1451,10 @@ static const struct mip_parameter parameters_3dm_event_action_status_entry[] = {
      ONE(struct mip_3dm_event_action_status_entry, trigger_id), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_event_action_status_entry = {
-    parameters_3dm_event_action_status_entry, 2, sizeof(struct mip_3dm_event_action_status_entry)};
+    parameters_3dm_event_action_status_entry,
+    2,
+    sizeof(struct mip_3dm_event_action_status_entry),
+};
 
 static const struct mip_parameter parameters_3dm_sensor_range_entry[] = {
     {"setting", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1466,7 +1463,10 @@ static const struct mip_parameter parameters_3dm_sensor_range_entry[] = {
      ONE(struct mip_3dm_sensor_range_entry, range), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_sensor_range_entry = {
-    parameters_3dm_sensor_range_entry, 2, sizeof(struct mip_3dm_sensor_range_entry)};
+    parameters_3dm_sensor_range_entry,
+    2,
+    sizeof(struct mip_3dm_sensor_range_entry),
+};
 
 static const struct mip_parameter parameters_gnss_receiver_info_entry[] = {
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1478,7 +1478,10 @@ static const struct mip_parameter parameters_gnss_receiver_info_entry[] = {
      MANY(struct mip_gnss_receiver_info_entry, description), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_receiver_info_entry = {
-    parameters_gnss_receiver_info_entry, 3, sizeof(struct mip_gnss_receiver_info_entry)};
+    parameters_gnss_receiver_info_entry,
+    3,
+    sizeof(struct mip_gnss_receiver_info_entry),
+};
 
 static const struct mip_parameter parameters_aiding_measurement_time[] = {
     {"timebase", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1490,7 +1493,10 @@ static const struct mip_parameter parameters_aiding_measurement_time[] = {
      ONE(struct mip_aiding_measurement_time, nanoseconds), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_measurement_time = {
-    parameters_aiding_measurement_time, 3, sizeof(struct mip_aiding_measurement_time)};
+    parameters_aiding_measurement_time,
+    3,
+    sizeof(struct mip_aiding_measurement_time),
+};
 
 static const struct mip_parameter parameters_protocol_acknowledge[] = {
     {"command", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1499,31 +1505,58 @@ static const struct mip_parameter parameters_protocol_acknowledge[] = {
      ONE(struct mip_protocol_acknowledge, code), 0, &names_ack_code, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_protocol_acknowledge = {
-    parameters_protocol_acknowledge, 2, sizeof(struct mip_protocol_acknowledge)};
+    parameters_protocol_acknowledge,
+    2,
+    sizeof(struct mip_protocol_acknowledge),
+};
 
 static const struct mip_record record_base_ping = {
-    NULL, 0, sizeof(struct mip_base_ping)};
+    NULL,
+    0,
+    sizeof(struct mip_base_ping),
+};
 
 static const struct mip_record record_base_set_to_idle = {
-    NULL, 0, sizeof(struct mip_base_set_to_idle)};
+    NULL,
+    0,
+    sizeof(struct mip_base_set_to_idle),
+};
 
 static const struct mip_record record_base_get_device_information = {
-    NULL, 0, sizeof(struct mip_base_get_device_information)};
+    NULL,
+    0,
+    sizeof(struct mip_base_get_device_information),
+};
 
 static const struct mip_record record_base_get_device_descriptors = {
-    NULL, 0, sizeof(struct mip_base_get_device_descriptors)};
+    NULL,
+    0,
+    sizeof(struct mip_base_get_device_descriptors),
+};
 
 static const struct mip_record record_base_built_in_test = {
-    NULL, 0, sizeof(struct mip_base_built_in_test)};
+    NULL,
+    0,
+    sizeof(struct mip_base_built_in_test),
+};
 
 static const struct mip_record record_base_resume = {
-    NULL, 0, sizeof(struct mip_base_resume)};
+    NULL,
+    0,
+    sizeof(struct mip_base_resume),
+};
 
 static const struct mip_record record_base_get_device_descriptors_extended = {
-    NULL, 0, sizeof(struct mip_base_get_device_descriptors_extended)};
+    NULL,
+    0,
+    sizeof(struct mip_base_get_device_descriptors_extended),
+};
 
 static const struct mip_record record_base_continuous_built_in_test = {
-    NULL, 0, sizeof(struct mip_base_continuous_built_in_test)};
+    NULL,
+    0,
+    sizeof(struct mip_base_continuous_built_in_test),
+};
 
 static const struct mip_parameter parameters_base_comm_port_speed[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1535,7 +1568,10 @@ static const struct mip_parameter parameters_base_comm_port_speed[] = {
      ONE(struct mip_base_comm_port_speed, baud), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_base_comm_port_speed = {
-    parameters_base_comm_port_speed, 3, sizeof(struct mip_base_comm_port_speed)};
+    parameters_base_comm_port_speed,
+    3,
+    sizeof(struct mip_base_comm_port_speed),
+};
 static const uint8_t required_base_comm_port_speed[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_base_gps_time_update[] = {
@@ -1549,11 +1585,17 @@ static const struct mip_parameter parameters_base_gps_time_update[] = {
      ONE(struct mip_base_gps_time_update, value), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_base_gps_time_update = {
-    parameters_base_gps_time_update, 3, sizeof(struct mip_base_gps_time_update)};
+    parameters_base_gps_time_update,
+    3,
+    sizeof(struct mip_base_gps_time_update),
+};
 static const uint8_t required_base_gps_time_update[] = {0, 2, 1, 0, 0, 0, 2};
 
 static const struct mip_record record_base_reset_device = {
-    NULL, 0, sizeof(struct mip_base_reset_device)};
+    NULL,
+    0,
+    sizeof(struct mip_base_reset_device),
+};
 
 static const struct mip_parameter parameters_base_get_device_information_response[] = {
     {"device_info", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1561,8 +1603,10 @@ static const struct mip_parameter parameters_base_get_device_information_respons
      &record_base_device_info, NULL, 0},
 };
 static const struct mip_record record_base_get_device_information_response = {
-    parameters_base_get_device_information_response, 1,
-    sizeof(struct mip_base_get_device_information_response)};
+    parameters_base_get_device_information_response,
+    1,
+    sizeof(struct mip_base_get_device_information_response),
+};
 
 static const struct mip_parameter parameters_base_get_device_descriptors_response[] = {
     {"descriptors", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_REST, 126, 1, 0, 0, 0,
@@ -1571,12 +1615,14 @@ static const struct mip_parameter parameters_base_get_device_descriptors_respons
      NULL, 0},
 };
 static const struct mip_record record_base_get_device_descriptors_response = {
-    parameters_base_get_device_descriptors_response, 1,
-    sizeof(struct mip_base_get_device_descriptors_response)};
+    parameters_base_get_device_descriptors_response,
+    1,
+    sizeof(struct mip_base_get_device_descriptors_response),
+};
 
 static const struct mip_reading readings_base_built_in_test_response_result[] = {
-    {"3dm-gx5-15", 0, 0, &names_gx5_built_in_test},
     {"3dm-cv7-gnss-ins", 0, 0, &names_cv7_built_in_test},
+    {"3dm-gx5-15", 0, 0, &names_gx5_built_in_test},
 };
 static const struct mip_parameter parameters_base_built_in_test_response[] = {
     {"result", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1584,7 +1630,10 @@ static const struct mip_parameter parameters_base_built_in_test_response[] = {
      readings_base_built_in_test_response_result, NULL, NULL, 2},
 };
 static const struct mip_record record_base_built_in_test_response = {
-    parameters_base_built_in_test_response, 1, sizeof(struct mip_base_built_in_test_response)};
+    parameters_base_built_in_test_response,
+    1,
+    sizeof(struct mip_base_built_in_test_response),
+};
 
 static const struct mip_parameter parameters_base_gps_time_update_week_number_response[] = {
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1592,8 +1641,10 @@ static const struct mip_parameter parameters_base_gps_time_update_week_number_re
      NULL, 0},
 };
 static const struct mip_record record_base_gps_time_update_week_number_response = {
-    parameters_base_gps_time_update_week_number_response, 1,
-    sizeof(struct mip_base_gps_time_update_week_number_response)};
+    parameters_base_gps_time_update_week_number_response,
+    1,
+    sizeof(struct mip_base_gps_time_update_week_number_response),
+};
 
 static const struct mip_parameter parameters_base_gps_time_update_time_of_week_response[] = {
     {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1601,8 +1652,10 @@ static const struct mip_parameter parameters_base_gps_time_update_time_of_week_r
      NULL, 0},
 };
 static const struct mip_record record_base_gps_time_update_time_of_week_response = {
-    parameters_base_gps_time_update_time_of_week_response, 1,
-    sizeof(struct mip_base_gps_time_update_time_of_week_response)};
+    parameters_base_gps_time_update_time_of_week_response,
+    1,
+    sizeof(struct mip_base_gps_time_update_time_of_week_response),
+};
 
 static const struct mip_parameter parameters_base_get_device_descriptors_extended_response[] = {
     {"descriptors", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_REST, 126, 1, 0, 0, 0,
@@ -1611,8 +1664,10 @@ static const struct mip_parameter parameters_base_get_device_descriptors_extende
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_base_get_device_descriptors_extended_response = {
-    parameters_base_get_device_descriptors_extended_response, 1,
-    sizeof(struct mip_base_get_device_descriptors_extended_response)};
+    parameters_base_get_device_descriptors_extended_response,
+    1,
+    sizeof(struct mip_base_get_device_descriptors_extended_response),
+};
 
 static const struct mip_reading readings_base_continuous_built_in_test_response_result[] = {
     {"3dm-cv7-gnss-ins", 0, 0, &names_cv7_continuous_built_in_test},
@@ -1623,8 +1678,10 @@ static const struct mip_parameter parameters_base_continuous_built_in_test_respo
      readings_base_continuous_built_in_test_response_result, NULL, NULL, 1},
 };
 static const struct mip_record record_base_continuous_built_in_test_response = {
-    parameters_base_continuous_built_in_test_response, 1,
-    sizeof(struct mip_base_continuous_built_in_test_response)};
+    parameters_base_continuous_built_in_test_response,
+    1,
+    sizeof(struct mip_base_continuous_built_in_test_response),
+};
 
 static const struct mip_parameter parameters_base_comm_port_speed_response[] = {
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1633,7 +1690,10 @@ static const struct mip_parameter parameters_base_comm_port_speed_response[] = {
      ONE(struct mip_base_comm_port_speed_response, baud), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_base_comm_port_speed_response = {
-    parameters_base_comm_port_speed_response, 2, sizeof(struct mip_base_comm_port_speed_response)};
+    parameters_base_comm_port_speed_response,
+    2,
+    sizeof(struct mip_base_comm_port_speed_response),
+};
 
 static const struct mip_parameter parameters_3dm_poll_imu_data[] = {
     {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1645,7 +1705,10 @@ static const struct mip_parameter parameters_3dm_poll_imu_data[] = {
      0},
 };
 static const struct mip_record record_3dm_poll_imu_data = {
-    parameters_3dm_poll_imu_data, 3, sizeof(struct mip_3dm_poll_imu_data)};
+    parameters_3dm_poll_imu_data,
+    3,
+    sizeof(struct mip_3dm_poll_imu_data),
+};
 
 static const struct mip_parameter parameters_3dm_poll_estimation_filter_data[] = {
     {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1658,8 +1721,10 @@ static const struct mip_parameter parameters_3dm_poll_estimation_filter_data[] =
      &record_3dm_poll_entry, NULL, 0},
 };
 static const struct mip_record record_3dm_poll_estimation_filter_data = {
-    parameters_3dm_poll_estimation_filter_data, 3,
-    sizeof(struct mip_3dm_poll_estimation_filter_data)};
+    parameters_3dm_poll_estimation_filter_data,
+    3,
+    sizeof(struct mip_3dm_poll_estimation_filter_data),
+};
 
 static const struct mip_parameter parameters_3dm_poll_nmea_data[] = {
     {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1671,10 +1736,16 @@ static const struct mip_parameter parameters_3dm_poll_nmea_data[] = {
      0},
 };
 static const struct mip_record record_3dm_poll_nmea_data = {
-    parameters_3dm_poll_nmea_data, 3, sizeof(struct mip_3dm_poll_nmea_data)};
+    parameters_3dm_poll_nmea_data,
+    3,
+    sizeof(struct mip_3dm_poll_nmea_data),
+};
 
 static const struct mip_record record_3dm_get_imu_data_base_rate = {
-    NULL, 0, sizeof(struct mip_3dm_get_imu_data_base_rate)};
+    NULL,
+    0,
+    sizeof(struct mip_3dm_get_imu_data_base_rate),
+};
 
 static const struct mip_parameter parameters_3dm_imu_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1687,7 +1758,10 @@ static const struct mip_parameter parameters_3dm_imu_message_format[] = {
      NULL, 0},
 };
 static const struct mip_record record_3dm_imu_message_format = {
-    parameters_3dm_imu_message_format, 3, sizeof(struct mip_3dm_imu_message_format)};
+    parameters_3dm_imu_message_format,
+    3,
+    sizeof(struct mip_3dm_imu_message_format),
+};
 static const uint8_t required_3dm_imu_message_format[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_estimation_filter_message_format[] = {
@@ -1702,12 +1776,17 @@ static const struct mip_parameter parameters_3dm_estimation_filter_message_forma
      &record_descriptor_rate, NULL, 0},
 };
 static const struct mip_record record_3dm_estimation_filter_message_format = {
-    parameters_3dm_estimation_filter_message_format, 3,
-    sizeof(struct mip_3dm_estimation_filter_message_format)};
+    parameters_3dm_estimation_filter_message_format,
+    3,
+    sizeof(struct mip_3dm_estimation_filter_message_format),
+};
 static const uint8_t required_3dm_estimation_filter_message_format[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_record record_3dm_get_estimation_filter_data_base_rate = {
-    NULL, 0, sizeof(struct mip_3dm_get_estimation_filter_data_base_rate)};
+    NULL,
+    0,
+    sizeof(struct mip_3dm_get_estimation_filter_data_base_rate),
+};
 
 static const struct mip_parameter parameters_3dm_nmea_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1720,7 +1799,10 @@ static const struct mip_parameter parameters_3dm_nmea_message_format[] = {
      NULL, 0},
 };
 static const struct mip_record record_3dm_nmea_message_format = {
-    parameters_3dm_nmea_message_format, 3, sizeof(struct mip_3dm_nmea_message_format)};
+    parameters_3dm_nmea_message_format,
+    3,
+    sizeof(struct mip_3dm_nmea_message_format),
+};
 static const uint8_t required_3dm_nmea_message_format[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_poll_data[] = {
@@ -1734,14 +1816,20 @@ static const struct mip_parameter parameters_3dm_poll_data[] = {
      MANY(struct mip_3dm_poll_data, descriptors), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_poll_data = {
-    parameters_3dm_poll_data, 4, sizeof(struct mip_3dm_poll_data)};
+    parameters_3dm_poll_data,
+    4,
+    sizeof(struct mip_3dm_poll_data),
+};
 
 static const struct mip_parameter parameters_3dm_get_data_base_rate[] = {
     {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_get_data_base_rate, desc_set), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_get_data_base_rate = {
-    parameters_3dm_get_data_base_rate, 1, sizeof(struct mip_3dm_get_data_base_rate)};
+    parameters_3dm_get_data_base_rate,
+    1,
+    sizeof(struct mip_3dm_get_data_base_rate),
+};
 
 static const struct mip_parameter parameters_3dm_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1756,7 +1844,10 @@ static const struct mip_parameter parameters_3dm_message_format[] = {
      0},
 };
 static const struct mip_record record_3dm_message_format = {
-    parameters_3dm_message_format, 4, sizeof(struct mip_3dm_message_format)};
+    parameters_3dm_message_format,
+    4,
+    sizeof(struct mip_3dm_message_format),
+};
 static const uint8_t required_3dm_message_format[] = {0, 3, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_factory_streaming[] = {
@@ -1767,7 +1858,10 @@ static const struct mip_parameter parameters_3dm_factory_streaming[] = {
      ONE(struct mip_3dm_factory_streaming, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_factory_streaming = {
-    parameters_3dm_factory_streaming, 2, sizeof(struct mip_3dm_factory_streaming)};
+    parameters_3dm_factory_streaming,
+    2,
+    sizeof(struct mip_3dm_factory_streaming),
+};
 
 static const struct mip_reading readings_3dm_data_stream_control_desc_set[] = {
     {"3dm-gx5-15", 0, 0, &names_3dm_legacy_data_stream},
@@ -1783,7 +1877,10 @@ static const struct mip_parameter parameters_3dm_data_stream_control[] = {
      ONE(struct mip_3dm_data_stream_control, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_data_stream_control = {
-    parameters_3dm_data_stream_control, 3, sizeof(struct mip_3dm_data_stream_control)};
+    parameters_3dm_data_stream_control,
+    3,
+    sizeof(struct mip_3dm_data_stream_control),
+};
 static const uint8_t required_3dm_data_stream_control[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_gnss_sbas_settings[] = {
@@ -1801,7 +1898,10 @@ static const struct mip_parameter parameters_3dm_gnss_sbas_settings[] = {
      MANY(struct mip_3dm_gnss_sbas_settings, included_prns), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gnss_sbas_settings = {
-    parameters_3dm_gnss_sbas_settings, 5, sizeof(struct mip_3dm_gnss_sbas_settings)};
+    parameters_3dm_gnss_sbas_settings,
+    5,
+    sizeof(struct mip_3dm_gnss_sbas_settings),
+};
 static const uint8_t required_3dm_gnss_sbas_settings[] = {0, 4, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_pps_source_control[] = {
@@ -1812,7 +1912,10 @@ static const struct mip_parameter parameters_3dm_pps_source_control[] = {
      ONE(struct mip_3dm_pps_source_control, source), 0, &names_3dm_pps_source, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_pps_source_control = {
-    parameters_3dm_pps_source_control, 2, sizeof(struct mip_3dm_pps_source_control)};
+    parameters_3dm_pps_source_control,
+    2,
+    sizeof(struct mip_3dm_pps_source_control),
+};
 static const uint8_t required_3dm_pps_source_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_get_supported_events[] = {
@@ -1821,7 +1924,10 @@ static const struct mip_parameter parameters_3dm_get_supported_events[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_get_supported_events = {
-    parameters_3dm_get_supported_events, 1, sizeof(struct mip_3dm_get_supported_events)};
+    parameters_3dm_get_supported_events,
+    1,
+    sizeof(struct mip_3dm_get_supported_events),
+};
 
 static const struct mip_parameter parameters_3dm_event_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1832,7 +1938,10 @@ static const struct mip_parameter parameters_3dm_event_control[] = {
      ONE(struct mip_3dm_event_control, mode), 0, &names_event_trigger_mode, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_event_control = {
-    parameters_3dm_event_control, 3, sizeof(struct mip_3dm_event_control)};
+    parameters_3dm_event_control,
+    3,
+    sizeof(struct mip_3dm_event_control),
+};
 static const uint8_t required_3dm_event_control[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_get_event_trigger_status[] = {
@@ -1843,7 +1952,10 @@ static const struct mip_parameter parameters_3dm_get_event_trigger_status[] = {
      0},
 };
 static const struct mip_record record_3dm_get_event_trigger_status = {
-    parameters_3dm_get_event_trigger_status, 2, sizeof(struct mip_3dm_get_event_trigger_status)};
+    parameters_3dm_get_event_trigger_status,
+    2,
+    sizeof(struct mip_3dm_get_event_trigger_status),
+};
 
 static const struct mip_parameter parameters_3dm_get_event_action_status[] = {
     {"requested_count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -1853,7 +1965,10 @@ static const struct mip_parameter parameters_3dm_get_event_action_status[] = {
      0},
 };
 static const struct mip_record record_3dm_get_event_action_status = {
-    parameters_3dm_get_event_action_status, 2, sizeof(struct mip_3dm_get_event_action_status)};
+    parameters_3dm_get_event_action_status,
+    2,
+    sizeof(struct mip_3dm_get_event_action_status),
+};
 
 static const struct mip_parameter members_3dm_event_trigger_configuration_parameters[] = {
     {"gpio", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1886,8 +2001,10 @@ static const struct mip_parameter parameters_3dm_event_trigger_configuration[] =
      cases_3dm_event_trigger_configuration_parameters, 4},
 };
 static const struct mip_record record_3dm_event_trigger_configuration = {
-    parameters_3dm_event_trigger_configuration, 4,
-    sizeof(struct mip_3dm_event_trigger_configuration)};
+    parameters_3dm_event_trigger_configuration,
+    4,
+    sizeof(struct mip_3dm_event_trigger_configuration),
+};
 static const uint8_t required_3dm_event_trigger_configuration[] = {0, 3, 1, 1, 1, 1};
 
 static const struct mip_parameter members_3dm_event_action_configuration_parameters[] = {
@@ -1919,8 +2036,10 @@ static const struct mip_parameter parameters_3dm_event_action_configuration[] = 
      cases_3dm_event_action_configuration_parameters, 3},
 };
 static const struct mip_record record_3dm_event_action_configuration = {
-    parameters_3dm_event_action_configuration, 5,
-    sizeof(struct mip_3dm_event_action_configuration)};
+    parameters_3dm_event_action_configuration,
+    5,
+    sizeof(struct mip_3dm_event_action_configuration),
+};
 static const uint8_t required_3dm_event_action_configuration[] = {0, 4, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_device_start_up_settings[] = {
@@ -1929,7 +2048,10 @@ static const struct mip_parameter parameters_3dm_device_start_up_settings[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_device_start_up_settings = {
-    parameters_3dm_device_start_up_settings, 1, sizeof(struct mip_3dm_device_start_up_settings)};
+    parameters_3dm_device_start_up_settings,
+    1,
+    sizeof(struct mip_3dm_device_start_up_settings),
+};
 static const uint8_t required_3dm_device_start_up_settings[] = {0, 0, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_sensor_to_vehicle_frame_transformation_euler[] = {
@@ -1947,38 +2069,48 @@ static const struct mip_parameter parameters_3dm_sensor_to_vehicle_frame_transfo
      NULL, 0},
 };
 static const struct mip_record record_3dm_sensor_to_vehicle_frame_transformation_euler = {
-    parameters_3dm_sensor_to_vehicle_frame_transformation_euler, 4,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler)};
-static const uint8_t required_3dm_sensor_to_vehicle_frame_transformation_euler[] = {
-    0, 3, 0, 0, 0, 0};
+    parameters_3dm_sensor_to_vehicle_frame_transformation_euler,
+    4,
+    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler),
+};
+static const uint8_t required_3dm_sensor_to_vehicle_frame_transformation_euler[] = {0, 3, 0,
+                                                                                    0, 0, 0};
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_frame_transformation_quaternion[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
-    {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 1, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion, q), 0, NULL, NULL, NULL,
-     NULL, 0},
+static const struct mip_parameter
+    parameters_3dm_sensor_to_vehicle_frame_transformation_quaternion[] = {
+        {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion, function), 0,
+         &names_function_selector, NULL, NULL, NULL, 0},
+        {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 1, 0,
+         ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion, q), 0, NULL, NULL,
+         NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_sensor_to_vehicle_frame_transformation_quaternion = {
-    parameters_3dm_sensor_to_vehicle_frame_transformation_quaternion, 2,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion)};
-static const uint8_t required_3dm_sensor_to_vehicle_frame_transformation_quaternion[] = {
-    0, 1, 0, 0, 0, 0};
-
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix, function),
-     0, &names_function_selector, NULL, NULL, NULL, 0},
-    {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix, dcm), 0,
-     NULL, NULL, NULL, NULL, 0},
+    parameters_3dm_sensor_to_vehicle_frame_transformation_quaternion,
+    2,
+    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion),
 };
-static const struct mip_record record_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix = {
-    parameters_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix, 2,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix)};
-static const uint8_t required_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix[] = {
-    0, 1, 0, 0, 0, 0};
+static const uint8_t required_3dm_sensor_to_vehicle_frame_transformation_quaternion[] = {0, 1, 0,
+                                                                                         0, 0, 0};
+
+static const struct mip_parameter
+    parameters_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix[] = {
+        {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
+             function),
+         0, &names_function_selector, NULL, NULL, NULL, 0},
+        {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
+         ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix, dcm), 0,
+         NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record
+    record_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix = {
+        parameters_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
+        2,
+        sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix),
+};
+static const uint8_t required_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix[] =
+    {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_accelerometer_bias_configuration[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1988,8 +2120,10 @@ static const struct mip_parameter parameters_3dm_accelerometer_bias_configuratio
      ONE(struct mip_3dm_accelerometer_bias_configuration, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_accelerometer_bias_configuration = {
-    parameters_3dm_accelerometer_bias_configuration, 2,
-    sizeof(struct mip_3dm_accelerometer_bias_configuration)};
+    parameters_3dm_accelerometer_bias_configuration,
+    2,
+    sizeof(struct mip_3dm_accelerometer_bias_configuration),
+};
 static const uint8_t required_3dm_accelerometer_bias_configuration[] = {0, 1, 0, 0, 0, 0, 1};
 
 static const struct mip_parameter parameters_3dm_gyroscope_bias_configuration[] = {
@@ -2000,8 +2134,10 @@ static const struct mip_parameter parameters_3dm_gyroscope_bias_configuration[] 
      ONE(struct mip_3dm_gyroscope_bias_configuration, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gyroscope_bias_configuration = {
-    parameters_3dm_gyroscope_bias_configuration, 2,
-    sizeof(struct mip_3dm_gyroscope_bias_configuration)};
+    parameters_3dm_gyroscope_bias_configuration,
+    2,
+    sizeof(struct mip_3dm_gyroscope_bias_configuration),
+};
 static const uint8_t required_3dm_gyroscope_bias_configuration[] = {0, 1, 0, 0, 0, 0, 1};
 
 static const struct mip_parameter parameters_3dm_capture_gyroscope_bias[] = {
@@ -2009,7 +2145,10 @@ static const struct mip_parameter parameters_3dm_capture_gyroscope_bias[] = {
      ONE(struct mip_3dm_capture_gyroscope_bias, averaging_time_ms), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_capture_gyroscope_bias = {
-    parameters_3dm_capture_gyroscope_bias, 1, sizeof(struct mip_3dm_capture_gyroscope_bias)};
+    parameters_3dm_capture_gyroscope_bias,
+    1,
+    sizeof(struct mip_3dm_capture_gyroscope_bias),
+};
 
 static const struct mip_parameter parameters_3dm_magnetometer_hard_iron_offset[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2019,8 +2158,10 @@ static const struct mip_parameter parameters_3dm_magnetometer_hard_iron_offset[]
      ONE(struct mip_3dm_magnetometer_hard_iron_offset, offset), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_magnetometer_hard_iron_offset = {
-    parameters_3dm_magnetometer_hard_iron_offset, 2,
-    sizeof(struct mip_3dm_magnetometer_hard_iron_offset)};
+    parameters_3dm_magnetometer_hard_iron_offset,
+    2,
+    sizeof(struct mip_3dm_magnetometer_hard_iron_offset),
+};
 static const uint8_t required_3dm_magnetometer_hard_iron_offset[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_magnetometer_soft_iron_matrix[] = {
@@ -2031,8 +2172,10 @@ static const struct mip_parameter parameters_3dm_magnetometer_soft_iron_matrix[]
      ONE(struct mip_3dm_magnetometer_soft_iron_matrix, offset), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_magnetometer_soft_iron_matrix = {
-    parameters_3dm_magnetometer_soft_iron_matrix, 2,
-    sizeof(struct mip_3dm_magnetometer_soft_iron_matrix)};
+    parameters_3dm_magnetometer_soft_iron_matrix,
+    2,
+    sizeof(struct mip_3dm_magnetometer_soft_iron_matrix),
+};
 static const uint8_t required_3dm_magnetometer_soft_iron_matrix[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_coning_and_sculling_enable[] = {
@@ -2043,8 +2186,10 @@ static const struct mip_parameter parameters_3dm_coning_and_sculling_enable[] = 
      ONE(struct mip_3dm_coning_and_sculling_enable, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_coning_and_sculling_enable = {
-    parameters_3dm_coning_and_sculling_enable, 2,
-    sizeof(struct mip_3dm_coning_and_sculling_enable)};
+    parameters_3dm_coning_and_sculling_enable,
+    2,
+    sizeof(struct mip_3dm_coning_and_sculling_enable),
+};
 static const uint8_t required_3dm_coning_and_sculling_enable[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_uart_baud_rate[] = {
@@ -2055,16 +2200,16 @@ static const struct mip_parameter parameters_3dm_uart_baud_rate[] = {
      ONE(struct mip_3dm_uart_baud_rate, baud), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_uart_baud_rate = {
-    parameters_3dm_uart_baud_rate, 2, sizeof(struct mip_3dm_uart_baud_rate)};
+    parameters_3dm_uart_baud_rate,
+    2,
+    sizeof(struct mip_3dm_uart_baud_rate),
+};
 static const uint8_t required_3dm_uart_baud_rate[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_reading readings_3dm_gpio_configuration_behavior[] = {
-    {NULL, 2, 0, &names_gpio_unused_behavior},
-    {NULL, 2, 1, &names_gpio_behavior},
-    {NULL, 2, 2, &names_gpio_pps_behavior},
-    {NULL, 2, 3, &names_gpio_encoder_behavior},
-    {NULL, 2, 4, &names_gpio_timestamp_behavior},
-    {NULL, 2, 5, &names_gpio_uart_behavior},
+    {NULL, 2, 0, &names_gpio_unused_behavior},    {NULL, 2, 1, &names_gpio_behavior},
+    {NULL, 2, 2, &names_gpio_pps_behavior},       {NULL, 2, 3, &names_gpio_encoder_behavior},
+    {NULL, 2, 4, &names_gpio_timestamp_behavior}, {NULL, 2, 5, &names_gpio_uart_behavior},
 };
 static const struct mip_parameter parameters_3dm_gpio_configuration[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2082,7 +2227,10 @@ static const struct mip_parameter parameters_3dm_gpio_configuration[] = {
      0},
 };
 static const struct mip_record record_3dm_gpio_configuration = {
-    parameters_3dm_gpio_configuration, 5, sizeof(struct mip_3dm_gpio_configuration)};
+    parameters_3dm_gpio_configuration,
+    5,
+    sizeof(struct mip_3dm_gpio_configuration),
+};
 static const uint8_t required_3dm_gpio_configuration[] = {0, 4, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_gpio_state[] = {
@@ -2094,7 +2242,10 @@ static const struct mip_parameter parameters_3dm_gpio_state[] = {
      ONE(struct mip_3dm_gpio_state, state), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gpio_state = {
-    parameters_3dm_gpio_state, 3, sizeof(struct mip_3dm_gpio_state)};
+    parameters_3dm_gpio_state,
+    3,
+    sizeof(struct mip_3dm_gpio_state),
+};
 static const uint8_t required_3dm_gpio_state[] = {0, 2, 1};
 
 static const struct mip_parameter parameters_3dm_odometer_configuration[] = {
@@ -2110,7 +2261,10 @@ static const struct mip_parameter parameters_3dm_odometer_configuration[] = {
      ONE(struct mip_3dm_odometer_configuration, uncertainty), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_odometer_configuration = {
-    parameters_3dm_odometer_configuration, 4, sizeof(struct mip_3dm_odometer_configuration)};
+    parameters_3dm_odometer_configuration,
+    4,
+    sizeof(struct mip_3dm_odometer_configuration),
+};
 static const uint8_t required_3dm_odometer_configuration[] = {0, 3, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_advanced_low_pass_filter_settings[] = {
@@ -2131,8 +2285,10 @@ static const struct mip_parameter parameters_3dm_advanced_low_pass_filter_settin
      ONE(struct mip_3dm_advanced_low_pass_filter_settings, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_advanced_low_pass_filter_settings = {
-    parameters_3dm_advanced_low_pass_filter_settings, 6,
-    sizeof(struct mip_3dm_advanced_low_pass_filter_settings)};
+    parameters_3dm_advanced_low_pass_filter_settings,
+    6,
+    sizeof(struct mip_3dm_advanced_low_pass_filter_settings),
+};
 static const uint8_t required_3dm_advanced_low_pass_filter_settings[] = {0, 5, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_complementary_filter_configuration[] = {
@@ -2153,8 +2309,10 @@ static const struct mip_parameter parameters_3dm_complementary_filter_configurat
      NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_complementary_filter_configuration = {
-    parameters_3dm_complementary_filter_configuration, 5,
-    sizeof(struct mip_3dm_complementary_filter_configuration)};
+    parameters_3dm_complementary_filter_configuration,
+    5,
+    sizeof(struct mip_3dm_complementary_filter_configuration),
+};
 static const uint8_t required_3dm_complementary_filter_configuration[] = {0, 4, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_sensor_range[] = {
@@ -2167,7 +2325,10 @@ static const struct mip_parameter parameters_3dm_sensor_range[] = {
      ONE(struct mip_3dm_sensor_range, setting), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_sensor_range = {
-    parameters_3dm_sensor_range, 3, sizeof(struct mip_3dm_sensor_range)};
+    parameters_3dm_sensor_range,
+    3,
+    sizeof(struct mip_3dm_sensor_range),
+};
 static const uint8_t required_3dm_sensor_range[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_get_calibrated_sensor_ranges[] = {
@@ -2176,8 +2337,10 @@ static const struct mip_parameter parameters_3dm_get_calibrated_sensor_ranges[] 
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_get_calibrated_sensor_ranges = {
-    parameters_3dm_get_calibrated_sensor_ranges, 1,
-    sizeof(struct mip_3dm_get_calibrated_sensor_ranges)};
+    parameters_3dm_get_calibrated_sensor_ranges,
+    1,
+    sizeof(struct mip_3dm_get_calibrated_sensor_ranges),
+};
 
 static const struct mip_parameter parameters_3dm_low_pass_anti_aliasing_filter[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2195,8 +2358,10 @@ static const struct mip_parameter parameters_3dm_low_pass_anti_aliasing_filter[]
      ONE(struct mip_3dm_low_pass_anti_aliasing_filter, frequency), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_low_pass_anti_aliasing_filter = {
-    parameters_3dm_low_pass_anti_aliasing_filter, 6,
-    sizeof(struct mip_3dm_low_pass_anti_aliasing_filter)};
+    parameters_3dm_low_pass_anti_aliasing_filter,
+    6,
+    sizeof(struct mip_3dm_low_pass_anti_aliasing_filter),
+};
 static const uint8_t required_3dm_low_pass_anti_aliasing_filter[] = {0, 5, 2, 2, 2, 2};
 
 static const struct mip_parameter parameters_3dm_device_status[] = {
@@ -2207,7 +2372,10 @@ static const struct mip_parameter parameters_3dm_device_status[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_device_status = {
-    parameters_3dm_device_status, 2, sizeof(struct mip_3dm_device_status)};
+    parameters_3dm_device_status,
+    2,
+    sizeof(struct mip_3dm_device_status),
+};
 
 static const struct mip_parameter parameters_3dm_imu_message_format_response[] = {
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -2218,8 +2386,10 @@ static const struct mip_parameter parameters_3dm_imu_message_format_response[] =
      &record_descriptor_rate, NULL, 0},
 };
 static const struct mip_record record_3dm_imu_message_format_response = {
-    parameters_3dm_imu_message_format_response, 2,
-    sizeof(struct mip_3dm_imu_message_format_response)};
+    parameters_3dm_imu_message_format_response,
+    2,
+    sizeof(struct mip_3dm_imu_message_format_response),
+};
 
 static const struct mip_parameter parameters_3dm_estimation_filter_message_format_response[] = {
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -2230,16 +2400,20 @@ static const struct mip_parameter parameters_3dm_estimation_filter_message_forma
      &record_descriptor_rate, NULL, 0},
 };
 static const struct mip_record record_3dm_estimation_filter_message_format_response = {
-    parameters_3dm_estimation_filter_message_format_response, 2,
-    sizeof(struct mip_3dm_estimation_filter_message_format_response)};
+    parameters_3dm_estimation_filter_message_format_response,
+    2,
+    sizeof(struct mip_3dm_estimation_filter_message_format_response),
+};
 
 static const struct mip_parameter parameters_3dm_get_imu_data_base_rate_response[] = {
     {"rate", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_get_imu_data_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_get_imu_data_base_rate_response = {
-    parameters_3dm_get_imu_data_base_rate_response, 1,
-    sizeof(struct mip_3dm_get_imu_data_base_rate_response)};
+    parameters_3dm_get_imu_data_base_rate_response,
+    1,
+    sizeof(struct mip_3dm_get_imu_data_base_rate_response),
+};
 
 static const struct mip_reading readings_3dm_data_stream_control_response_desc_set[] = {
     {"3dm-gx5-15", 0, 0, &names_3dm_legacy_data_stream},
@@ -2252,15 +2426,20 @@ static const struct mip_parameter parameters_3dm_data_stream_control_response[] 
      ONE(struct mip_3dm_data_stream_control_response, enabled), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_data_stream_control_response = {
-    parameters_3dm_data_stream_control_response, 2,
-    sizeof(struct mip_3dm_data_stream_control_response)};
+    parameters_3dm_data_stream_control_response,
+    2,
+    sizeof(struct mip_3dm_data_stream_control_response),
+};
 
 static const struct mip_parameter parameters_3dm_uart_baud_rate_response[] = {
     {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_uart_baud_rate_response, baud), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_uart_baud_rate_response = {
-    parameters_3dm_uart_baud_rate_response, 1, sizeof(struct mip_3dm_uart_baud_rate_response)};
+    parameters_3dm_uart_baud_rate_response,
+    1,
+    sizeof(struct mip_3dm_uart_baud_rate_response),
+};
 
 static const struct mip_parameter parameters_3dm_get_estimation_filter_data_base_rate_response[] = {
     {"rate", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2268,8 +2447,10 @@ static const struct mip_parameter parameters_3dm_get_estimation_filter_data_base
      NULL, 0},
 };
 static const struct mip_record record_3dm_get_estimation_filter_data_base_rate_response = {
-    parameters_3dm_get_estimation_filter_data_base_rate_response, 1,
-    sizeof(struct mip_3dm_get_estimation_filter_data_base_rate_response)};
+    parameters_3dm_get_estimation_filter_data_base_rate_response,
+    1,
+    sizeof(struct mip_3dm_get_estimation_filter_data_base_rate_response),
+};
 
 static const struct mip_parameter parameters_3dm_advanced_low_pass_filter_settings_response[] = {
     {"target_descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2289,8 +2470,10 @@ static const struct mip_parameter parameters_3dm_advanced_low_pass_filter_settin
      NULL, 0},
 };
 static const struct mip_record record_3dm_advanced_low_pass_filter_settings_response = {
-    parameters_3dm_advanced_low_pass_filter_settings_response, 5,
-    sizeof(struct mip_3dm_advanced_low_pass_filter_settings_response)};
+    parameters_3dm_advanced_low_pass_filter_settings_response,
+    5,
+    sizeof(struct mip_3dm_advanced_low_pass_filter_settings_response),
+};
 
 static const struct mip_parameter parameters_3dm_nmea_message_format_response[] = {
     {"count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -2300,8 +2483,10 @@ static const struct mip_parameter parameters_3dm_nmea_message_format_response[] 
      &record_nmea_message, NULL, 0},
 };
 static const struct mip_record record_3dm_nmea_message_format_response = {
-    parameters_3dm_nmea_message_format_response, 2,
-    sizeof(struct mip_3dm_nmea_message_format_response)};
+    parameters_3dm_nmea_message_format_response,
+    2,
+    sizeof(struct mip_3dm_nmea_message_format_response),
+};
 
 static const struct mip_parameter parameters_3dm_get_data_base_rate_response[] = {
     {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2310,8 +2495,10 @@ static const struct mip_parameter parameters_3dm_get_data_base_rate_response[] =
      ONE(struct mip_3dm_get_data_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_get_data_base_rate_response = {
-    parameters_3dm_get_data_base_rate_response, 2,
-    sizeof(struct mip_3dm_get_data_base_rate_response)};
+    parameters_3dm_get_data_base_rate_response,
+    2,
+    sizeof(struct mip_3dm_get_data_base_rate_response),
+};
 
 static const struct mip_parameter parameters_3dm_message_format_response[] = {
     {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2323,7 +2510,10 @@ static const struct mip_parameter parameters_3dm_message_format_response[] = {
      &record_descriptor_rate, NULL, 0},
 };
 static const struct mip_record record_3dm_message_format_response = {
-    parameters_3dm_message_format_response, 3, sizeof(struct mip_3dm_message_format_response)};
+    parameters_3dm_message_format_response,
+    3,
+    sizeof(struct mip_3dm_message_format_response),
+};
 
 static const struct mip_parameter parameters_3dm_device_status_basic_response[] = {
     {"model_number", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 6254, 0, 0,
@@ -2338,8 +2528,10 @@ static const struct mip_parameter parameters_3dm_device_status_basic_response[] 
      ONE(struct mip_3dm_device_status_basic_response, system_timer), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_device_status_basic_response = {
-    parameters_3dm_device_status_basic_response, 5,
-    sizeof(struct mip_3dm_device_status_basic_response)};
+    parameters_3dm_device_status_basic_response,
+    5,
+    sizeof(struct mip_3dm_device_status_basic_response),
+};
 
 static const struct mip_parameter parameters_3dm_device_status_diagnostic_response[] = {
     {"model_number", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 6254, 0, 0,
@@ -2390,8 +2582,10 @@ static const struct mip_parameter parameters_3dm_device_status_diagnostic_respon
      NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_device_status_diagnostic_response = {
-    parameters_3dm_device_status_diagnostic_response, 16,
-    sizeof(struct mip_3dm_device_status_diagnostic_response)};
+    parameters_3dm_device_status_diagnostic_response,
+    16,
+    sizeof(struct mip_3dm_device_status_diagnostic_response),
+};
 
 static const struct mip_parameter parameters_3dm_complementary_filter_configuration_response[] = {
     {"pitch_roll_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2408,8 +2602,10 @@ static const struct mip_parameter parameters_3dm_complementary_filter_configurat
      NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_complementary_filter_configuration_response = {
-    parameters_3dm_complementary_filter_configuration_response, 4,
-    sizeof(struct mip_3dm_complementary_filter_configuration_response)};
+    parameters_3dm_complementary_filter_configuration_response,
+    4,
+    sizeof(struct mip_3dm_complementary_filter_configuration_response),
+};
 
 static const struct mip_parameter parameters_3dm_accelerometer_bias_configuration_response[] = {
     {"bias", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -2417,16 +2613,20 @@ static const struct mip_parameter parameters_3dm_accelerometer_bias_configuratio
      0},
 };
 static const struct mip_record record_3dm_accelerometer_bias_configuration_response = {
-    parameters_3dm_accelerometer_bias_configuration_response, 1,
-    sizeof(struct mip_3dm_accelerometer_bias_configuration_response)};
+    parameters_3dm_accelerometer_bias_configuration_response,
+    1,
+    sizeof(struct mip_3dm_accelerometer_bias_configuration_response),
+};
 
 static const struct mip_parameter parameters_3dm_gyroscope_bias_configuration_response[] = {
     {"bias", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_3dm_gyroscope_bias_configuration_response, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gyroscope_bias_configuration_response = {
-    parameters_3dm_gyroscope_bias_configuration_response, 1,
-    sizeof(struct mip_3dm_gyroscope_bias_configuration_response)};
+    parameters_3dm_gyroscope_bias_configuration_response,
+    1,
+    sizeof(struct mip_3dm_gyroscope_bias_configuration_response),
+};
 
 static const struct mip_parameter parameters_3dm_magnetometer_hard_iron_offset_response[] = {
     {"offset", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -2434,8 +2634,10 @@ static const struct mip_parameter parameters_3dm_magnetometer_hard_iron_offset_r
      0},
 };
 static const struct mip_record record_3dm_magnetometer_hard_iron_offset_response = {
-    parameters_3dm_magnetometer_hard_iron_offset_response, 1,
-    sizeof(struct mip_3dm_magnetometer_hard_iron_offset_response)};
+    parameters_3dm_magnetometer_hard_iron_offset_response,
+    1,
+    sizeof(struct mip_3dm_magnetometer_hard_iron_offset_response),
+};
 
 static const struct mip_parameter parameters_3dm_magnetometer_soft_iron_matrix_response[] = {
     {"offset", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
@@ -2443,16 +2645,20 @@ static const struct mip_parameter parameters_3dm_magnetometer_soft_iron_matrix_r
      0},
 };
 static const struct mip_record record_3dm_magnetometer_soft_iron_matrix_response = {
-    parameters_3dm_magnetometer_soft_iron_matrix_response, 1,
-    sizeof(struct mip_3dm_magnetometer_soft_iron_matrix_response)};
+    parameters_3dm_magnetometer_soft_iron_matrix_response,
+    1,
+    sizeof(struct mip_3dm_magnetometer_soft_iron_matrix_response),
+};
 
 static const struct mip_parameter parameters_3dm_coning_and_sculling_enable_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_coning_and_sculling_enable_response, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_coning_and_sculling_enable_response = {
-    parameters_3dm_coning_and_sculling_enable_response, 1,
-    sizeof(struct mip_3dm_coning_and_sculling_enable_response)};
+    parameters_3dm_coning_and_sculling_enable_response,
+    1,
+    sizeof(struct mip_3dm_coning_and_sculling_enable_response),
+};
 
 static const struct mip_parameter parameters_3dm_gnss_sbas_settings_response[] = {
     {"enable_sbas", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2467,8 +2673,10 @@ static const struct mip_parameter parameters_3dm_gnss_sbas_settings_response[] =
      MANY(struct mip_3dm_gnss_sbas_settings_response, included_prns), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gnss_sbas_settings_response = {
-    parameters_3dm_gnss_sbas_settings_response, 4,
-    sizeof(struct mip_3dm_gnss_sbas_settings_response)};
+    parameters_3dm_gnss_sbas_settings_response,
+    4,
+    sizeof(struct mip_3dm_gnss_sbas_settings_response),
+};
 
 static const struct mip_parameter parameters_3dm_pps_source_control_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2476,41 +2684,56 @@ static const struct mip_parameter parameters_3dm_pps_source_control_response[] =
      NULL, 0},
 };
 static const struct mip_record record_3dm_pps_source_control_response = {
-    parameters_3dm_pps_source_control_response, 1,
-    sizeof(struct mip_3dm_pps_source_control_response)};
+    parameters_3dm_pps_source_control_response,
+    1,
+    sizeof(struct mip_3dm_pps_source_control_response),
+};
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_frame_transformation_euler_response[] = {
-    {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response, roll), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response, pitch), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response, yaw), 0, NULL, NULL,
-     NULL, NULL, 0},
+static const struct mip_parameter
+    parameters_3dm_sensor_to_vehicle_frame_transformation_euler_response[] = {
+        {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response, roll), 0, NULL,
+         NULL, NULL, NULL, 0},
+        {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response, pitch), 0, NULL,
+         NULL, NULL, NULL, 0},
+        {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response, yaw), 0, NULL,
+         NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_sensor_to_vehicle_frame_transformation_euler_response = {
-    parameters_3dm_sensor_to_vehicle_frame_transformation_euler_response, 3,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response)};
-
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_frame_transformation_quaternion_response[] = {
-    {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response, q), 0, NULL,
-     NULL, NULL, NULL, 0},
+    parameters_3dm_sensor_to_vehicle_frame_transformation_euler_response,
+    3,
+    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response),
 };
-static const struct mip_record record_3dm_sensor_to_vehicle_frame_transformation_quaternion_response = {
-    parameters_3dm_sensor_to_vehicle_frame_transformation_quaternion_response, 1,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response)};
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response[] = {
-    {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response, dcm),
-     0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter
+    parameters_3dm_sensor_to_vehicle_frame_transformation_quaternion_response[] = {
+        {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
+         ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response, q), 0, NULL,
+         NULL, NULL, NULL, 0},
 };
-static const struct mip_record record_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response = {
-    parameters_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response, 1,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response)};
+static const struct mip_record
+    record_3dm_sensor_to_vehicle_frame_transformation_quaternion_response = {
+        parameters_3dm_sensor_to_vehicle_frame_transformation_quaternion_response,
+        1,
+        sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response),
+};
+
+static const struct mip_parameter
+    parameters_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response[] = {
+        {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
+         ONE(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
+             dcm),
+         0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record
+    record_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response = {
+        parameters_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
+        1,
+        sizeof(
+            struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response),
+};
 
 static const struct mip_parameter parameters_3dm_get_supported_events_response[] = {
     {"query", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2526,8 +2749,10 @@ static const struct mip_parameter parameters_3dm_get_supported_events_response[]
      &record_3dm_supported_event_info, NULL, 0},
 };
 static const struct mip_record record_3dm_get_supported_events_response = {
-    parameters_3dm_get_supported_events_response, 4,
-    sizeof(struct mip_3dm_get_supported_events_response)};
+    parameters_3dm_get_supported_events_response,
+    4,
+    sizeof(struct mip_3dm_get_supported_events_response),
+};
 
 static const struct mip_parameter parameters_3dm_event_control_response[] = {
     {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2537,7 +2762,10 @@ static const struct mip_parameter parameters_3dm_event_control_response[] = {
      NULL, 0},
 };
 static const struct mip_record record_3dm_event_control_response = {
-    parameters_3dm_event_control_response, 2, sizeof(struct mip_3dm_event_control_response)};
+    parameters_3dm_event_control_response,
+    2,
+    sizeof(struct mip_3dm_event_control_response),
+};
 
 static const struct mip_parameter parameters_3dm_get_event_trigger_status_response[] = {
     {"count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -2547,8 +2775,10 @@ static const struct mip_parameter parameters_3dm_get_event_trigger_status_respon
      &record_3dm_event_trigger_status_entry, NULL, 0},
 };
 static const struct mip_record record_3dm_get_event_trigger_status_response = {
-    parameters_3dm_get_event_trigger_status_response, 2,
-    sizeof(struct mip_3dm_get_event_trigger_status_response)};
+    parameters_3dm_get_event_trigger_status_response,
+    2,
+    sizeof(struct mip_3dm_get_event_trigger_status_response),
+};
 
 static const struct mip_parameter parameters_3dm_get_event_action_status_response[] = {
     {"count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -2558,8 +2788,10 @@ static const struct mip_parameter parameters_3dm_get_event_action_status_respons
      &record_3dm_event_action_status_entry, NULL, 0},
 };
 static const struct mip_record record_3dm_get_event_action_status_response = {
-    parameters_3dm_get_event_action_status_response, 2,
-    sizeof(struct mip_3dm_get_event_action_status_response)};
+    parameters_3dm_get_event_action_status_response,
+    2,
+    sizeof(struct mip_3dm_get_event_action_status_response),
+};
 
 static const struct mip_parameter members_3dm_event_trigger_configuration_response_parameters[] = {
     {"gpio", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2590,8 +2822,10 @@ static const struct mip_parameter parameters_3dm_event_trigger_configuration_res
      cases_3dm_event_trigger_configuration_response_parameters, 4},
 };
 static const struct mip_record record_3dm_event_trigger_configuration_response = {
-    parameters_3dm_event_trigger_configuration_response, 3,
-    sizeof(struct mip_3dm_event_trigger_configuration_response)};
+    parameters_3dm_event_trigger_configuration_response,
+    3,
+    sizeof(struct mip_3dm_event_trigger_configuration_response),
+};
 
 static const struct mip_parameter members_3dm_event_action_configuration_response_parameters[] = {
     {"gpio", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2621,16 +2855,15 @@ static const struct mip_parameter parameters_3dm_event_action_configuration_resp
      cases_3dm_event_action_configuration_response_parameters, 3},
 };
 static const struct mip_record record_3dm_event_action_configuration_response = {
-    parameters_3dm_event_action_configuration_response, 4,
-    sizeof(struct mip_3dm_event_action_configuration_response)};
+    parameters_3dm_event_action_configuration_response,
+    4,
+    sizeof(struct mip_3dm_event_action_configuration_response),
+};
 
 static const struct mip_reading readings_3dm_gpio_configuration_response_behavior[] = {
-    {NULL, 1, 0, &names_gpio_unused_behavior},
-    {NULL, 1, 1, &names_gpio_behavior},
-    {NULL, 1, 2, &names_gpio_pps_behavior},
-    {NULL, 1, 3, &names_gpio_encoder_behavior},
-    {NULL, 1, 4, &names_gpio_timestamp_behavior},
-    {NULL, 1, 5, &names_gpio_uart_behavior},
+    {NULL, 1, 0, &names_gpio_unused_behavior},    {NULL, 1, 1, &names_gpio_behavior},
+    {NULL, 1, 2, &names_gpio_pps_behavior},       {NULL, 1, 3, &names_gpio_encoder_behavior},
+    {NULL, 1, 4, &names_gpio_timestamp_behavior}, {NULL, 1, 5, &names_gpio_uart_behavior},
 };
 static const struct mip_parameter parameters_3dm_gpio_configuration_response[] = {
     {"pin", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2646,8 +2879,10 @@ static const struct mip_parameter parameters_3dm_gpio_configuration_response[] =
      NULL, 0},
 };
 static const struct mip_record record_3dm_gpio_configuration_response = {
-    parameters_3dm_gpio_configuration_response, 4,
-    sizeof(struct mip_3dm_gpio_configuration_response)};
+    parameters_3dm_gpio_configuration_response,
+    4,
+    sizeof(struct mip_3dm_gpio_configuration_response),
+};
 
 static const struct mip_parameter parameters_3dm_gpio_state_response[] = {
     {"pin", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2656,7 +2891,10 @@ static const struct mip_parameter parameters_3dm_gpio_state_response[] = {
      ONE(struct mip_3dm_gpio_state_response, state), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gpio_state_response = {
-    parameters_3dm_gpio_state_response, 2, sizeof(struct mip_3dm_gpio_state_response)};
+    parameters_3dm_gpio_state_response,
+    2,
+    sizeof(struct mip_3dm_gpio_state_response),
+};
 
 static const struct mip_parameter parameters_3dm_odometer_configuration_response[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2669,8 +2907,10 @@ static const struct mip_parameter parameters_3dm_odometer_configuration_response
      0},
 };
 static const struct mip_record record_3dm_odometer_configuration_response = {
-    parameters_3dm_odometer_configuration_response, 3,
-    sizeof(struct mip_3dm_odometer_configuration_response)};
+    parameters_3dm_odometer_configuration_response,
+    3,
+    sizeof(struct mip_3dm_odometer_configuration_response),
+};
 
 static const struct mip_parameter parameters_3dm_sensor_range_response[] = {
     {"sensor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2680,7 +2920,10 @@ static const struct mip_parameter parameters_3dm_sensor_range_response[] = {
      ONE(struct mip_3dm_sensor_range_response, setting), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_sensor_range_response = {
-    parameters_3dm_sensor_range_response, 2, sizeof(struct mip_3dm_sensor_range_response)};
+    parameters_3dm_sensor_range_response,
+    2,
+    sizeof(struct mip_3dm_sensor_range_response),
+};
 
 static const struct mip_parameter parameters_3dm_get_calibrated_sensor_ranges_response[] = {
     {"sensor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2694,8 +2937,10 @@ static const struct mip_parameter parameters_3dm_get_calibrated_sensor_ranges_re
      &record_3dm_sensor_range_entry, NULL, 0},
 };
 static const struct mip_record record_3dm_get_calibrated_sensor_ranges_response = {
-    parameters_3dm_get_calibrated_sensor_ranges_response, 3,
-    sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response)};
+    parameters_3dm_get_calibrated_sensor_ranges_response,
+    3,
+    sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response),
+};
 
 static const struct mip_parameter parameters_3dm_low_pass_anti_aliasing_filter_response[] = {
     {"desc_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2715,11 +2960,16 @@ static const struct mip_parameter parameters_3dm_low_pass_anti_aliasing_filter_r
      NULL, 0},
 };
 static const struct mip_record record_3dm_low_pass_anti_aliasing_filter_response = {
-    parameters_3dm_low_pass_anti_aliasing_filter_response, 5,
-    sizeof(struct mip_3dm_low_pass_anti_aliasing_filter_response)};
+    parameters_3dm_low_pass_anti_aliasing_filter_response,
+    5,
+    sizeof(struct mip_3dm_low_pass_anti_aliasing_filter_response),
+};
 
 static const struct mip_record record_filter_reset_navigation_filter = {
-    NULL, 0, sizeof(struct mip_filter_reset_navigation_filter)};
+    NULL,
+    0,
+    sizeof(struct mip_filter_reset_navigation_filter),
+};
 
 static const struct mip_parameter parameters_filter_set_initial_attitude[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2730,18 +2980,26 @@ static const struct mip_parameter parameters_filter_set_initial_attitude[] = {
      ONE(struct mip_filter_set_initial_attitude, heading), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_set_initial_attitude = {
-    parameters_filter_set_initial_attitude, 3, sizeof(struct mip_filter_set_initial_attitude)};
+    parameters_filter_set_initial_attitude,
+    3,
+    sizeof(struct mip_filter_set_initial_attitude),
+};
 
 static const struct mip_parameter parameters_filter_set_initial_heading_control[] = {
     {"heading", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_set_initial_heading_control, heading), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_set_initial_heading_control = {
-    parameters_filter_set_initial_heading_control, 1,
-    sizeof(struct mip_filter_set_initial_heading_control)};
+    parameters_filter_set_initial_heading_control,
+    1,
+    sizeof(struct mip_filter_set_initial_heading_control),
+};
 
 static const struct mip_record record_filter_run_navigation_filter = {
-    NULL, 0, sizeof(struct mip_filter_run_navigation_filter)};
+    NULL,
+    0,
+    sizeof(struct mip_filter_run_navigation_filter),
+};
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_frame_transformation[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2758,8 +3016,10 @@ static const struct mip_parameter parameters_filter_sensor_to_vehicle_frame_tran
      0},
 };
 static const struct mip_record record_filter_sensor_to_vehicle_frame_transformation = {
-    parameters_filter_sensor_to_vehicle_frame_transformation, 4,
-    sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation)};
+    parameters_filter_sensor_to_vehicle_frame_transformation,
+    4,
+    sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation),
+};
 static const uint8_t required_filter_sensor_to_vehicle_frame_transformation[] = {0, 3, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_gnss_antenna_offset_control[] = {
@@ -2770,8 +3030,10 @@ static const struct mip_parameter parameters_filter_gnss_antenna_offset_control[
      ONE(struct mip_filter_gnss_antenna_offset_control, offset), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gnss_antenna_offset_control = {
-    parameters_filter_gnss_antenna_offset_control, 2,
-    sizeof(struct mip_filter_gnss_antenna_offset_control)};
+    parameters_filter_gnss_antenna_offset_control,
+    2,
+    sizeof(struct mip_filter_gnss_antenna_offset_control),
+};
 static const uint8_t required_filter_gnss_antenna_offset_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_estimation_control_flags[] = {
@@ -2783,8 +3045,10 @@ static const struct mip_parameter parameters_filter_estimation_control_flags[] =
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_estimation_control_flags = {
-    parameters_filter_estimation_control_flags, 2,
-    sizeof(struct mip_filter_estimation_control_flags)};
+    parameters_filter_estimation_control_flags,
+    2,
+    sizeof(struct mip_filter_estimation_control_flags),
+};
 static const uint8_t required_filter_estimation_control_flags[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_gnss_aiding_source_control[] = {
@@ -2796,8 +3060,10 @@ static const struct mip_parameter parameters_filter_gnss_aiding_source_control[]
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gnss_aiding_source_control = {
-    parameters_filter_gnss_aiding_source_control, 2,
-    sizeof(struct mip_filter_gnss_aiding_source_control)};
+    parameters_filter_gnss_aiding_source_control,
+    2,
+    sizeof(struct mip_filter_gnss_aiding_source_control),
+};
 static const uint8_t required_filter_gnss_aiding_source_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_external_heading_update[] = {
@@ -2811,8 +3077,10 @@ static const struct mip_parameter parameters_filter_external_heading_update[] = 
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_external_heading_update = {
-    parameters_filter_external_heading_update, 3,
-    sizeof(struct mip_filter_external_heading_update)};
+    parameters_filter_external_heading_update,
+    3,
+    sizeof(struct mip_filter_external_heading_update),
+};
 
 static const struct mip_parameter parameters_filter_heading_update_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2823,7 +3091,10 @@ static const struct mip_parameter parameters_filter_heading_update_control[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_heading_update_control = {
-    parameters_filter_heading_update_control, 2, sizeof(struct mip_filter_heading_update_control)};
+    parameters_filter_heading_update_control,
+    2,
+    sizeof(struct mip_filter_heading_update_control),
+};
 static const uint8_t required_filter_heading_update_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_auto_initialization_control[] = {
@@ -2834,8 +3105,10 @@ static const struct mip_parameter parameters_filter_auto_initialization_control[
      ONE(struct mip_filter_auto_initialization_control, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_auto_initialization_control = {
-    parameters_filter_auto_initialization_control, 2,
-    sizeof(struct mip_filter_auto_initialization_control)};
+    parameters_filter_auto_initialization_control,
+    2,
+    sizeof(struct mip_filter_auto_initialization_control),
+};
 static const uint8_t required_filter_auto_initialization_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_accelerometer_noise_standard_deviation[] = {
@@ -2847,8 +3120,10 @@ static const struct mip_parameter parameters_filter_accelerometer_noise_standard
      NULL, 0},
 };
 static const struct mip_record record_filter_accelerometer_noise_standard_deviation = {
-    parameters_filter_accelerometer_noise_standard_deviation, 2,
-    sizeof(struct mip_filter_accelerometer_noise_standard_deviation)};
+    parameters_filter_accelerometer_noise_standard_deviation,
+    2,
+    sizeof(struct mip_filter_accelerometer_noise_standard_deviation),
+};
 static const uint8_t required_filter_accelerometer_noise_standard_deviation[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_gyroscope_noise_standard_deviation[] = {
@@ -2860,8 +3135,10 @@ static const struct mip_parameter parameters_filter_gyroscope_noise_standard_dev
      0},
 };
 static const struct mip_record record_filter_gyroscope_noise_standard_deviation = {
-    parameters_filter_gyroscope_noise_standard_deviation, 2,
-    sizeof(struct mip_filter_gyroscope_noise_standard_deviation)};
+    parameters_filter_gyroscope_noise_standard_deviation,
+    2,
+    sizeof(struct mip_filter_gyroscope_noise_standard_deviation),
+};
 static const uint8_t required_filter_gyroscope_noise_standard_deviation[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_accelerometer_bias_model_parameters[] = {
@@ -2876,8 +3153,10 @@ static const struct mip_parameter parameters_filter_accelerometer_bias_model_par
      0},
 };
 static const struct mip_record record_filter_accelerometer_bias_model_parameters = {
-    parameters_filter_accelerometer_bias_model_parameters, 3,
-    sizeof(struct mip_filter_accelerometer_bias_model_parameters)};
+    parameters_filter_accelerometer_bias_model_parameters,
+    3,
+    sizeof(struct mip_filter_accelerometer_bias_model_parameters),
+};
 static const uint8_t required_filter_accelerometer_bias_model_parameters[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_gyroscope_bias_model_parameters[] = {
@@ -2890,8 +3169,10 @@ static const struct mip_parameter parameters_filter_gyroscope_bias_model_paramet
      ONE(struct mip_filter_gyroscope_bias_model_parameters, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gyroscope_bias_model_parameters = {
-    parameters_filter_gyroscope_bias_model_parameters, 3,
-    sizeof(struct mip_filter_gyroscope_bias_model_parameters)};
+    parameters_filter_gyroscope_bias_model_parameters,
+    3,
+    sizeof(struct mip_filter_gyroscope_bias_model_parameters),
+};
 static const uint8_t required_filter_gyroscope_bias_model_parameters[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_external_heading_update_with_time[] = {
@@ -2912,8 +3193,10 @@ static const struct mip_parameter parameters_filter_external_heading_update_with
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_external_heading_update_with_time = {
-    parameters_filter_external_heading_update_with_time, 5,
-    sizeof(struct mip_filter_external_heading_update_with_time)};
+    parameters_filter_external_heading_update_with_time,
+    5,
+    sizeof(struct mip_filter_external_heading_update_with_time),
+};
 
 static const struct mip_parameter parameters_filter_zero_angular_rate_update_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2926,8 +3209,10 @@ static const struct mip_parameter parameters_filter_zero_angular_rate_update_con
      0},
 };
 static const struct mip_record record_filter_zero_angular_rate_update_control = {
-    parameters_filter_zero_angular_rate_update_control, 3,
-    sizeof(struct mip_filter_zero_angular_rate_update_control)};
+    parameters_filter_zero_angular_rate_update_control,
+    3,
+    sizeof(struct mip_filter_zero_angular_rate_update_control),
+};
 static const uint8_t required_filter_zero_angular_rate_update_control[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_tare_orientation[] = {
@@ -2939,11 +3224,17 @@ static const struct mip_parameter parameters_filter_tare_orientation[] = {
      0},
 };
 static const struct mip_record record_filter_tare_orientation = {
-    parameters_filter_tare_orientation, 2, sizeof(struct mip_filter_tare_orientation)};
+    parameters_filter_tare_orientation,
+    2,
+    sizeof(struct mip_filter_tare_orientation),
+};
 static const uint8_t required_filter_tare_orientation[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_record record_filter_commanded_zero_angular_rate_update = {
-    NULL, 0, sizeof(struct mip_filter_commanded_zero_angular_rate_update)};
+    NULL,
+    0,
+    sizeof(struct mip_filter_commanded_zero_angular_rate_update),
+};
 
 static const struct mip_parameter parameters_filter_set_reference_position[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2959,7 +3250,10 @@ static const struct mip_parameter parameters_filter_set_reference_position[] = {
      ONE(struct mip_filter_set_reference_position, altitude), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_set_reference_position = {
-    parameters_filter_set_reference_position, 5, sizeof(struct mip_filter_set_reference_position)};
+    parameters_filter_set_reference_position,
+    5,
+    sizeof(struct mip_filter_set_reference_position),
+};
 static const uint8_t required_filter_set_reference_position[] = {0, 4, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_gravity_noise_standard_deviation[] = {
@@ -2970,8 +3264,10 @@ static const struct mip_parameter parameters_filter_gravity_noise_standard_devia
      ONE(struct mip_filter_gravity_noise_standard_deviation, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gravity_noise_standard_deviation = {
-    parameters_filter_gravity_noise_standard_deviation, 2,
-    sizeof(struct mip_filter_gravity_noise_standard_deviation)};
+    parameters_filter_gravity_noise_standard_deviation,
+    2,
+    sizeof(struct mip_filter_gravity_noise_standard_deviation),
+};
 static const uint8_t required_filter_gravity_noise_standard_deviation[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_enable_disable_measurements[] = {
@@ -2983,8 +3279,10 @@ static const struct mip_parameter parameters_filter_enable_disable_measurements[
      &names_filter_measurement_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_enable_disable_measurements = {
-    parameters_filter_enable_disable_measurements, 2,
-    sizeof(struct mip_filter_enable_disable_measurements)};
+    parameters_filter_enable_disable_measurements,
+    2,
+    sizeof(struct mip_filter_enable_disable_measurements),
+};
 static const uint8_t required_filter_enable_disable_measurements[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_magnetic_field_declination_source_control[] = {
@@ -2999,44 +3297,51 @@ static const struct mip_parameter parameters_filter_magnetic_field_declination_s
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_magnetic_field_declination_source_control = {
-    parameters_filter_magnetic_field_declination_source_control, 3,
-    sizeof(struct mip_filter_magnetic_field_declination_source_control)};
-static const uint8_t required_filter_magnetic_field_declination_source_control[] = {
-    0, 2, 0, 0, 0, 0};
+    parameters_filter_magnetic_field_declination_source_control,
+    3,
+    sizeof(struct mip_filter_magnetic_field_declination_source_control),
+};
+static const uint8_t required_filter_magnetic_field_declination_source_control[] = {0, 2, 0,
+                                                                                    0, 0, 0};
 
-static const struct mip_parameter parameters_filter_gravity_magnitude_error_adaptive_measurement[] = {
-    {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, function), 0,
-     &names_function_selector, NULL, NULL, NULL, 0},
-    {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, adaptive_measurement), 0,
-     &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
-    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, frequency), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"low_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, low_limit), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"high_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, high_limit), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"low_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     5, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, low_limit_uncertainty), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"high_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     6, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, high_limit_uncertainty), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"minimum_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 7,
-     0, ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, minimum_uncertainty), 0,
-     NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_gravity_magnitude_error_adaptive_measurement[] =
+    {
+        {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, function), 0,
+         &names_function_selector, NULL, NULL, NULL, 0},
+        {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, adaptive_measurement),
+         0, &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
+        {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 2, 0,
+         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, frequency), 0, NULL,
+         NULL, NULL, NULL, 0},
+        {"low_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 3, 0,
+         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, low_limit), 0, NULL,
+         NULL, NULL, NULL, 0},
+        {"high_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 4, 0,
+         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, high_limit), 0, NULL,
+         NULL, NULL, NULL, 0},
+        {"low_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
+         0, 5, 0,
+         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, low_limit_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"high_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
+         0, 6, 0,
+         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement,
+             high_limit_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"minimum_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+         7, 0,
+         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement, minimum_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gravity_magnitude_error_adaptive_measurement = {
-    parameters_filter_gravity_magnitude_error_adaptive_measurement, 8,
-    sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement)};
-static const uint8_t required_filter_gravity_magnitude_error_adaptive_measurement[] = {
-    0, 1, 0, 0, 0, 0};
+    parameters_filter_gravity_magnitude_error_adaptive_measurement,
+    8,
+    sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement),
+};
+static const uint8_t required_filter_gravity_magnitude_error_adaptive_measurement[] = {0, 1, 0,
+                                                                                       0, 0, 0};
 
 static const struct mip_parameter parameters_filter_pitch_roll_aiding_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3047,8 +3352,10 @@ static const struct mip_parameter parameters_filter_pitch_roll_aiding_control[] 
      &names_filter_pitch_roll_aiding_source, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_pitch_roll_aiding_control = {
-    parameters_filter_pitch_roll_aiding_control, 2,
-    sizeof(struct mip_filter_pitch_roll_aiding_control)};
+    parameters_filter_pitch_roll_aiding_control,
+    2,
+    sizeof(struct mip_filter_pitch_roll_aiding_control),
+};
 static const uint8_t required_filter_pitch_roll_aiding_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_aiding_measurement_control[] = {
@@ -3062,8 +3369,10 @@ static const struct mip_parameter parameters_filter_aiding_measurement_control[]
      ONE(struct mip_filter_aiding_measurement_control, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_aiding_measurement_control = {
-    parameters_filter_aiding_measurement_control, 3,
-    sizeof(struct mip_filter_aiding_measurement_control)};
+    parameters_filter_aiding_measurement_control,
+    3,
+    sizeof(struct mip_filter_aiding_measurement_control),
+};
 static const uint8_t required_filter_aiding_measurement_control[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_filter_navigation_filter_initialization[] = {
@@ -3099,8 +3408,10 @@ static const struct mip_parameter parameters_filter_navigation_filter_initializa
      &names_filter_reference_frame, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_navigation_filter_initialization = {
-    parameters_filter_navigation_filter_initialization, 10,
-    sizeof(struct mip_filter_navigation_filter_initialization)};
+    parameters_filter_navigation_filter_initialization,
+    10,
+    sizeof(struct mip_filter_navigation_filter_initialization),
+};
 static const uint8_t required_filter_navigation_filter_initialization[] = {0, 9, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_adaptive_filter_control[] = {
@@ -3114,8 +3425,10 @@ static const struct mip_parameter parameters_filter_adaptive_filter_control[] = 
      ONE(struct mip_filter_adaptive_filter_control, time_limit), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_adaptive_filter_control = {
-    parameters_filter_adaptive_filter_control, 3,
-    sizeof(struct mip_filter_adaptive_filter_control)};
+    parameters_filter_adaptive_filter_control,
+    3,
+    sizeof(struct mip_filter_adaptive_filter_control),
+};
 static const uint8_t required_filter_adaptive_filter_control[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_gnss_multi_antenna_offset_control[] = {
@@ -3130,8 +3443,10 @@ static const struct mip_parameter parameters_filter_gnss_multi_antenna_offset_co
      NULL, 0},
 };
 static const struct mip_record record_filter_gnss_multi_antenna_offset_control = {
-    parameters_filter_gnss_multi_antenna_offset_control, 3,
-    sizeof(struct mip_filter_gnss_multi_antenna_offset_control)};
+    parameters_filter_gnss_multi_antenna_offset_control,
+    3,
+    sizeof(struct mip_filter_gnss_multi_antenna_offset_control),
+};
 static const uint8_t required_filter_gnss_multi_antenna_offset_control[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_filter_relative_position_configuration[] = {
@@ -3149,8 +3464,10 @@ static const struct mip_parameter parameters_filter_relative_position_configurat
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_relative_position_configuration = {
-    parameters_filter_relative_position_configuration, 4,
-    sizeof(struct mip_filter_relative_position_configuration)};
+    parameters_filter_relative_position_configuration,
+    4,
+    sizeof(struct mip_filter_relative_position_configuration),
+};
 static const uint8_t required_filter_relative_position_configuration[] = {0, 3, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_reference_point_lever_arm[] = {
@@ -3165,8 +3482,10 @@ static const struct mip_parameter parameters_filter_reference_point_lever_arm[] 
      0},
 };
 static const struct mip_record record_filter_reference_point_lever_arm = {
-    parameters_filter_reference_point_lever_arm, 3,
-    sizeof(struct mip_filter_reference_point_lever_arm)};
+    parameters_filter_reference_point_lever_arm,
+    3,
+    sizeof(struct mip_filter_reference_point_lever_arm),
+};
 static const uint8_t required_filter_reference_point_lever_arm[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_measurement_speed_lever_arm[] = {
@@ -3180,8 +3499,10 @@ static const struct mip_parameter parameters_filter_measurement_speed_lever_arm[
      NULL, 0},
 };
 static const struct mip_record record_filter_measurement_speed_lever_arm = {
-    parameters_filter_measurement_speed_lever_arm, 3,
-    sizeof(struct mip_filter_measurement_speed_lever_arm)};
+    parameters_filter_measurement_speed_lever_arm,
+    3,
+    sizeof(struct mip_filter_measurement_speed_lever_arm),
+};
 static const uint8_t required_filter_measurement_speed_lever_arm[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_control[] = {
@@ -3193,8 +3514,10 @@ static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_c
      0},
 };
 static const struct mip_record record_filter_wheeled_vehicle_constraint_control = {
-    parameters_filter_wheeled_vehicle_constraint_control, 2,
-    sizeof(struct mip_filter_wheeled_vehicle_constraint_control)};
+    parameters_filter_wheeled_vehicle_constraint_control,
+    2,
+    sizeof(struct mip_filter_wheeled_vehicle_constraint_control),
+};
 static const uint8_t required_filter_wheeled_vehicle_constraint_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_gnss_antenna_offset_calibration_control[] = {
@@ -3209,24 +3532,29 @@ static const struct mip_parameter parameters_filter_gnss_antenna_offset_calibrat
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gnss_antenna_offset_calibration_control = {
-    parameters_filter_gnss_antenna_offset_calibration_control, 3,
-    sizeof(struct mip_filter_gnss_antenna_offset_calibration_control)};
+    parameters_filter_gnss_antenna_offset_calibration_control,
+    3,
+    sizeof(struct mip_filter_gnss_antenna_offset_calibration_control),
+};
 static const uint8_t required_filter_gnss_antenna_offset_calibration_control[] = {0, 2, 0, 0, 0, 0};
 
-static const struct mip_parameter parameters_filter_sensor_to_vehicle_frame_transformation_response[] = {
-    {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_frame_transformation_response, roll), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_frame_transformation_response, pitch), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_frame_transformation_response, yaw), 0, NULL, NULL,
-     NULL, NULL, 0},
+static const struct mip_parameter
+    parameters_filter_sensor_to_vehicle_frame_transformation_response[] = {
+        {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_sensor_to_vehicle_frame_transformation_response, roll), 0, NULL,
+         NULL, NULL, NULL, 0},
+        {"pitch", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_sensor_to_vehicle_frame_transformation_response, pitch), 0, NULL,
+         NULL, NULL, NULL, 0},
+        {"yaw", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_sensor_to_vehicle_frame_transformation_response, yaw), 0, NULL, NULL,
+         NULL, NULL, 0},
 };
 static const struct mip_record record_filter_sensor_to_vehicle_frame_transformation_response = {
-    parameters_filter_sensor_to_vehicle_frame_transformation_response, 3,
-    sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation_response)};
+    parameters_filter_sensor_to_vehicle_frame_transformation_response,
+    3,
+    sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation_response),
+};
 
 static const struct mip_parameter parameters_filter_gnss_antenna_offset_control_response[] = {
     {"offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -3234,8 +3562,10 @@ static const struct mip_parameter parameters_filter_gnss_antenna_offset_control_
      0},
 };
 static const struct mip_record record_filter_gnss_antenna_offset_control_response = {
-    parameters_filter_gnss_antenna_offset_control_response, 1,
-    sizeof(struct mip_filter_gnss_antenna_offset_control_response)};
+    parameters_filter_gnss_antenna_offset_control_response,
+    1,
+    sizeof(struct mip_filter_gnss_antenna_offset_control_response),
+};
 
 static const struct mip_parameter parameters_filter_estimation_control_flags_response[] = {
     {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3243,8 +3573,10 @@ static const struct mip_parameter parameters_filter_estimation_control_flags_res
      &names_filter_estimated_states, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_estimation_control_flags_response = {
-    parameters_filter_estimation_control_flags_response, 1,
-    sizeof(struct mip_filter_estimation_control_flags_response)};
+    parameters_filter_estimation_control_flags_response,
+    1,
+    sizeof(struct mip_filter_estimation_control_flags_response),
+};
 
 static const struct mip_parameter parameters_filter_gnss_aiding_source_control_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3252,8 +3584,10 @@ static const struct mip_parameter parameters_filter_gnss_aiding_source_control_r
      &names_filter_gnss_aiding_source, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gnss_aiding_source_control_response = {
-    parameters_filter_gnss_aiding_source_control_response, 1,
-    sizeof(struct mip_filter_gnss_aiding_source_control_response)};
+    parameters_filter_gnss_aiding_source_control_response,
+    1,
+    sizeof(struct mip_filter_gnss_aiding_source_control_response),
+};
 
 static const struct mip_parameter parameters_filter_heading_update_control_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3261,8 +3595,10 @@ static const struct mip_parameter parameters_filter_heading_update_control_respo
      &names_filter_heading_update_source, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_heading_update_control_response = {
-    parameters_filter_heading_update_control_response, 1,
-    sizeof(struct mip_filter_heading_update_control_response)};
+    parameters_filter_heading_update_control_response,
+    1,
+    sizeof(struct mip_filter_heading_update_control_response),
+};
 
 static const struct mip_parameter parameters_filter_auto_initialization_control_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3270,38 +3606,49 @@ static const struct mip_parameter parameters_filter_auto_initialization_control_
      0},
 };
 static const struct mip_record record_filter_auto_initialization_control_response = {
-    parameters_filter_auto_initialization_control_response, 1,
-    sizeof(struct mip_filter_auto_initialization_control_response)};
+    parameters_filter_auto_initialization_control_response,
+    1,
+    sizeof(struct mip_filter_auto_initialization_control_response),
+};
 
-static const struct mip_parameter parameters_filter_accelerometer_noise_standard_deviation_response[] = {
-    {"noise", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_accelerometer_noise_standard_deviation_response, noise), 0, NULL, NULL,
-     NULL, NULL, 0},
+static const struct mip_parameter
+    parameters_filter_accelerometer_noise_standard_deviation_response[] = {
+        {"noise", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+         ONE(struct mip_filter_accelerometer_noise_standard_deviation_response, noise), 0, NULL,
+         NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_accelerometer_noise_standard_deviation_response = {
-    parameters_filter_accelerometer_noise_standard_deviation_response, 1,
-    sizeof(struct mip_filter_accelerometer_noise_standard_deviation_response)};
+    parameters_filter_accelerometer_noise_standard_deviation_response,
+    1,
+    sizeof(struct mip_filter_accelerometer_noise_standard_deviation_response),
+};
 
-static const struct mip_parameter parameters_filter_gyroscope_noise_standard_deviation_response[] = {
-    {"noise", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_gyroscope_noise_standard_deviation_response, noise), 0, NULL, NULL, NULL,
-     NULL, 0},
+static const struct mip_parameter parameters_filter_gyroscope_noise_standard_deviation_response[] =
+    {
+        {"noise", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+         ONE(struct mip_filter_gyroscope_noise_standard_deviation_response, noise), 0, NULL, NULL,
+         NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gyroscope_noise_standard_deviation_response = {
-    parameters_filter_gyroscope_noise_standard_deviation_response, 1,
-    sizeof(struct mip_filter_gyroscope_noise_standard_deviation_response)};
+    parameters_filter_gyroscope_noise_standard_deviation_response,
+    1,
+    sizeof(struct mip_filter_gyroscope_noise_standard_deviation_response),
+};
 
-static const struct mip_parameter parameters_filter_accelerometer_bias_model_parameters_response[] = {
-    {"beta", "1/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_accelerometer_bias_model_parameters_response, beta), 0, NULL, NULL, NULL,
-     NULL, 0},
-    {"noise", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_accelerometer_bias_model_parameters_response, noise), 0, NULL, NULL,
-     NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_accelerometer_bias_model_parameters_response[] =
+    {
+        {"beta", "1/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+         ONE(struct mip_filter_accelerometer_bias_model_parameters_response, beta), 0, NULL, NULL,
+         NULL, NULL, 0},
+        {"noise", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+         ONE(struct mip_filter_accelerometer_bias_model_parameters_response, noise), 0, NULL, NULL,
+         NULL, NULL, 0},
 };
 static const struct mip_record record_filter_accelerometer_bias_model_parameters_response = {
-    parameters_filter_accelerometer_bias_model_parameters_response, 2,
-    sizeof(struct mip_filter_accelerometer_bias_model_parameters_response)};
+    parameters_filter_accelerometer_bias_model_parameters_response,
+    2,
+    sizeof(struct mip_filter_accelerometer_bias_model_parameters_response),
+};
 
 static const struct mip_parameter parameters_filter_gyroscope_bias_model_parameters_response[] = {
     {"beta", "1/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -3312,8 +3659,10 @@ static const struct mip_parameter parameters_filter_gyroscope_bias_model_paramet
      NULL, 0},
 };
 static const struct mip_record record_filter_gyroscope_bias_model_parameters_response = {
-    parameters_filter_gyroscope_bias_model_parameters_response, 2,
-    sizeof(struct mip_filter_gyroscope_bias_model_parameters_response)};
+    parameters_filter_gyroscope_bias_model_parameters_response,
+    2,
+    sizeof(struct mip_filter_gyroscope_bias_model_parameters_response),
+};
 
 static const struct mip_parameter parameters_filter_zero_angular_rate_update_control_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3324,8 +3673,10 @@ static const struct mip_parameter parameters_filter_zero_angular_rate_update_con
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_zero_angular_rate_update_control_response = {
-    parameters_filter_zero_angular_rate_update_control_response, 2,
-    sizeof(struct mip_filter_zero_angular_rate_update_control_response)};
+    parameters_filter_zero_angular_rate_update_control_response,
+    2,
+    sizeof(struct mip_filter_zero_angular_rate_update_control_response),
+};
 
 static const struct mip_parameter parameters_filter_set_reference_position_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3341,8 +3692,10 @@ static const struct mip_parameter parameters_filter_set_reference_position_respo
      0},
 };
 static const struct mip_record record_filter_set_reference_position_response = {
-    parameters_filter_set_reference_position_response, 4,
-    sizeof(struct mip_filter_set_reference_position_response)};
+    parameters_filter_set_reference_position_response,
+    4,
+    sizeof(struct mip_filter_set_reference_position_response),
+};
 
 static const struct mip_parameter parameters_filter_gravity_noise_standard_deviation_response[] = {
     {"noise", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -3350,8 +3703,10 @@ static const struct mip_parameter parameters_filter_gravity_noise_standard_devia
      NULL, 0},
 };
 static const struct mip_record record_filter_gravity_noise_standard_deviation_response = {
-    parameters_filter_gravity_noise_standard_deviation_response, 1,
-    sizeof(struct mip_filter_gravity_noise_standard_deviation_response)};
+    parameters_filter_gravity_noise_standard_deviation_response,
+    1,
+    sizeof(struct mip_filter_gravity_noise_standard_deviation_response),
+};
 
 static const struct mip_parameter parameters_filter_enable_disable_measurements_response[] = {
     {"control", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3359,50 +3714,63 @@ static const struct mip_parameter parameters_filter_enable_disable_measurements_
      &names_filter_measurement_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_enable_disable_measurements_response = {
-    parameters_filter_enable_disable_measurements_response, 1,
-    sizeof(struct mip_filter_enable_disable_measurements_response)};
+    parameters_filter_enable_disable_measurements_response,
+    1,
+    sizeof(struct mip_filter_enable_disable_measurements_response),
+};
 
-static const struct mip_parameter parameters_filter_magnetic_field_declination_source_control_response[] = {
-    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_magnetic_field_declination_source_control_response, source), 0,
-     &names_filter_declination_source, NULL, NULL, NULL, 0},
-    {"declination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_magnetic_field_declination_source_control_response, declination), 0,
-     NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter
+    parameters_filter_magnetic_field_declination_source_control_response[] = {
+        {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_magnetic_field_declination_source_control_response, source), 0,
+         &names_filter_declination_source, NULL, NULL, NULL, 0},
+        {"declination", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_magnetic_field_declination_source_control_response, declination), 0,
+         NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_magnetic_field_declination_source_control_response = {
-    parameters_filter_magnetic_field_declination_source_control_response, 2,
-    sizeof(struct mip_filter_magnetic_field_declination_source_control_response)};
-
-static const struct mip_parameter parameters_filter_gravity_magnitude_error_adaptive_measurement_response[] = {
-    {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, adaptive_measurement),
-     0, &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
-    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, frequency), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"low_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, low_limit), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"high_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, high_limit), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"low_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     0, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, low_limit_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
-    {"high_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     0, 0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, high_limit_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
-    {"minimum_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
-     0,
-     ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, minimum_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
+    parameters_filter_magnetic_field_declination_source_control_response,
+    2,
+    sizeof(struct mip_filter_magnetic_field_declination_source_control_response),
 };
-static const struct mip_record record_filter_gravity_magnitude_error_adaptive_measurement_response = {
-    parameters_filter_gravity_magnitude_error_adaptive_measurement_response, 7,
-    sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response)};
+
+static const struct mip_parameter
+    parameters_filter_gravity_magnitude_error_adaptive_measurement_response[] = {
+        {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response,
+             adaptive_measurement),
+         0, &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
+        {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, frequency), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"low_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, low_limit), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"high_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response, high_limit),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"low_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
+         0, 0, 0,
+         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response,
+             low_limit_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"high_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
+         0, 0, 0,
+         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response,
+             high_limit_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"minimum_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+         0, 0,
+         ONE(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response,
+             minimum_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_filter_gravity_magnitude_error_adaptive_measurement_response =
+    {
+        parameters_filter_gravity_magnitude_error_adaptive_measurement_response,
+        7,
+        sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response),
+};
 
 static const struct mip_parameter parameters_filter_pitch_roll_aiding_control_response[] = {
     {"aiding", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3410,8 +3778,10 @@ static const struct mip_parameter parameters_filter_pitch_roll_aiding_control_re
      &names_filter_pitch_roll_aiding_source, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_pitch_roll_aiding_control_response = {
-    parameters_filter_pitch_roll_aiding_control_response, 1,
-    sizeof(struct mip_filter_pitch_roll_aiding_control_response)};
+    parameters_filter_pitch_roll_aiding_control_response,
+    1,
+    sizeof(struct mip_filter_pitch_roll_aiding_control_response),
+};
 
 static const struct mip_parameter parameters_filter_aiding_measurement_control_response[] = {
     {"aiding_source", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3422,8 +3792,10 @@ static const struct mip_parameter parameters_filter_aiding_measurement_control_r
      0},
 };
 static const struct mip_record record_filter_aiding_measurement_control_response = {
-    parameters_filter_aiding_measurement_control_response, 2,
-    sizeof(struct mip_filter_aiding_measurement_control_response)};
+    parameters_filter_aiding_measurement_control_response,
+    2,
+    sizeof(struct mip_filter_aiding_measurement_control_response),
+};
 
 static const struct mip_parameter parameters_filter_navigation_filter_initialization_response[] = {
     {"wait_for_run_command", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3434,7 +3806,8 @@ static const struct mip_parameter parameters_filter_navigation_filter_initializa
      &names_filter_initial_condition_source, NULL, NULL, NULL, 0},
     {"auto_heading_alignment_selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0,
      0, 0,
-     ONE(struct mip_filter_navigation_filter_initialization_response, auto_heading_alignment_selector),
+     ONE(struct mip_filter_navigation_filter_initialization_response,
+         auto_heading_alignment_selector),
      0, &names_filter_heading_alignment, NULL, NULL, NULL, 0},
     {"initial_heading", "deg", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_navigation_filter_initialization_response, initial_heading), 0, NULL,
@@ -3456,8 +3829,10 @@ static const struct mip_parameter parameters_filter_navigation_filter_initializa
      &names_filter_reference_frame, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_navigation_filter_initialization_response = {
-    parameters_filter_navigation_filter_initialization_response, 9,
-    sizeof(struct mip_filter_navigation_filter_initialization_response)};
+    parameters_filter_navigation_filter_initialization_response,
+    9,
+    sizeof(struct mip_filter_navigation_filter_initialization_response),
+};
 
 static const struct mip_parameter parameters_filter_adaptive_filter_control_response[] = {
     {"level", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3468,8 +3843,10 @@ static const struct mip_parameter parameters_filter_adaptive_filter_control_resp
      0},
 };
 static const struct mip_record record_filter_adaptive_filter_control_response = {
-    parameters_filter_adaptive_filter_control_response, 2,
-    sizeof(struct mip_filter_adaptive_filter_control_response)};
+    parameters_filter_adaptive_filter_control_response,
+    2,
+    sizeof(struct mip_filter_adaptive_filter_control_response),
+};
 
 static const struct mip_parameter parameters_filter_gnss_multi_antenna_offset_control_response[] = {
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3480,8 +3857,10 @@ static const struct mip_parameter parameters_filter_gnss_multi_antenna_offset_co
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gnss_multi_antenna_offset_control_response = {
-    parameters_filter_gnss_multi_antenna_offset_control_response, 2,
-    sizeof(struct mip_filter_gnss_multi_antenna_offset_control_response)};
+    parameters_filter_gnss_multi_antenna_offset_control_response,
+    2,
+    sizeof(struct mip_filter_gnss_multi_antenna_offset_control_response),
+};
 
 static const struct mip_parameter parameters_filter_relative_position_configuration_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3495,8 +3874,10 @@ static const struct mip_parameter parameters_filter_relative_position_configurat
      NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_relative_position_configuration_response = {
-    parameters_filter_relative_position_configuration_response, 3,
-    sizeof(struct mip_filter_relative_position_configuration_response)};
+    parameters_filter_relative_position_configuration_response,
+    3,
+    sizeof(struct mip_filter_relative_position_configuration_response),
+};
 
 static const struct mip_parameter parameters_filter_reference_point_lever_arm_response[] = {
     {"ref_point_sel", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3507,8 +3888,10 @@ static const struct mip_parameter parameters_filter_reference_point_lever_arm_re
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_reference_point_lever_arm_response = {
-    parameters_filter_reference_point_lever_arm_response, 2,
-    sizeof(struct mip_filter_reference_point_lever_arm_response)};
+    parameters_filter_reference_point_lever_arm_response,
+    2,
+    sizeof(struct mip_filter_reference_point_lever_arm_response),
+};
 
 static const struct mip_parameter parameters_filter_measurement_speed_lever_arm_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3519,32 +3902,43 @@ static const struct mip_parameter parameters_filter_measurement_speed_lever_arm_
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_measurement_speed_lever_arm_response = {
-    parameters_filter_measurement_speed_lever_arm_response, 2,
-    sizeof(struct mip_filter_measurement_speed_lever_arm_response)};
+    parameters_filter_measurement_speed_lever_arm_response,
+    2,
+    sizeof(struct mip_filter_measurement_speed_lever_arm_response),
+};
 
-static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_control_response[] = {
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_wheeled_vehicle_constraint_control_response, enable), 0, NULL, NULL,
-     NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_control_response[] =
+    {
+        {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_wheeled_vehicle_constraint_control_response, enable), 0, NULL, NULL,
+         NULL, NULL, 0},
 };
 static const struct mip_record record_filter_wheeled_vehicle_constraint_control_response = {
-    parameters_filter_wheeled_vehicle_constraint_control_response, 1,
-    sizeof(struct mip_filter_wheeled_vehicle_constraint_control_response)};
+    parameters_filter_wheeled_vehicle_constraint_control_response,
+    1,
+    sizeof(struct mip_filter_wheeled_vehicle_constraint_control_response),
+};
 
-static const struct mip_parameter parameters_filter_gnss_antenna_offset_calibration_control_response[] = {
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_antenna_offset_calibration_control_response, enable), 0, NULL, NULL,
-     NULL, NULL, 0},
-    {"max_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_gnss_antenna_offset_calibration_control_response, max_offset), 0, NULL,
-     NULL, NULL, NULL, 0},
+static const struct mip_parameter
+    parameters_filter_gnss_antenna_offset_calibration_control_response[] = {
+        {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_gnss_antenna_offset_calibration_control_response, enable), 0, NULL,
+         NULL, NULL, NULL, 0},
+        {"max_offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_gnss_antenna_offset_calibration_control_response, max_offset), 0,
+         NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gnss_antenna_offset_calibration_control_response = {
-    parameters_filter_gnss_antenna_offset_calibration_control_response, 2,
-    sizeof(struct mip_filter_gnss_antenna_offset_calibration_control_response)};
+    parameters_filter_gnss_antenna_offset_calibration_control_response,
+    2,
+    sizeof(struct mip_filter_gnss_antenna_offset_calibration_control_response),
+};
 
 static const struct mip_record record_gnss_receiver_info = {
-    NULL, 0, sizeof(struct mip_gnss_receiver_info)};
+    NULL,
+    0,
+    sizeof(struct mip_gnss_receiver_info),
+};
 
 static const struct mip_parameter parameters_gnss_signal_configuration[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3566,7 +3960,10 @@ static const struct mip_parameter parameters_gnss_signal_configuration[] = {
      MANY(struct mip_gnss_signal_configuration, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_signal_configuration = {
-    parameters_gnss_signal_configuration, 6, sizeof(struct mip_gnss_signal_configuration)};
+    parameters_gnss_signal_configuration,
+    6,
+    sizeof(struct mip_gnss_signal_configuration),
+};
 static const uint8_t required_gnss_signal_configuration[] = {0, 5, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_gnss_spartn_configuration[] = {
@@ -3592,7 +3989,10 @@ static const struct mip_parameter parameters_gnss_spartn_configuration[] = {
      MANY(struct mip_gnss_spartn_configuration, next_key), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_spartn_configuration = {
-    parameters_gnss_spartn_configuration, 9, sizeof(struct mip_gnss_spartn_configuration)};
+    parameters_gnss_spartn_configuration,
+    9,
+    sizeof(struct mip_gnss_spartn_configuration),
+};
 static const uint8_t required_gnss_spartn_configuration[] = {0, 8, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_gnss_receiver_info_response[] = {
@@ -3603,7 +4003,10 @@ static const struct mip_parameter parameters_gnss_receiver_info_response[] = {
      &record_gnss_receiver_info_entry, NULL, 0},
 };
 static const struct mip_record record_gnss_receiver_info_response = {
-    parameters_gnss_receiver_info_response, 2, sizeof(struct mip_gnss_receiver_info_response)};
+    parameters_gnss_receiver_info_response,
+    2,
+    sizeof(struct mip_gnss_receiver_info_response),
+};
 
 static const struct mip_parameter parameters_gnss_signal_configuration_response[] = {
     {"gps_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3622,8 +4025,10 @@ static const struct mip_parameter parameters_gnss_signal_configuration_response[
      MANY(struct mip_gnss_signal_configuration_response, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_signal_configuration_response = {
-    parameters_gnss_signal_configuration_response, 5,
-    sizeof(struct mip_gnss_signal_configuration_response)};
+    parameters_gnss_signal_configuration_response,
+    5,
+    sizeof(struct mip_gnss_signal_configuration_response),
+};
 
 static const struct mip_parameter parameters_gnss_spartn_configuration_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3650,8 +4055,10 @@ static const struct mip_parameter parameters_gnss_spartn_configuration_response[
      MANY(struct mip_gnss_spartn_configuration_response, next_key), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_spartn_configuration_response = {
-    parameters_gnss_spartn_configuration_response, 8,
-    sizeof(struct mip_gnss_spartn_configuration_response)};
+    parameters_gnss_spartn_configuration_response,
+    8,
+    sizeof(struct mip_gnss_spartn_configuration_response),
+};
 
 static const struct mip_parameter members_aiding_frame_configuration_rotation[] = {
     {"euler", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -3681,7 +4088,10 @@ static const struct mip_parameter parameters_aiding_frame_configuration[] = {
      cases_aiding_frame_configuration_rotation, 2},
 };
 static const struct mip_record record_aiding_frame_configuration = {
-    parameters_aiding_frame_configuration, 6, sizeof(struct mip_aiding_frame_configuration)};
+    parameters_aiding_frame_configuration,
+    6,
+    sizeof(struct mip_aiding_frame_configuration),
+};
 static const uint8_t required_aiding_frame_configuration[] = {0, 5, 2, 1, 1, 1};
 
 static const struct mip_parameter parameters_aiding_echo_control[] = {
@@ -3692,7 +4102,10 @@ static const struct mip_parameter parameters_aiding_echo_control[] = {
      ONE(struct mip_aiding_echo_control, mode), 0, &names_aiding_echo_mode, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_echo_control = {
-    parameters_aiding_echo_control, 2, sizeof(struct mip_aiding_echo_control)};
+    parameters_aiding_echo_control,
+    2,
+    sizeof(struct mip_aiding_echo_control),
+};
 static const uint8_t required_aiding_echo_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_aiding_ecef_position[] = {
@@ -3710,7 +4123,10 @@ static const struct mip_parameter parameters_aiding_ecef_position[] = {
      NULL, 0},
 };
 static const struct mip_record record_aiding_ecef_position = {
-    parameters_aiding_ecef_position, 5, sizeof(struct mip_aiding_ecef_position)};
+    parameters_aiding_ecef_position,
+    5,
+    sizeof(struct mip_aiding_ecef_position),
+};
 
 static const struct mip_parameter parameters_aiding_llh_position[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3731,7 +4147,10 @@ static const struct mip_parameter parameters_aiding_llh_position[] = {
      NULL, 0},
 };
 static const struct mip_record record_aiding_llh_position = {
-    parameters_aiding_llh_position, 7, sizeof(struct mip_aiding_llh_position)};
+    parameters_aiding_llh_position,
+    7,
+    sizeof(struct mip_aiding_llh_position),
+};
 
 static const struct mip_parameter parameters_aiding_height_above_ellipsoid[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3747,7 +4166,10 @@ static const struct mip_parameter parameters_aiding_height_above_ellipsoid[] = {
      ONE(struct mip_aiding_height_above_ellipsoid, valid_flags), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_height_above_ellipsoid = {
-    parameters_aiding_height_above_ellipsoid, 5, sizeof(struct mip_aiding_height_above_ellipsoid)};
+    parameters_aiding_height_above_ellipsoid,
+    5,
+    sizeof(struct mip_aiding_height_above_ellipsoid),
+};
 
 static const struct mip_parameter parameters_aiding_ecef_velocity[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3764,7 +4186,10 @@ static const struct mip_parameter parameters_aiding_ecef_velocity[] = {
      NULL, 0},
 };
 static const struct mip_record record_aiding_ecef_velocity = {
-    parameters_aiding_ecef_velocity, 5, sizeof(struct mip_aiding_ecef_velocity)};
+    parameters_aiding_ecef_velocity,
+    5,
+    sizeof(struct mip_aiding_ecef_velocity),
+};
 
 static const struct mip_parameter parameters_aiding_ned_velocity[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3781,7 +4206,10 @@ static const struct mip_parameter parameters_aiding_ned_velocity[] = {
      NULL, 0},
 };
 static const struct mip_record record_aiding_ned_velocity = {
-    parameters_aiding_ned_velocity, 5, sizeof(struct mip_aiding_ned_velocity)};
+    parameters_aiding_ned_velocity,
+    5,
+    sizeof(struct mip_aiding_ned_velocity),
+};
 
 static const struct mip_parameter parameters_aiding_body_frame_velocity[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3798,7 +4226,10 @@ static const struct mip_parameter parameters_aiding_body_frame_velocity[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_body_frame_velocity = {
-    parameters_aiding_body_frame_velocity, 5, sizeof(struct mip_aiding_body_frame_velocity)};
+    parameters_aiding_body_frame_velocity,
+    5,
+    sizeof(struct mip_aiding_body_frame_velocity),
+};
 
 static const struct mip_parameter parameters_aiding_true_heading[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3814,7 +4245,10 @@ static const struct mip_parameter parameters_aiding_true_heading[] = {
      ONE(struct mip_aiding_true_heading, valid_flags), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_true_heading = {
-    parameters_aiding_true_heading, 5, sizeof(struct mip_aiding_true_heading)};
+    parameters_aiding_true_heading,
+    5,
+    sizeof(struct mip_aiding_true_heading),
+};
 
 static const struct mip_parameter parameters_aiding_magnetic_field[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3831,7 +4265,10 @@ static const struct mip_parameter parameters_aiding_magnetic_field[] = {
      NULL, 0},
 };
 static const struct mip_record record_aiding_magnetic_field = {
-    parameters_aiding_magnetic_field, 5, sizeof(struct mip_aiding_magnetic_field)};
+    parameters_aiding_magnetic_field,
+    5,
+    sizeof(struct mip_aiding_magnetic_field),
+};
 
 static const struct mip_parameter parameters_aiding_pressure[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3847,7 +4284,10 @@ static const struct mip_parameter parameters_aiding_pressure[] = {
      ONE(struct mip_aiding_pressure, valid_flags), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_pressure = {
-    parameters_aiding_pressure, 5, sizeof(struct mip_aiding_pressure)};
+    parameters_aiding_pressure,
+    5,
+    sizeof(struct mip_aiding_pressure),
+};
 
 static const struct mip_parameter members_aiding_frame_configuration_response_rotation[] = {
     {"euler", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -3878,8 +4318,10 @@ static const struct mip_parameter parameters_aiding_frame_configuration_response
      cases_aiding_frame_configuration_response_rotation, 2},
 };
 static const struct mip_record record_aiding_frame_configuration_response = {
-    parameters_aiding_frame_configuration_response, 5,
-    sizeof(struct mip_aiding_frame_configuration_response)};
+    parameters_aiding_frame_configuration_response,
+    5,
+    sizeof(struct mip_aiding_frame_configuration_response),
+};
 
 static const struct mip_parameter parameters_aiding_echo_control_response[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3887,7 +4329,10 @@ static const struct mip_parameter parameters_aiding_echo_control_response[] = {
      NULL, 0},
 };
 static const struct mip_record record_aiding_echo_control_response = {
-    parameters_aiding_echo_control_response, 1, sizeof(struct mip_aiding_echo_control_response)};
+    parameters_aiding_echo_control_response,
+    1,
+    sizeof(struct mip_aiding_echo_control_response),
+};
 
 static const struct mip_parameter parameters_system_communication_mode[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3898,7 +4343,10 @@ static const struct mip_parameter parameters_system_communication_mode[] = {
      NULL, 0},
 };
 static const struct mip_record record_system_communication_mode = {
-    parameters_system_communication_mode, 2, sizeof(struct mip_system_communication_mode)};
+    parameters_system_communication_mode,
+    2,
+    sizeof(struct mip_system_communication_mode),
+};
 static const uint8_t required_system_communication_mode[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_system_communication_mode_response[] = {
@@ -3907,43 +4355,60 @@ static const struct mip_parameter parameters_system_communication_mode_response[
      NULL, NULL, 0},
 };
 static const struct mip_record record_system_communication_mode_response = {
-    parameters_system_communication_mode_response, 1,
-    sizeof(struct mip_system_communication_mode_response)};
+    parameters_system_communication_mode_response,
+    1,
+    sizeof(struct mip_system_communication_mode_response),
+};
 
 static const struct mip_parameter parameters_sensor_scaled_accel[] = {
     {"scaled_accel", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_scaled_accel, scaled_accel), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_scaled_accel = {
-    parameters_sensor_scaled_accel, 1, sizeof(struct mip_sensor_scaled_accel)};
+    parameters_sensor_scaled_accel,
+    1,
+    sizeof(struct mip_sensor_scaled_accel),
+};
 
 static const struct mip_parameter parameters_sensor_scaled_gyro[] = {
     {"scaled_gyro", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_scaled_gyro, scaled_gyro), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_scaled_gyro = {
-    parameters_sensor_scaled_gyro, 1, sizeof(struct mip_sensor_scaled_gyro)};
+    parameters_sensor_scaled_gyro,
+    1,
+    sizeof(struct mip_sensor_scaled_gyro),
+};
 
 static const struct mip_parameter parameters_sensor_scaled_mag[] = {
     {"scaled_mag", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_scaled_mag, scaled_mag), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_scaled_mag = {
-    parameters_sensor_scaled_mag, 1, sizeof(struct mip_sensor_scaled_mag)};
+    parameters_sensor_scaled_mag,
+    1,
+    sizeof(struct mip_sensor_scaled_mag),
+};
 
 static const struct mip_parameter parameters_sensor_delta_theta[] = {
     {"delta_theta", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_delta_theta, delta_theta), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_delta_theta = {
-    parameters_sensor_delta_theta, 1, sizeof(struct mip_sensor_delta_theta)};
+    parameters_sensor_delta_theta,
+    1,
+    sizeof(struct mip_sensor_delta_theta),
+};
 
 static const struct mip_parameter parameters_sensor_delta_velocity[] = {
     {"delta_velocity", "g*s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_delta_velocity, delta_velocity), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_delta_velocity = {
-    parameters_sensor_delta_velocity, 1, sizeof(struct mip_sensor_delta_velocity)};
+    parameters_sensor_delta_velocity,
+    1,
+    sizeof(struct mip_sensor_delta_velocity),
+};
 
 static const struct mip_parameter parameters_sensor_complementary_filter_orientation_matrix[] = {
     {"m", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
@@ -3951,16 +4416,20 @@ static const struct mip_parameter parameters_sensor_complementary_filter_orienta
      0},
 };
 static const struct mip_record record_sensor_complementary_filter_orientation_matrix = {
-    parameters_sensor_complementary_filter_orientation_matrix, 1,
-    sizeof(struct mip_sensor_complementary_filter_orientation_matrix)};
+    parameters_sensor_complementary_filter_orientation_matrix,
+    1,
+    sizeof(struct mip_sensor_complementary_filter_orientation_matrix),
+};
 
 static const struct mip_parameter parameters_sensor_complementary_filter_quaternion[] = {
     {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
      ONE(struct mip_sensor_complementary_filter_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_complementary_filter_quaternion = {
-    parameters_sensor_complementary_filter_quaternion, 1,
-    sizeof(struct mip_sensor_complementary_filter_quaternion)};
+    parameters_sensor_complementary_filter_quaternion,
+    1,
+    sizeof(struct mip_sensor_complementary_filter_quaternion),
+};
 
 static const struct mip_parameter parameters_sensor_complementary_filter_euler_angles[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3971,17 +4440,22 @@ static const struct mip_parameter parameters_sensor_complementary_filter_euler_a
      ONE(struct mip_sensor_complementary_filter_euler_angles, yaw), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_complementary_filter_euler_angles = {
-    parameters_sensor_complementary_filter_euler_angles, 3,
-    sizeof(struct mip_sensor_complementary_filter_euler_angles)};
+    parameters_sensor_complementary_filter_euler_angles,
+    3,
+    sizeof(struct mip_sensor_complementary_filter_euler_angles),
+};
 
-static const struct mip_parameter parameters_sensor_complementary_filter_stabilized_north_vector[] = {
-    {"stabilized_mag", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_sensor_complementary_filter_stabilized_north_vector, stabilized_mag), 0, NULL,
-     NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_sensor_complementary_filter_stabilized_north_vector[] =
+    {
+        {"stabilized_mag", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
+         0, ONE(struct mip_sensor_complementary_filter_stabilized_north_vector, stabilized_mag), 0,
+         NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_complementary_filter_stabilized_north_vector = {
-    parameters_sensor_complementary_filter_stabilized_north_vector, 1,
-    sizeof(struct mip_sensor_complementary_filter_stabilized_north_vector)};
+    parameters_sensor_complementary_filter_stabilized_north_vector,
+    1,
+    sizeof(struct mip_sensor_complementary_filter_stabilized_north_vector),
+};
 
 static const struct mip_parameter parameters_sensor_complementary_filter_stabilized_up_vector[] = {
     {"stabilized_accel", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -3989,20 +4463,28 @@ static const struct mip_parameter parameters_sensor_complementary_filter_stabili
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_complementary_filter_stabilized_up_vector = {
-    parameters_sensor_complementary_filter_stabilized_up_vector, 1,
-    sizeof(struct mip_sensor_complementary_filter_stabilized_up_vector)};
+    parameters_sensor_complementary_filter_stabilized_up_vector,
+    1,
+    sizeof(struct mip_sensor_complementary_filter_stabilized_up_vector),
+};
 
+static const struct mip_reading readings_sensor_gps_timestamp_valid_flags[] = {
+    {"3dm-gx5-15", 0, 0, &names_gx5_sensor_gps_timestamp_flags},
+};
 static const struct mip_parameter parameters_sensor_gps_timestamp[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_sensor_gps_timestamp, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_sensor_gps_timestamp, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_sensor_gps_timestamp, valid_flags), 0, &names_sensor_gps_timestamp_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_sensor_gps_timestamp, valid_flags), 0, &names_sensor_gps_timestamp_flags,
+     readings_sensor_gps_timestamp_valid_flags, NULL, NULL, 1},
 };
 static const struct mip_record record_sensor_gps_timestamp = {
-    parameters_sensor_gps_timestamp, 3, sizeof(struct mip_sensor_gps_timestamp)};
+    parameters_sensor_gps_timestamp,
+    3,
+    sizeof(struct mip_sensor_gps_timestamp),
+};
 
 static const struct mip_parameter parameters_sensor_temperature_statistics[] = {
     {"min_temp", "degC", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4013,14 +4495,20 @@ static const struct mip_parameter parameters_sensor_temperature_statistics[] = {
      ONE(struct mip_sensor_temperature_statistics, mean_temp), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_temperature_statistics = {
-    parameters_sensor_temperature_statistics, 3, sizeof(struct mip_sensor_temperature_statistics)};
+    parameters_sensor_temperature_statistics,
+    3,
+    sizeof(struct mip_sensor_temperature_statistics),
+};
 
 static const struct mip_parameter parameters_sensor_scaled_pressure[] = {
     {"scaled_pressure", "mbar", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_sensor_scaled_pressure, scaled_pressure), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_scaled_pressure = {
-    parameters_sensor_scaled_pressure, 1, sizeof(struct mip_sensor_scaled_pressure)};
+    parameters_sensor_scaled_pressure,
+    1,
+    sizeof(struct mip_sensor_scaled_pressure),
+};
 
 static const struct mip_parameter parameters_sensor_overrange_status[] = {
     {"status", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4028,7 +4516,10 @@ static const struct mip_parameter parameters_sensor_overrange_status[] = {
      NULL, 0},
 };
 static const struct mip_record record_sensor_overrange_status = {
-    parameters_sensor_overrange_status, 1, sizeof(struct mip_sensor_overrange_status)};
+    parameters_sensor_overrange_status,
+    1,
+    sizeof(struct mip_sensor_overrange_status),
+};
 
 static const struct mip_parameter parameters_sensor_odometer[] = {
     {"speed", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4040,7 +4531,10 @@ static const struct mip_parameter parameters_sensor_odometer[] = {
      NULL, 0},
 };
 static const struct mip_record record_sensor_odometer = {
-    parameters_sensor_odometer, 3, sizeof(struct mip_sensor_odometer)};
+    parameters_sensor_odometer,
+    3,
+    sizeof(struct mip_sensor_odometer),
+};
 
 static const struct mip_parameter parameters_filter_data_llh_position[] = {
     {"latitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4054,7 +4548,10 @@ static const struct mip_parameter parameters_filter_data_llh_position[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_llh_position = {
-    parameters_filter_data_llh_position, 4, sizeof(struct mip_filter_data_llh_position)};
+    parameters_filter_data_llh_position,
+    4,
+    sizeof(struct mip_filter_data_llh_position),
+};
 
 static const struct mip_parameter parameters_filter_data_velocity_ned[] = {
     {"north", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4068,7 +4565,10 @@ static const struct mip_parameter parameters_filter_data_velocity_ned[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_velocity_ned = {
-    parameters_filter_data_velocity_ned, 4, sizeof(struct mip_filter_data_velocity_ned)};
+    parameters_filter_data_velocity_ned,
+    4,
+    sizeof(struct mip_filter_data_velocity_ned),
+};
 
 static const struct mip_parameter parameters_filter_data_attitude_quaternion[] = {
     {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
@@ -4078,8 +4578,10 @@ static const struct mip_parameter parameters_filter_data_attitude_quaternion[] =
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_attitude_quaternion = {
-    parameters_filter_data_attitude_quaternion, 2,
-    sizeof(struct mip_filter_data_attitude_quaternion)};
+    parameters_filter_data_attitude_quaternion,
+    2,
+    sizeof(struct mip_filter_data_attitude_quaternion),
+};
 
 static const struct mip_parameter parameters_filter_data_attitude_dcm[] = {
     {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
@@ -4089,7 +4591,10 @@ static const struct mip_parameter parameters_filter_data_attitude_dcm[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_attitude_dcm = {
-    parameters_filter_data_attitude_dcm, 2, sizeof(struct mip_filter_data_attitude_dcm)};
+    parameters_filter_data_attitude_dcm,
+    2,
+    sizeof(struct mip_filter_data_attitude_dcm),
+};
 
 static const struct mip_parameter parameters_filter_data_euler_angles[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4103,7 +4608,10 @@ static const struct mip_parameter parameters_filter_data_euler_angles[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_euler_angles = {
-    parameters_filter_data_euler_angles, 4, sizeof(struct mip_filter_data_euler_angles)};
+    parameters_filter_data_euler_angles,
+    4,
+    sizeof(struct mip_filter_data_euler_angles),
+};
 
 static const struct mip_parameter parameters_filter_data_gyro_bias[] = {
     {"bias", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4113,7 +4621,10 @@ static const struct mip_parameter parameters_filter_data_gyro_bias[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gyro_bias = {
-    parameters_filter_data_gyro_bias, 2, sizeof(struct mip_filter_data_gyro_bias)};
+    parameters_filter_data_gyro_bias,
+    2,
+    sizeof(struct mip_filter_data_gyro_bias),
+};
 
 static const struct mip_parameter parameters_filter_data_accel_bias[] = {
     {"bias", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4123,7 +4634,10 @@ static const struct mip_parameter parameters_filter_data_accel_bias[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_accel_bias = {
-    parameters_filter_data_accel_bias, 2, sizeof(struct mip_filter_data_accel_bias)};
+    parameters_filter_data_accel_bias,
+    2,
+    sizeof(struct mip_filter_data_accel_bias),
+};
 
 static const struct mip_parameter parameters_filter_data_llh_position_uncertainty[] = {
     {"north", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4137,8 +4651,10 @@ static const struct mip_parameter parameters_filter_data_llh_position_uncertaint
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_llh_position_uncertainty = {
-    parameters_filter_data_llh_position_uncertainty, 4,
-    sizeof(struct mip_filter_data_llh_position_uncertainty)};
+    parameters_filter_data_llh_position_uncertainty,
+    4,
+    sizeof(struct mip_filter_data_llh_position_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_ned_velocity_uncertainty[] = {
     {"north", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4152,8 +4668,10 @@ static const struct mip_parameter parameters_filter_data_ned_velocity_uncertaint
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ned_velocity_uncertainty = {
-    parameters_filter_data_ned_velocity_uncertainty, 4,
-    sizeof(struct mip_filter_data_ned_velocity_uncertainty)};
+    parameters_filter_data_ned_velocity_uncertainty,
+    4,
+    sizeof(struct mip_filter_data_ned_velocity_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_euler_angles_uncertainty[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4167,8 +4685,10 @@ static const struct mip_parameter parameters_filter_data_euler_angles_uncertaint
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_euler_angles_uncertainty = {
-    parameters_filter_data_euler_angles_uncertainty, 4,
-    sizeof(struct mip_filter_data_euler_angles_uncertainty)};
+    parameters_filter_data_euler_angles_uncertainty,
+    4,
+    sizeof(struct mip_filter_data_euler_angles_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_gyro_bias_uncertainty[] = {
     {"bias_uncert", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4178,8 +4698,10 @@ static const struct mip_parameter parameters_filter_data_gyro_bias_uncertainty[]
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gyro_bias_uncertainty = {
-    parameters_filter_data_gyro_bias_uncertainty, 2,
-    sizeof(struct mip_filter_data_gyro_bias_uncertainty)};
+    parameters_filter_data_gyro_bias_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_gyro_bias_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_accel_bias_uncertainty[] = {
     {"bias_uncert", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4189,8 +4711,10 @@ static const struct mip_parameter parameters_filter_data_accel_bias_uncertainty[
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_accel_bias_uncertainty = {
-    parameters_filter_data_accel_bias_uncertainty, 2,
-    sizeof(struct mip_filter_data_accel_bias_uncertainty)};
+    parameters_filter_data_accel_bias_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_accel_bias_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_linear_accel[] = {
     {"accel", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4200,7 +4724,10 @@ static const struct mip_parameter parameters_filter_data_linear_accel[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_linear_accel = {
-    parameters_filter_data_linear_accel, 2, sizeof(struct mip_filter_data_linear_accel)};
+    parameters_filter_data_linear_accel,
+    2,
+    sizeof(struct mip_filter_data_linear_accel),
+};
 
 static const struct mip_parameter parameters_filter_data_comp_angular_rate[] = {
     {"gyro", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4210,7 +4737,10 @@ static const struct mip_parameter parameters_filter_data_comp_angular_rate[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_comp_angular_rate = {
-    parameters_filter_data_comp_angular_rate, 2, sizeof(struct mip_filter_data_comp_angular_rate)};
+    parameters_filter_data_comp_angular_rate,
+    2,
+    sizeof(struct mip_filter_data_comp_angular_rate),
+};
 
 static const struct mip_parameter parameters_filter_data_wgs84_local_gravity_magnitude[] = {
     {"gravity_magnitude", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4221,20 +4751,22 @@ static const struct mip_parameter parameters_filter_data_wgs84_local_gravity_mag
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_wgs84_local_gravity_magnitude = {
-    parameters_filter_data_wgs84_local_gravity_magnitude, 2,
-    sizeof(struct mip_filter_data_wgs84_local_gravity_magnitude)};
+    parameters_filter_data_wgs84_local_gravity_magnitude,
+    2,
+    sizeof(struct mip_filter_data_wgs84_local_gravity_magnitude),
+};
 
 static const struct mip_reading readings_filter_data_status_filter_state[] = {
-    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_filter_state},
     {"3dm-cv7-gnss-ins", 0, 0, &names_filter_data_cv7_filter_state},
+    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_filter_state},
 };
 static const struct mip_reading readings_filter_data_status_dynamics_mode[] = {
-    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_dynamics_mode},
     {"3dm-cv7-gnss-ins", 0, 0, &names_filter_data_cv7_dynamics_mode},
+    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_dynamics_mode},
 };
 static const struct mip_reading readings_filter_data_status_status_flags[] = {
-    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_status_flags},
     {"3dm-cv7-gnss-ins", 0, 0, &names_filter_data_cv7_status_flags},
+    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_status_flags},
 };
 static const struct mip_parameter parameters_filter_data_status[] = {
     {"filter_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4248,7 +4780,10 @@ static const struct mip_parameter parameters_filter_data_status[] = {
      readings_filter_data_status_status_flags, NULL, NULL, 2},
 };
 static const struct mip_record record_filter_data_status = {
-    parameters_filter_data_status, 3, sizeof(struct mip_filter_data_status)};
+    parameters_filter_data_status,
+    3,
+    sizeof(struct mip_filter_data_status),
+};
 
 static const struct mip_parameter parameters_filter_data_timestamp[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4260,7 +4795,10 @@ static const struct mip_parameter parameters_filter_data_timestamp[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_timestamp = {
-    parameters_filter_data_timestamp, 3, sizeof(struct mip_filter_data_timestamp)};
+    parameters_filter_data_timestamp,
+    3,
+    sizeof(struct mip_filter_data_timestamp),
+};
 
 static const struct mip_parameter parameters_filter_data_quaternion_attitude_uncertainty[] = {
     {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
@@ -4270,8 +4808,10 @@ static const struct mip_parameter parameters_filter_data_quaternion_attitude_unc
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_quaternion_attitude_uncertainty = {
-    parameters_filter_data_quaternion_attitude_uncertainty, 2,
-    sizeof(struct mip_filter_data_quaternion_attitude_uncertainty)};
+    parameters_filter_data_quaternion_attitude_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_quaternion_attitude_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_gravity_vector[] = {
     {"gravity", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4281,7 +4821,10 @@ static const struct mip_parameter parameters_filter_data_gravity_vector[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gravity_vector = {
-    parameters_filter_data_gravity_vector, 2, sizeof(struct mip_filter_data_gravity_vector)};
+    parameters_filter_data_gravity_vector,
+    2,
+    sizeof(struct mip_filter_data_gravity_vector),
+};
 
 static const struct mip_parameter parameters_filter_data_heading_update_source_state[] = {
     {"heading", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4298,8 +4841,10 @@ static const struct mip_parameter parameters_filter_data_heading_update_source_s
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_heading_update_source_state = {
-    parameters_filter_data_heading_update_source_state, 4,
-    sizeof(struct mip_filter_data_heading_update_source_state)};
+    parameters_filter_data_heading_update_source_state,
+    4,
+    sizeof(struct mip_filter_data_heading_update_source_state),
+};
 
 static const struct mip_parameter parameters_filter_data_magnetic_model[] = {
     {"intensity_north", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4317,7 +4862,10 @@ static const struct mip_parameter parameters_filter_data_magnetic_model[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_magnetic_model = {
-    parameters_filter_data_magnetic_model, 6, sizeof(struct mip_filter_data_magnetic_model)};
+    parameters_filter_data_magnetic_model,
+    6,
+    sizeof(struct mip_filter_data_magnetic_model),
+};
 
 static const struct mip_parameter parameters_filter_data_compensated_acceleration[] = {
     {"accel", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4327,8 +4875,10 @@ static const struct mip_parameter parameters_filter_data_compensated_acceleratio
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_compensated_acceleration = {
-    parameters_filter_data_compensated_acceleration, 2,
-    sizeof(struct mip_filter_data_compensated_acceleration)};
+    parameters_filter_data_compensated_acceleration,
+    2,
+    sizeof(struct mip_filter_data_compensated_acceleration),
+};
 
 static const struct mip_parameter parameters_filter_data_pressure_altitude[] = {
     {"pressure_altitude", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4339,7 +4889,10 @@ static const struct mip_parameter parameters_filter_data_pressure_altitude[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_pressure_altitude = {
-    parameters_filter_data_pressure_altitude, 2, sizeof(struct mip_filter_data_pressure_altitude)};
+    parameters_filter_data_pressure_altitude,
+    2,
+    sizeof(struct mip_filter_data_pressure_altitude),
+};
 
 static const struct mip_parameter parameters_filter_data_multi_antenna_offset_correction[] = {
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4353,23 +4906,28 @@ static const struct mip_parameter parameters_filter_data_multi_antenna_offset_co
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_multi_antenna_offset_correction = {
-    parameters_filter_data_multi_antenna_offset_correction, 3,
-    sizeof(struct mip_filter_data_multi_antenna_offset_correction)};
+    parameters_filter_data_multi_antenna_offset_correction,
+    3,
+    sizeof(struct mip_filter_data_multi_antenna_offset_correction),
+};
 
-static const struct mip_parameter parameters_filter_data_multi_antenna_offset_correction_uncertainty[] = {
-    {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, receiver_id), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"offset_uncert", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, offset_uncert), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+static const struct mip_parameter
+    parameters_filter_data_multi_antenna_offset_correction_uncertainty[] = {
+        {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, receiver_id), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"offset_uncert", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+         ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, offset_uncert), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, valid_flags), 0,
+         &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_multi_antenna_offset_correction_uncertainty = {
-    parameters_filter_data_multi_antenna_offset_correction_uncertainty, 3,
-    sizeof(struct mip_filter_data_multi_antenna_offset_correction_uncertainty)};
+    parameters_filter_data_multi_antenna_offset_correction_uncertainty,
+    3,
+    sizeof(struct mip_filter_data_multi_antenna_offset_correction_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_ecef_position_uncertainty[] = {
     {"pos_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4380,8 +4938,10 @@ static const struct mip_parameter parameters_filter_data_ecef_position_uncertain
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ecef_position_uncertainty = {
-    parameters_filter_data_ecef_position_uncertainty, 2,
-    sizeof(struct mip_filter_data_ecef_position_uncertainty)};
+    parameters_filter_data_ecef_position_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_ecef_position_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_ecef_velocity_uncertainty[] = {
     {"vel_uncertainty", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4392,8 +4952,10 @@ static const struct mip_parameter parameters_filter_data_ecef_velocity_uncertain
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ecef_velocity_uncertainty = {
-    parameters_filter_data_ecef_velocity_uncertainty, 2,
-    sizeof(struct mip_filter_data_ecef_velocity_uncertainty)};
+    parameters_filter_data_ecef_velocity_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_ecef_velocity_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_ecef_position[] = {
     {"position_ecef", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4403,7 +4965,10 @@ static const struct mip_parameter parameters_filter_data_ecef_position[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ecef_position = {
-    parameters_filter_data_ecef_position, 2, sizeof(struct mip_filter_data_ecef_position)};
+    parameters_filter_data_ecef_position,
+    2,
+    sizeof(struct mip_filter_data_ecef_position),
+};
 
 static const struct mip_parameter parameters_filter_data_ecef_velocity[] = {
     {"velocity_ecef", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4413,7 +4978,10 @@ static const struct mip_parameter parameters_filter_data_ecef_velocity[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ecef_velocity = {
-    parameters_filter_data_ecef_velocity, 2, sizeof(struct mip_filter_data_ecef_velocity)};
+    parameters_filter_data_ecef_velocity,
+    2,
+    sizeof(struct mip_filter_data_ecef_velocity),
+};
 
 static const struct mip_parameter parameters_filter_data_ned_relative_position[] = {
     {"relative_position", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4424,8 +4992,10 @@ static const struct mip_parameter parameters_filter_data_ned_relative_position[]
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ned_relative_position = {
-    parameters_filter_data_ned_relative_position, 2,
-    sizeof(struct mip_filter_data_ned_relative_position)};
+    parameters_filter_data_ned_relative_position,
+    2,
+    sizeof(struct mip_filter_data_ned_relative_position),
+};
 
 static const struct mip_parameter parameters_filter_data_gnss_position_aiding_status[] = {
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4442,8 +5012,10 @@ static const struct mip_parameter parameters_filter_data_gnss_position_aiding_st
      0},
 };
 static const struct mip_record record_filter_data_gnss_position_aiding_status = {
-    parameters_filter_data_gnss_position_aiding_status, 4,
-    sizeof(struct mip_filter_data_gnss_position_aiding_status)};
+    parameters_filter_data_gnss_position_aiding_status,
+    4,
+    sizeof(struct mip_filter_data_gnss_position_aiding_status),
+};
 
 static const struct mip_parameter parameters_filter_data_aiding_measurement_summary[] = {
     {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4459,8 +5031,10 @@ static const struct mip_parameter parameters_filter_data_aiding_measurement_summ
      &names_filter_data_aiding_measurement_indicator, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_aiding_measurement_summary = {
-    parameters_filter_data_aiding_measurement_summary, 4,
-    sizeof(struct mip_filter_data_aiding_measurement_summary)};
+    parameters_filter_data_aiding_measurement_summary,
+    4,
+    sizeof(struct mip_filter_data_aiding_measurement_summary),
+};
 
 static const struct mip_parameter parameters_filter_data_odometer_scale_factor_error[] = {
     {"scale_factor_error", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4471,21 +5045,27 @@ static const struct mip_parameter parameters_filter_data_odometer_scale_factor_e
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_odometer_scale_factor_error = {
-    parameters_filter_data_odometer_scale_factor_error, 2,
-    sizeof(struct mip_filter_data_odometer_scale_factor_error)};
+    parameters_filter_data_odometer_scale_factor_error,
+    2,
+    sizeof(struct mip_filter_data_odometer_scale_factor_error),
+};
 
-static const struct mip_parameter parameters_filter_data_odometer_scale_factor_error_uncertainty[] = {
-    {"scale_factor_error_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
-     0, 0, 0,
-     ONE(struct mip_filter_data_odometer_scale_factor_error_uncertainty, scale_factor_error_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
-    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_odometer_scale_factor_error_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_data_odometer_scale_factor_error_uncertainty[] =
+    {
+        {"scale_factor_error_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE,
+         1, 1, 0, 0, 0,
+         ONE(struct mip_filter_data_odometer_scale_factor_error_uncertainty,
+             scale_factor_error_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_data_odometer_scale_factor_error_uncertainty, valid_flags), 0,
+         &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_odometer_scale_factor_error_uncertainty = {
-    parameters_filter_data_odometer_scale_factor_error_uncertainty, 2,
-    sizeof(struct mip_filter_data_odometer_scale_factor_error_uncertainty)};
+    parameters_filter_data_odometer_scale_factor_error_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_odometer_scale_factor_error_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_gnss_dual_antenna_status[] = {
     {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4507,8 +5087,10 @@ static const struct mip_parameter parameters_filter_data_gnss_dual_antenna_statu
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gnss_dual_antenna_status = {
-    parameters_filter_data_gnss_dual_antenna_status, 6,
-    sizeof(struct mip_filter_data_gnss_dual_antenna_status)};
+    parameters_filter_data_gnss_dual_antenna_status,
+    6,
+    sizeof(struct mip_filter_data_gnss_dual_antenna_status),
+};
 
 static const struct mip_parameter parameters_filter_data_aiding_frame_configuration_error[] = {
     {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4522,23 +5104,28 @@ static const struct mip_parameter parameters_filter_data_aiding_frame_configurat
      NULL, 0},
 };
 static const struct mip_record record_filter_data_aiding_frame_configuration_error = {
-    parameters_filter_data_aiding_frame_configuration_error, 3,
-    sizeof(struct mip_filter_data_aiding_frame_configuration_error)};
+    parameters_filter_data_aiding_frame_configuration_error,
+    3,
+    sizeof(struct mip_filter_data_aiding_frame_configuration_error),
+};
 
-static const struct mip_parameter parameters_filter_data_aiding_frame_configuration_error_uncertainty[] = {
-    {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_aiding_frame_configuration_error_uncertainty, frame_id), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"translation_unc", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_aiding_frame_configuration_error_uncertainty, translation_unc), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"attitude_unc", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_aiding_frame_configuration_error_uncertainty, attitude_unc), 0,
-     NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter
+    parameters_filter_data_aiding_frame_configuration_error_uncertainty[] = {
+        {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_data_aiding_frame_configuration_error_uncertainty, frame_id), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"translation_unc", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+         ONE(struct mip_filter_data_aiding_frame_configuration_error_uncertainty, translation_unc),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"attitude_unc", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
+         ONE(struct mip_filter_data_aiding_frame_configuration_error_uncertainty, attitude_unc), 0,
+         NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_aiding_frame_configuration_error_uncertainty = {
-    parameters_filter_data_aiding_frame_configuration_error_uncertainty, 3,
-    sizeof(struct mip_filter_data_aiding_frame_configuration_error_uncertainty)};
+    parameters_filter_data_aiding_frame_configuration_error_uncertainty,
+    3,
+    sizeof(struct mip_filter_data_aiding_frame_configuration_error_uncertainty),
+};
 
 static const struct mip_parameter parameters_gnss_1_gnss_llh_position[] = {
     {"latitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4558,7 +5145,10 @@ static const struct mip_parameter parameters_gnss_1_gnss_llh_position[] = {
      &names_gnss_1_gnss_llh_position_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_gnss_llh_position = {
-    parameters_gnss_1_gnss_llh_position, 7, sizeof(struct mip_gnss_1_gnss_llh_position)};
+    parameters_gnss_1_gnss_llh_position,
+    7,
+    sizeof(struct mip_gnss_1_gnss_llh_position),
+};
 
 static const struct mip_parameter parameters_gnss_1_gnss_ecef_position[] = {
     {"x", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4570,7 +5160,10 @@ static const struct mip_parameter parameters_gnss_1_gnss_ecef_position[] = {
      &names_gnss_1_gnss_ecef_position_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_gnss_ecef_position = {
-    parameters_gnss_1_gnss_ecef_position, 3, sizeof(struct mip_gnss_1_gnss_ecef_position)};
+    parameters_gnss_1_gnss_ecef_position,
+    3,
+    sizeof(struct mip_gnss_1_gnss_ecef_position),
+};
 
 static const struct mip_parameter parameters_gnss_1_ned_velocity[] = {
     {"v", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4590,7 +5183,10 @@ static const struct mip_parameter parameters_gnss_1_ned_velocity[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_ned_velocity = {
-    parameters_gnss_1_ned_velocity, 7, sizeof(struct mip_gnss_1_ned_velocity)};
+    parameters_gnss_1_ned_velocity,
+    7,
+    sizeof(struct mip_gnss_1_ned_velocity),
+};
 
 static const struct mip_parameter parameters_gnss_1_gnss_ecef_velocity[] = {
     {"v", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4602,7 +5198,10 @@ static const struct mip_parameter parameters_gnss_1_gnss_ecef_velocity[] = {
      &names_gnss_1_gnss_ecef_velocity_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_gnss_ecef_velocity = {
-    parameters_gnss_1_gnss_ecef_velocity, 3, sizeof(struct mip_gnss_1_gnss_ecef_velocity)};
+    parameters_gnss_1_gnss_ecef_velocity,
+    3,
+    sizeof(struct mip_gnss_1_gnss_ecef_velocity),
+};
 
 static const struct mip_parameter parameters_gnss_1_dop[] = {
     {"gdop", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4623,7 +5222,10 @@ static const struct mip_parameter parameters_gnss_1_dop[] = {
      ONE(struct mip_gnss_1_dop, valid_flags), 0, &names_gnss_1_dop_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_dop = {
-    parameters_gnss_1_dop, 8, sizeof(struct mip_gnss_1_dop)};
+    parameters_gnss_1_dop,
+    8,
+    sizeof(struct mip_gnss_1_dop),
+};
 
 static const struct mip_parameter parameters_gnss_1_utc_time[] = {
     {"year", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4645,7 +5247,10 @@ static const struct mip_parameter parameters_gnss_1_utc_time[] = {
      NULL, 0},
 };
 static const struct mip_record record_gnss_1_utc_time = {
-    parameters_gnss_1_utc_time, 8, sizeof(struct mip_gnss_1_utc_time)};
+    parameters_gnss_1_utc_time,
+    8,
+    sizeof(struct mip_gnss_1_utc_time),
+};
 
 static const struct mip_parameter parameters_gnss_1_gps_time[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4657,7 +5262,10 @@ static const struct mip_parameter parameters_gnss_1_gps_time[] = {
      NULL, 0},
 };
 static const struct mip_record record_gnss_1_gps_time = {
-    parameters_gnss_1_gps_time, 3, sizeof(struct mip_gnss_1_gps_time)};
+    parameters_gnss_1_gps_time,
+    3,
+    sizeof(struct mip_gnss_1_gps_time),
+};
 
 static const struct mip_parameter parameters_gnss_1_fix_info[] = {
     {"fix_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4671,7 +5279,10 @@ static const struct mip_parameter parameters_gnss_1_fix_info[] = {
      NULL, 0},
 };
 static const struct mip_record record_gnss_1_fix_info = {
-    parameters_gnss_1_fix_info, 4, sizeof(struct mip_gnss_1_fix_info)};
+    parameters_gnss_1_fix_info,
+    4,
+    sizeof(struct mip_gnss_1_fix_info),
+};
 
 static const struct mip_parameter parameters_gnss_1_gnss_hardware_status[] = {
     {"receiver_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4688,7 +5299,10 @@ static const struct mip_parameter parameters_gnss_1_gnss_hardware_status[] = {
      &names_gnss_1_gnss_hardware_status_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_gnss_hardware_status = {
-    parameters_gnss_1_gnss_hardware_status, 4, sizeof(struct mip_gnss_1_gnss_hardware_status)};
+    parameters_gnss_1_gnss_hardware_status,
+    4,
+    sizeof(struct mip_gnss_1_gnss_hardware_status),
+};
 
 static const struct mip_parameter parameters_gnss_1_clock_info_2[] = {
     {"bias", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4705,7 +5319,10 @@ static const struct mip_parameter parameters_gnss_1_clock_info_2[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_clock_info_2 = {
-    parameters_gnss_1_clock_info_2, 5, sizeof(struct mip_gnss_1_clock_info_2)};
+    parameters_gnss_1_clock_info_2,
+    5,
+    sizeof(struct mip_gnss_1_clock_info_2),
+};
 
 static const struct mip_parameter parameters_gnss_1_gps_leap_seconds[] = {
     {"leap_seconds", "s", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4715,7 +5332,10 @@ static const struct mip_parameter parameters_gnss_1_gps_leap_seconds[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_gps_leap_seconds = {
-    parameters_gnss_1_gps_leap_seconds, 2, sizeof(struct mip_gnss_1_gps_leap_seconds)};
+    parameters_gnss_1_gps_leap_seconds,
+    2,
+    sizeof(struct mip_gnss_1_gps_leap_seconds),
+};
 
 static const struct mip_parameter parameters_gnss_1_sbas_info[] = {
     {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4737,7 +5357,10 @@ static const struct mip_parameter parameters_gnss_1_sbas_info[] = {
      NULL, 0},
 };
 static const struct mip_record record_gnss_1_sbas_info = {
-    parameters_gnss_1_sbas_info, 7, sizeof(struct mip_gnss_1_sbas_info)};
+    parameters_gnss_1_sbas_info,
+    7,
+    sizeof(struct mip_gnss_1_sbas_info),
+};
 
 static const struct mip_parameter parameters_gnss_1_satellite_status[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4764,7 +5387,10 @@ static const struct mip_parameter parameters_gnss_1_satellite_status[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_satellite_status = {
-    parameters_gnss_1_satellite_status, 10, sizeof(struct mip_gnss_1_satellite_status)};
+    parameters_gnss_1_satellite_status,
+    10,
+    sizeof(struct mip_gnss_1_satellite_status),
+};
 
 static const struct mip_parameter parameters_gnss_1_raw[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4807,7 +5433,10 @@ static const struct mip_parameter parameters_gnss_1_raw[] = {
      ONE(struct mip_gnss_1_raw, valid_flags), 0, &names_gnss_1_raw_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_raw = {
-    parameters_gnss_1_raw, 19, sizeof(struct mip_gnss_1_raw)};
+    parameters_gnss_1_raw,
+    19,
+    sizeof(struct mip_gnss_1_raw),
+};
 
 static const struct mip_parameter parameters_gnss_1_gps_ephemeris[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4882,7 +5511,10 @@ static const struct mip_parameter parameters_gnss_1_gps_ephemeris[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_gps_ephemeris = {
-    parameters_gnss_1_gps_ephemeris, 34, sizeof(struct mip_gnss_1_gps_ephemeris)};
+    parameters_gnss_1_gps_ephemeris,
+    34,
+    sizeof(struct mip_gnss_1_gps_ephemeris),
+};
 
 static const struct mip_parameter parameters_gnss_1_glonass_ephemeris[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4939,7 +5571,10 @@ static const struct mip_parameter parameters_gnss_1_glonass_ephemeris[] = {
      &names_gnss_1_glonass_ephemeris_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_glonass_ephemeris = {
-    parameters_gnss_1_glonass_ephemeris, 25, sizeof(struct mip_gnss_1_glonass_ephemeris)};
+    parameters_gnss_1_glonass_ephemeris,
+    25,
+    sizeof(struct mip_gnss_1_glonass_ephemeris),
+};
 
 static const struct mip_parameter parameters_gnss_1_galileo_ephemeris[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5015,7 +5650,10 @@ static const struct mip_parameter parameters_gnss_1_galileo_ephemeris[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_galileo_ephemeris = {
-    parameters_gnss_1_galileo_ephemeris, 34, sizeof(struct mip_gnss_1_galileo_ephemeris)};
+    parameters_gnss_1_galileo_ephemeris,
+    34,
+    sizeof(struct mip_gnss_1_galileo_ephemeris),
+};
 
 static const struct mip_parameter parameters_gnss_1_beidou_ephemeris[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5090,7 +5728,10 @@ static const struct mip_parameter parameters_gnss_1_beidou_ephemeris[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_beidou_ephemeris = {
-    parameters_gnss_1_beidou_ephemeris, 34, sizeof(struct mip_gnss_1_beidou_ephemeris)};
+    parameters_gnss_1_beidou_ephemeris,
+    34,
+    sizeof(struct mip_gnss_1_beidou_ephemeris),
+};
 
 static const struct mip_parameter parameters_gnss_corrections_base_station_info[] = {
     {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5112,8 +5753,10 @@ static const struct mip_parameter parameters_gnss_corrections_base_station_info[
      &names_gnss_corrections_base_station_info_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_corrections_base_station_info = {
-    parameters_gnss_corrections_base_station_info, 7,
-    sizeof(struct mip_gnss_corrections_base_station_info)};
+    parameters_gnss_corrections_base_station_info,
+    7,
+    sizeof(struct mip_gnss_corrections_base_station_info),
+};
 
 static const struct mip_parameter parameters_gnss_corrections_rtk_corrections_status[] = {
     {"time_of_week", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5148,8 +5791,10 @@ static const struct mip_parameter parameters_gnss_corrections_rtk_corrections_st
      &names_gnss_corrections_rtk_corrections_status_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_corrections_rtk_corrections_status = {
-    parameters_gnss_corrections_rtk_corrections_status, 10,
-    sizeof(struct mip_gnss_corrections_rtk_corrections_status)};
+    parameters_gnss_corrections_rtk_corrections_status,
+    10,
+    sizeof(struct mip_gnss_corrections_rtk_corrections_status),
+};
 
 static const struct mip_reading readings_system_data_built_in_test_result[] = {
     {"3dm-cv7-gnss-ins", 0, 0, &names_cv7_continuous_built_in_test},
@@ -5160,7 +5805,10 @@ static const struct mip_parameter parameters_system_data_built_in_test[] = {
      readings_system_data_built_in_test_result, NULL, NULL, 1},
 };
 static const struct mip_record record_system_data_built_in_test = {
-    parameters_system_data_built_in_test, 1, sizeof(struct mip_system_data_built_in_test)};
+    parameters_system_data_built_in_test,
+    1,
+    sizeof(struct mip_system_data_built_in_test),
+};
 
 static const struct mip_parameter parameters_system_data_time_sync_status[] = {
     {"time_sync", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5169,7 +5817,10 @@ static const struct mip_parameter parameters_system_data_time_sync_status[] = {
      ONE(struct mip_system_data_time_sync_status, last_pps_rcvd), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_system_data_time_sync_status = {
-    parameters_system_data_time_sync_status, 2, sizeof(struct mip_system_data_time_sync_status)};
+    parameters_system_data_time_sync_status,
+    2,
+    sizeof(struct mip_system_data_time_sync_status),
+};
 
 static const struct mip_parameter parameters_system_data_gpio_state[] = {
     {"states", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5177,14 +5828,20 @@ static const struct mip_parameter parameters_system_data_gpio_state[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_system_data_gpio_state = {
-    parameters_system_data_gpio_state, 1, sizeof(struct mip_system_data_gpio_state)};
+    parameters_system_data_gpio_state,
+    1,
+    sizeof(struct mip_system_data_gpio_state),
+};
 
 static const struct mip_parameter parameters_shared_event_source[] = {
     {"trigger_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_event_source, trigger_id), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_event_source = {
-    parameters_shared_event_source, 1, sizeof(struct mip_shared_event_source)};
+    parameters_shared_event_source,
+    1,
+    sizeof(struct mip_shared_event_source),
+};
 
 static const struct mip_parameter parameters_shared_gps_timestamp[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5196,28 +5853,40 @@ static const struct mip_parameter parameters_shared_gps_timestamp[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_shared_gps_timestamp = {
-    parameters_shared_gps_timestamp, 3, sizeof(struct mip_shared_gps_timestamp)};
+    parameters_shared_gps_timestamp,
+    3,
+    sizeof(struct mip_shared_gps_timestamp),
+};
 
 static const struct mip_parameter parameters_shared_delta_time[] = {
     {"seconds", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_delta_time, seconds), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_delta_time = {
-    parameters_shared_delta_time, 1, sizeof(struct mip_shared_delta_time)};
+    parameters_shared_delta_time,
+    1,
+    sizeof(struct mip_shared_delta_time),
+};
 
 static const struct mip_parameter parameters_shared_reference_timestamp[] = {
     {"nanoseconds", "ns", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_reference_timestamp, nanoseconds), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_reference_timestamp = {
-    parameters_shared_reference_timestamp, 1, sizeof(struct mip_shared_reference_timestamp)};
+    parameters_shared_reference_timestamp,
+    1,
+    sizeof(struct mip_shared_reference_timestamp),
+};
 
 static const struct mip_parameter parameters_shared_reference_time_delta[] = {
     {"dt_nanos", "ns", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_reference_time_delta, dt_nanos), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_reference_time_delta = {
-    parameters_shared_reference_time_delta, 1, sizeof(struct mip_shared_reference_time_delta)};
+    parameters_shared_reference_time_delta,
+    1,
+    sizeof(struct mip_shared_reference_time_delta),
+};
 
 static const struct mip_parameter parameters_shared_external_timestamp[] = {
     {"nanoseconds", "ns", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5227,7 +5896,10 @@ static const struct mip_parameter parameters_shared_external_timestamp[] = {
      &names_shared_external_timestamp_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_external_timestamp = {
-    parameters_shared_external_timestamp, 2, sizeof(struct mip_shared_external_timestamp)};
+    parameters_shared_external_timestamp,
+    2,
+    sizeof(struct mip_shared_external_timestamp),
+};
 
 static const struct mip_parameter parameters_shared_external_time_delta[] = {
     {"dt_nanos", "ns", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5237,7 +5909,10 @@ static const struct mip_parameter parameters_shared_external_time_delta[] = {
      &names_shared_external_time_delta_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_external_time_delta = {
-    parameters_shared_external_time_delta, 2, sizeof(struct mip_shared_external_time_delta)};
+    parameters_shared_external_time_delta,
+    2,
+    sizeof(struct mip_shared_external_time_delta),
+};
 
 /* --------------------------------------------------------------------------------------- fields */
 
@@ -5343,7 +6018,8 @@ const struct mip_reflection mip_reflections[] = {
      &record_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix, true, true,
      required_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
      sizeof(required_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix),
-     offsetof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix, present)},
+     offsetof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
+              present)},
     {&mip_3dm_accelerometer_bias_configuration_codec, &record_3dm_accelerometer_bias_configuration,
      true, true, required_3dm_accelerometer_bias_configuration,
      sizeof(required_3dm_accelerometer_bias_configuration),

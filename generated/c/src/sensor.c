@@ -14,11 +14,11 @@ static void write_scaled_accel(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_scaled_accel_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_scaled_accel),
-    0,
+    0, /* time-out */
     read_scaled_accel,
     write_scaled_accel,
     NULL,
@@ -46,11 +46,11 @@ static void write_scaled_gyro(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_scaled_gyro_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_SCALED_GYRO_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_scaled_gyro),
-    0,
+    0, /* time-out */
     read_scaled_gyro,
     write_scaled_gyro,
     NULL,
@@ -78,11 +78,11 @@ static void write_scaled_mag(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_scaled_mag_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_SCALED_MAG_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_scaled_mag),
-    0,
+    0, /* time-out */
     read_scaled_mag,
     write_scaled_mag,
     NULL,
@@ -110,11 +110,11 @@ static void write_delta_theta(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_delta_theta_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_DELTA_THETA_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_delta_theta),
-    0,
+    0, /* time-out */
     read_delta_theta,
     write_delta_theta,
     NULL,
@@ -142,11 +142,11 @@ static void write_delta_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_delta_velocity_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_DELTA_VELOCITY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_delta_velocity),
-    0,
+    0, /* time-out */
     read_delta_velocity,
     write_delta_velocity,
     NULL,
@@ -176,11 +176,11 @@ static void write_complementary_filter_orientation_matrix(struct mip_writer *w, 
 }
 
 const struct mip_codec mip_sensor_complementary_filter_orientation_matrix_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_complementary_filter_orientation_matrix),
-    0,
+    0, /* time-out */
     read_complementary_filter_orientation_matrix,
     write_complementary_filter_orientation_matrix,
     NULL,
@@ -214,11 +214,11 @@ static void write_complementary_filter_quaternion(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_sensor_complementary_filter_quaternion_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMPLEMENTARY_FILTER_QUATERNION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_complementary_filter_quaternion),
-    0,
+    0, /* time-out */
     read_complementary_filter_quaternion,
     write_complementary_filter_quaternion,
     NULL,
@@ -253,11 +253,11 @@ static void write_complementary_filter_euler_angles(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_sensor_complementary_filter_euler_angles_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMPLEMENTARY_FILTER_EULER_ANGLES_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_complementary_filter_euler_angles),
-    0,
+    0, /* time-out */
     read_complementary_filter_euler_angles,
     write_complementary_filter_euler_angles,
     NULL,
@@ -289,11 +289,11 @@ static void write_complementary_filter_stabilized_north_vector(struct mip_writer
 }
 
 const struct mip_codec mip_sensor_complementary_filter_stabilized_north_vector_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_complementary_filter_stabilized_north_vector),
-    0,
+    0, /* time-out */
     read_complementary_filter_stabilized_north_vector,
     write_complementary_filter_stabilized_north_vector,
     NULL,
@@ -328,11 +328,11 @@ static void write_complementary_filter_stabilized_up_vector(struct mip_writer *w
 }
 
 const struct mip_codec mip_sensor_complementary_filter_stabilized_up_vector_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_complementary_filter_stabilized_up_vector),
-    0,
+    0, /* time-out */
     read_complementary_filter_stabilized_up_vector,
     write_complementary_filter_stabilized_up_vector,
     NULL,
@@ -368,11 +368,11 @@ static void write_gps_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_gps_timestamp_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_GPS_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_gps_timestamp),
-    0,
+    0, /* time-out */
     read_gps_timestamp,
     write_gps_timestamp,
     NULL,
@@ -405,11 +405,11 @@ static void write_temperature_statistics(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_sensor_temperature_statistics_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_TEMPERATURE_STATISTICS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_temperature_statistics),
-    0,
+    0, /* time-out */
     read_temperature_statistics,
     write_temperature_statistics,
     NULL,
@@ -437,11 +437,11 @@ static void write_scaled_pressure(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_scaled_pressure_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_SCALED_PRESSURE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_scaled_pressure),
-    0,
+    0, /* time-out */
     read_scaled_pressure,
     write_scaled_pressure,
     NULL,
@@ -469,11 +469,11 @@ static void write_overrange_status(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_overrange_status_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_OVERRANGE_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_overrange_status),
-    0,
+    0, /* time-out */
     read_overrange_status,
     write_overrange_status,
     NULL,
@@ -505,11 +505,11 @@ static void write_odometer(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_odometer_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_ODOMETER_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_odometer),
-    0,
+    0, /* time-out */
     read_odometer,
     write_odometer,
     NULL,

@@ -14,11 +14,11 @@ static void write_event_source(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_event_source_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_EVENT_SOURCE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_event_source),
-    0,
+    0, /* time-out */
     read_event_source,
     write_event_source,
     NULL,
@@ -50,11 +50,11 @@ static void write_gps_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_gps_timestamp_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_GPS_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_gps_timestamp),
-    0,
+    0, /* time-out */
     read_gps_timestamp,
     write_gps_timestamp,
     NULL,
@@ -82,11 +82,11 @@ static void write_delta_time(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_delta_time_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_DELTA_TIME_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_delta_time),
-    0,
+    0, /* time-out */
     read_delta_time,
     write_delta_time,
     NULL,
@@ -115,11 +115,11 @@ static void write_reference_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_reference_timestamp_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_REFERENCE_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_reference_timestamp),
-    0,
+    0, /* time-out */
     read_reference_timestamp,
     write_reference_timestamp,
     NULL,
@@ -148,11 +148,11 @@ static void write_reference_time_delta(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_shared_reference_time_delta_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_REFERENCE_TIME_DELTA_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_reference_time_delta),
-    0,
+    0, /* time-out */
     read_reference_time_delta,
     write_reference_time_delta,
     NULL,
@@ -183,11 +183,11 @@ static void write_external_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_external_timestamp_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_EXTERNAL_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_external_timestamp),
-    0,
+    0, /* time-out */
     read_external_timestamp,
     write_external_timestamp,
     NULL,
@@ -218,11 +218,11 @@ static void write_external_time_delta(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_external_time_delta_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_EXTERNAL_TIME_DELTA_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_external_time_delta),
-    0,
+    0, /* time-out */
     read_external_time_delta,
     write_external_time_delta,
     NULL,

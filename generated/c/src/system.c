@@ -27,11 +27,11 @@ static void write_communication_mode(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_system_communication_mode_codec = {
-    0x7F,
+    0x7F, /* descriptor set */
     MIP_SYSTEM_COMMUNICATION_MODE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_system_communication_mode),
-    0,
+    0, /* time-out */
     read_communication_mode,
     write_communication_mode,
     NULL,
@@ -48,8 +48,8 @@ mip_error mip_system_communication_mode_encode(const struct mip_system_communica
                             write_communication_mode, value);
 }
 
-struct mip_system_communication_mode mip_system_communication_mode_write(
-    mip_system_protocol_mode mode) {
+struct mip_system_communication_mode
+mip_system_communication_mode_write(mip_system_protocol_mode mode) {
     struct mip_system_communication_mode v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -98,11 +98,11 @@ static void write_communication_mode_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_system_communication_mode_response_codec = {
-    0x7F,
+    0x7F, /* descriptor set */
     MIP_SYSTEM_COMMUNICATION_MODE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_system_communication_mode_response),
-    0,
+    0, /* time-out */
     read_communication_mode_response,
     write_communication_mode_response,
     NULL,

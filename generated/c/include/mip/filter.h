@@ -9,7 +9,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/filter.h and mip/core.h are not of one version"
+#error "mip/filter.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
@@ -20,7 +20,7 @@ extern "C" {
 
 /** States that the filter estimates. */
 typedef uint16_t mip_filter_estimated_states;
-/** Bit 0: Estimate the gyroscope bias (recommended). */
+/** Bit 0. Estimate the gyroscope bias (recommended). */
 #define MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS 0x0001U
 
 /** Where the filter takes GNSS data from. */
@@ -50,18 +50,18 @@ typedef uint8_t mip_filter_heading_update_source;
 
 /** Axes to tare; 0 resets all axes. */
 typedef uint8_t mip_filter_tare_axes;
-/** Bit 0: Tare roll. */
+/** Bit 0. Tare roll. */
 #define MIP_FILTER_TARE_AXES_ROLL 0x01U
-/** Bit 1: Tare pitch. */
+/** Bit 1. Tare pitch. */
 #define MIP_FILTER_TARE_AXES_PITCH 0x02U
-/** Bit 2: Tare yaw. */
+/** Bit 2. Tare yaw. */
 #define MIP_FILTER_TARE_AXES_YAW 0x04U
 
 /** Measurements that the filter uses. */
 typedef uint16_t mip_filter_measurement_flags;
-/** Bit 0: Accelerometer measurements. */
+/** Bit 0. Accelerometer measurements. */
 #define MIP_FILTER_MEASUREMENT_FLAGS_ACCELEROMETER 0x0001U
-/** Bit 1: Magnetometer measurements, on models that have a magnetometer. */
+/** Bit 1. Magnetometer measurements, on models that have a magnetometer. */
 #define MIP_FILTER_MEASUREMENT_FLAGS_MAGNETOMETER 0x0002U
 
 /** Where the declination of the magnetic field comes from. */
@@ -125,13 +125,13 @@ typedef uint8_t mip_filter_initial_condition_source;
 
 /** Ways in which the device may find its initial heading. */
 typedef uint8_t mip_filter_heading_alignment;
-/** Bit 0: From the baseline between two GNSS antennas. */
+/** Bit 0. From the baseline between two GNSS antennas. */
 #define MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA 0x01U
-/** Bit 1: From the GNSS velocity; assumes motion along the positive x axis of the vehicle. */
+/** Bit 1. From the GNSS velocity; assumes motion along the positive x axis of the vehicle. */
 #define MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC 0x02U
-/** Bit 2: From the built-in magnetometer. */
+/** Bit 2. From the built-in magnetometer. */
 #define MIP_FILTER_HEADING_ALIGNMENT_MAGNETOMETER 0x04U
-/** Bit 3: From the heading that the user sends. */
+/** Bit 3. From the heading that the user sends. */
 #define MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL 0x08U
 
 /** Frame in which a position is given. */
@@ -169,12 +169,12 @@ typedef uint8_t mip_filter_reference_point;
  *
  * Puts the filter back into its initialization state.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * If automatic initialization is off, the attitude or heading must be set before the filter runs
  * again.
  *
  * 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first found.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01)
  * - 3dm-gx5-15: 4.3.1 Reset Filter (0x0D, 0x01)
@@ -198,9 +198,9 @@ mip_error mip_filter_reset_navigation_filter_encode(
  *
  * Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
  *
- * Accepted only in the initialization state.
- *
  * Supported by 3DM-GX5-15.
+ *
+ * Accepted only in the initialization state.
  *
  * - 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02)
  */
@@ -232,12 +232,12 @@ struct mip_filter_set_initial_attitude mip_filter_set_initial_attitude_make(floa
  *
  * Gives the filter its initial heading; pitch and roll come from the accelerometers.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * 3DM-GX5: accepted only in the initialization state.
  *
  * 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
  * ignored.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03)
  * - 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
@@ -256,18 +256,18 @@ mip_error mip_filter_set_initial_heading_control_decode(
 mip_error mip_filter_set_initial_heading_control_encode(
     const struct mip_filter_set_initial_heading_control *value, struct mip_builder *builder);
 /** Set initial heading. */
-struct mip_filter_set_initial_heading_control mip_filter_set_initial_heading_control_make(
-    float heading);
+struct mip_filter_set_initial_heading_control
+mip_filter_set_initial_heading_control_make(float heading);
 
 /**
  * Run navigation filter: command (0x0D,0x05).
  *
  * Starts a filter that was set up to wait for this command.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * The filter waits in its initialization state if `wait_for_run_command` of
  * `navigation_filter_initialization` is set.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
  */
@@ -290,27 +290,27 @@ mip_error mip_filter_run_navigation_filter_encode(
  *
  * Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
  *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_sensor_to_vehicle_frame_transformation_response. Supported by 3DM-GX5-15.
+ *
  * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
  * vector of the filter.
  *
  * The 3DM-CV7 takes the inverse instead: `3dm.sensor_to_vehicle_frame_transformation_euler`.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_frame_transformation_response. Supported by 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
 struct mip_filter_sensor_to_vehicle_frame_transformation {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Roll angle. Unit: rad. For write. */
+    /** Roll angle. Unit: rad. Required for write. */
     float roll;
-    /** Pitch angle. Unit: rad. For write. */
+    /** Pitch angle. Unit: rad. Required for write. */
     float pitch;
-    /** Yaw angle. Unit: rad. For write. */
+    /** Yaw angle. Unit: rad. Required for write. */
     float yaw;
 };
 
@@ -343,9 +343,7 @@ mip_filter_sensor_to_vehicle_frame_transformation_default(void);
 /**
  * Sensor to vehicle frame transformation response: response (0x0D,0x81).
  *
- * Answers Sensor to vehicle frame transformation (0x0D,0x11).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_filter_sensor_to_vehicle_frame_transformation. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
@@ -375,6 +373,9 @@ mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_encode(
  *
  * Position of the GNSS antenna relative to the origin of the sensor.
  *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_gnss_antenna_offset_control_response. Supported by 3DM-CV7-GNSS/INS.
+ *
  * The magnitude of the vector is limited to 10.
  *
  * 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
@@ -382,19 +383,16 @@ mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_encode(
  * On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding commands use
  * `aiding.frame_configuration`.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_gnss_antenna_offset_control_response. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
 struct mip_filter_gnss_antenna_offset_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
      * From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-     * vehicle. Range: -10 to 10. For write.
+     * vehicle. Range: -10 to 10. Required for write.
      */
     float offset[3];
 };
@@ -408,8 +406,8 @@ mip_error mip_filter_gnss_antenna_offset_control_decode(
 mip_error mip_filter_gnss_antenna_offset_control_encode(
     const struct mip_filter_gnss_antenna_offset_control *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_write(
-    const float offset[3]);
+struct mip_filter_gnss_antenna_offset_control
+mip_filter_gnss_antenna_offset_control_write(const float offset[3]);
 /** Send the current setting back in a response. */
 struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -422,9 +420,7 @@ struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_con
 /**
  * GNSS antenna offset response: response (0x0D,0x83).
  *
- * Answers GNSS antenna offset (0x0D,0x13).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_gnss_antenna_offset_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
@@ -458,11 +454,11 @@ mip_error mip_filter_gnss_antenna_offset_control_response_encode(
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
 struct mip_filter_estimation_control_flags {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** States to estimate. For write. */
+    /** States to estimate. Required for write. */
     mip_filter_estimated_states flags;
 };
 
@@ -475,8 +471,8 @@ mip_error mip_filter_estimation_control_flags_decode(
 mip_error mip_filter_estimation_control_flags_encode(
     const struct mip_filter_estimation_control_flags *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_write(
-    mip_filter_estimated_states flags);
+struct mip_filter_estimation_control_flags
+mip_filter_estimation_control_flags_write(mip_filter_estimated_states flags);
 /** Send the current setting back in a response. */
 struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -489,9 +485,7 @@ struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_d
 /**
  * Estimation control flags response: response (0x0D,0x84).
  *
- * Answers Estimation control flags (0x0D,0x14).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_filter_estimation_control_flags. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -514,20 +508,20 @@ mip_error mip_filter_estimation_control_flags_response_encode(
  *
  * Which GNSS receiver aids the filter.
  *
- * A change while the filter runs may put it back into initialization until the new source gives
- * data.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_gnss_aiding_source_control_response. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * A change while the filter runs may put it back into initialization until the new source gives
+ * data.
  *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
 struct mip_filter_gnss_aiding_source_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the GNSS data. For write. */
+    /** Source of the GNSS data. Required for write. */
     mip_filter_gnss_aiding_source source;
 };
 
@@ -540,8 +534,8 @@ mip_error mip_filter_gnss_aiding_source_control_decode(
 mip_error mip_filter_gnss_aiding_source_control_encode(
     const struct mip_filter_gnss_aiding_source_control *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_write(
-    mip_filter_gnss_aiding_source source);
+struct mip_filter_gnss_aiding_source_control
+mip_filter_gnss_aiding_source_control_write(mip_filter_gnss_aiding_source source);
 /** Send the current setting back in a response. */
 struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -554,9 +548,7 @@ struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_contr
 /**
  * GNSS aiding source response: response (0x0D,0x86).
  *
- * Answers GNSS aiding source (0x0D,0x15).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_gnss_aiding_source_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
@@ -581,6 +573,8 @@ mip_error mip_filter_gnss_aiding_source_control_response_encode(
  *
  * Gives the filter one measurement of the heading of the sensor frame in the NED frame.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
  * and by `aiding_measurement_control` on the 3DM-CV7.
  *
@@ -588,8 +582,6 @@ mip_error mip_filter_gnss_aiding_source_control_response_encode(
  *
  * If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
  * ones.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17)
  * - 3dm-gx5-15: 4.3.7 External Heading Update (0x0D, 0x17)
@@ -629,11 +621,11 @@ struct mip_filter_external_heading_update mip_filter_external_heading_update_mak
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
 struct mip_filter_heading_update_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the heading. For write. */
+    /** Source of the heading. Required for write. */
     mip_filter_heading_update_source enable;
 };
 
@@ -646,8 +638,8 @@ mip_error mip_filter_heading_update_control_decode(struct mip_filter_heading_upd
 mip_error mip_filter_heading_update_control_encode(
     const struct mip_filter_heading_update_control *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_heading_update_control mip_filter_heading_update_control_write(
-    mip_filter_heading_update_source enable);
+struct mip_filter_heading_update_control
+mip_filter_heading_update_control_write(mip_filter_heading_update_source enable);
 /** Send the current setting back in a response. */
 struct mip_filter_heading_update_control mip_filter_heading_update_control_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -660,9 +652,7 @@ struct mip_filter_heading_update_control mip_filter_heading_update_control_defau
 /**
  * Heading update control response: response (0x0D,0x87).
  *
- * Answers Heading update control (0x0D,0x18).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_filter_heading_update_control. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -685,19 +675,19 @@ mip_error mip_filter_heading_update_control_response_encode(
  *
  * Whether the filter initializes by itself when the device starts.
  *
- * It needs a valid heading source.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_auto_initialization_control_response. Supported by 3DM-GX5-15.
+ *
+ * It needs a valid heading source.
  *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
  */
 struct mip_filter_auto_initialization_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
 };
 
@@ -710,8 +700,8 @@ mip_error mip_filter_auto_initialization_control_decode(
 mip_error mip_filter_auto_initialization_control_encode(
     const struct mip_filter_auto_initialization_control *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_write(
-    uint8_t enable);
+struct mip_filter_auto_initialization_control
+mip_filter_auto_initialization_control_write(uint8_t enable);
 /** Send the current setting back in a response. */
 struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -724,9 +714,7 @@ struct mip_filter_auto_initialization_control mip_filter_auto_initialization_con
 /**
  * Automatic initialization response: response (0x0D,0x88).
  *
- * Answers Automatic initialization (0x0D,0x19).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_filter_auto_initialization_control. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
  */
@@ -751,21 +739,21 @@ mip_error mip_filter_auto_initialization_control_response_encode(
  *
  * Standard deviation of the accelerometer noise that the filter assumes (process noise).
  *
- * Every value must be greater than 0. The factory values suit most laboratory conditions.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_accelerometer_noise_standard_deviation_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
+ *
+ * Every value must be greater than 0. The factory values suit most laboratory conditions.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
  */
 struct mip_filter_accelerometer_noise_standard_deviation {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. For write. */
+    /** Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Required for write. */
     float noise[3];
 };
 
@@ -798,9 +786,8 @@ mip_filter_accelerometer_noise_standard_deviation_default(void);
 /**
  * Accelerometer noise response: response (0x0D,0x89).
  *
- * Answers Accelerometer noise (0x0D,0x1A).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_accelerometer_noise_standard_deviation. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -827,21 +814,21 @@ mip_error mip_filter_accelerometer_noise_standard_deviation_response_encode(
  *
  * Standard deviation of the gyroscope noise that the filter assumes (process noise).
  *
- * Every value must be greater than 0. The factory values suit most laboratory conditions.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_gyroscope_noise_standard_deviation_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
+ *
+ * Every value must be greater than 0. The factory values suit most laboratory conditions.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
  */
 struct mip_filter_gyroscope_noise_standard_deviation {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Standard deviation per axis. Elements: x, y, z. Unit: rad/s. For write. */
+    /** Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Required for write. */
     float noise[3];
 };
 
@@ -873,9 +860,8 @@ mip_filter_gyroscope_noise_standard_deviation_default(void);
 /**
  * Gyroscope noise response: response (0x0D,0x8A).
  *
- * Answers Gyroscope noise (0x0D,0x1B).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_gyroscope_noise_standard_deviation. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -902,21 +888,26 @@ mip_error mip_filter_gyroscope_noise_standard_deviation_response_encode(
  *
  * Parameters of the model by which the accelerometer bias drifts.
  *
- * Every noise value must be greater than 0.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_accelerometer_bias_model_parameters_response. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * Every noise value must be greater than 0.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
 struct mip_filter_accelerometer_bias_model_parameters {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. For write. */
+    /**
+     * Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+     * write.
+     */
     float beta[3];
-    /** Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. For write. */
+    /**
+     * Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Required for write.
+     */
     float noise[3];
 };
 
@@ -949,9 +940,7 @@ mip_filter_accelerometer_bias_model_parameters_default(void);
 /**
  * Accelerometer bias model response: response (0x0D,0x8B).
  *
- * Answers Accelerometer bias model (0x0D,0x1C).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_accelerometer_bias_model_parameters. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
@@ -979,23 +968,28 @@ mip_error mip_filter_accelerometer_bias_model_parameters_response_encode(
  *
  * Parameters of the model by which the gyroscope bias drifts.
  *
- * Every noise value must be greater than 0.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_gyroscope_bias_model_parameters_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
+ *
+ * Every noise value must be greater than 0.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
  */
 struct mip_filter_gyroscope_bias_model_parameters {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. For write. */
+    /**
+     * Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+     * write.
+     */
     float beta[3];
-    /** Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. For write. */
+    /**
+     * Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Required for write.
+     */
     float noise[3];
 };
 
@@ -1008,8 +1002,8 @@ mip_error mip_filter_gyroscope_bias_model_parameters_decode(
 mip_error mip_filter_gyroscope_bias_model_parameters_encode(
     const struct mip_filter_gyroscope_bias_model_parameters *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_gyroscope_bias_model_parameters mip_filter_gyroscope_bias_model_parameters_write(
-    const float beta[3], const float noise[3]);
+struct mip_filter_gyroscope_bias_model_parameters
+mip_filter_gyroscope_bias_model_parameters_write(const float beta[3], const float noise[3]);
 /** Send the current setting back in a response. */
 struct mip_filter_gyroscope_bias_model_parameters
 mip_filter_gyroscope_bias_model_parameters_read(void);
@@ -1026,9 +1020,7 @@ mip_filter_gyroscope_bias_model_parameters_default(void);
 /**
  * Gyroscope bias model response: response (0x0D,0x8C).
  *
- * Answers Gyroscope bias model (0x0D,0x1D).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_gyroscope_bias_model_parameters. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -1057,6 +1049,8 @@ mip_error mip_filter_gyroscope_bias_model_parameters_response_encode(
  *
  * Gives the filter one measurement of the heading of the sensor frame with its GPS time.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * Better than `external_heading_update` where the heading changes quickly; the time must be
  * accurate.
  *
@@ -1067,8 +1061,6 @@ mip_error mip_filter_gyroscope_bias_model_parameters_response_encode(
  *
  * If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
  * ones.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
  * - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
@@ -1108,23 +1100,26 @@ mip_filter_external_heading_update_with_time_make(double gps_time, uint16_t gps_
  *
  * Lets the filter take the device as not rotating while its angular rate is small.
  *
- * The update applies while the magnitude of the angular rate vector is at or below the threshold.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_zero_angular_rate_update_control_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
+ *
+ * The update applies while the magnitude of the angular rate vector is at or below the threshold.
  *
  * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
  */
 struct mip_filter_zero_angular_rate_update_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
-    /** Largest angular rate that is taken as zero. Unit: rad/s. At least 0. For write. */
+    /**
+     * Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. Required for
+     * write.
+     */
     float threshold;
 };
 
@@ -1155,9 +1150,8 @@ mip_filter_zero_angular_rate_update_control_default(void);
 /**
  * Zero angular rate update response: response (0x0D,0x8E).
  *
- * Answers Zero angular rate update (0x0D,0x20).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_zero_angular_rate_update_control. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -1165,7 +1159,7 @@ mip_filter_zero_angular_rate_update_control_default(void);
 struct mip_filter_zero_angular_rate_update_control_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
-    /** Largest angular rate that is taken as zero. Unit: rad/s. At least 0. */
+    /** Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. */
     float threshold;
 };
 
@@ -1186,18 +1180,18 @@ mip_error mip_filter_zero_angular_rate_update_control_response_encode(
  *
  * Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
  *
- * Refused while the filter has no valid attitude.
- *
  * Functions: write, save, load and default. Supported by 3DM-GX5-15.
+ *
+ * Refused while the filter has no valid attitude.
  *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
  */
 struct mip_filter_tare_orientation {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Axes to tare; 0 resets all axes. For write. */
+    /** Axes to tare; 0 resets all axes. Required for write. */
     mip_filter_tare_axes axes;
 };
 
@@ -1223,9 +1217,9 @@ struct mip_filter_tare_orientation mip_filter_tare_orientation_default(void);
  *
  * Tells the filter once that the device is not rotating.
  *
- * At most 10 per second.
- *
  * Supported by 3DM-GX5-15.
+ *
+ * At most 10 per second.
  *
  * - 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23)
  */
@@ -1255,17 +1249,17 @@ mip_error mip_filter_commanded_zero_angular_rate_update_encode(
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
 struct mip_filter_set_reference_position {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
-    /** Latitude. Unit: deg. Frame: llh. For write. */
+    /** Latitude. Unit: deg. Frame: llh. Required for write. */
     double latitude;
-    /** Longitude. Unit: deg. Frame: llh. For write. */
+    /** Longitude. Unit: deg. Frame: llh. Required for write. */
     double longitude;
-    /** Altitude. Unit: m. Frame: llh. For write. */
+    /** Altitude. Unit: m. Frame: llh. Required for write. */
     double altitude;
 };
 
@@ -1294,9 +1288,7 @@ struct mip_filter_set_reference_position mip_filter_set_reference_position_defau
 /**
  * Set reference position response: response (0x0D,0x90).
  *
- * Answers Set reference position (0x0D,0x26).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_filter_set_reference_position. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
@@ -1325,21 +1317,21 @@ mip_error mip_filter_set_reference_position_response_encode(
  *
  * Standard deviation of the gravity noise that the filter assumes (process noise).
  *
- * Every value must be greater than 0. The factory values suit most laboratory conditions.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_gravity_noise_standard_deviation_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
+ *
+ * Every value must be greater than 0. The factory values suit most laboratory conditions.
  *
  * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
  */
 struct mip_filter_gravity_noise_standard_deviation {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Standard deviation per axis. Elements: x, y, z. Unit: g. For write. */
+    /** Standard deviation per axis. Elements: x, y, z. Unit: g. Required for write. */
     float noise[3];
 };
 
@@ -1370,9 +1362,8 @@ mip_filter_gravity_noise_standard_deviation_default(void);
 /**
  * Gravity noise response: response (0x0D,0x93).
  *
- * Answers Gravity noise (0x0D,0x28).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_gravity_noise_standard_deviation. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -1405,11 +1396,11 @@ mip_error mip_filter_gravity_noise_standard_deviation_response_encode(
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
 struct mip_filter_enable_disable_measurements {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Measurements to use. For write. */
+    /** Measurements to use. Required for write. */
     mip_filter_measurement_flags control;
 };
 
@@ -1422,8 +1413,8 @@ mip_error mip_filter_enable_disable_measurements_decode(
 mip_error mip_filter_enable_disable_measurements_encode(
     const struct mip_filter_enable_disable_measurements *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_write(
-    mip_filter_measurement_flags control);
+struct mip_filter_enable_disable_measurements
+mip_filter_enable_disable_measurements_write(mip_filter_measurement_flags control);
 /** Send the current setting back in a response. */
 struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -1436,9 +1427,7 @@ struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurem
 /**
  * Enable or disable measurements response: response (0x0D,0xB0).
  *
- * Answers Enable or disable measurements (0x0D,0x41).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_filter_enable_disable_measurements. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
@@ -1463,21 +1452,21 @@ mip_error mip_filter_enable_disable_measurements_response_encode(
  *
  * Source of the local declination of the magnetic field.
  *
- * Without a good declination source, keep automatic magnetometer calibration off.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_magnetic_field_declination_source_control_response. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * Without a good declination source, keep automatic magnetometer calibration off.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  */
 struct mip_filter_magnetic_field_declination_source_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the declination. For write. */
+    /** Source of the declination. Required for write. */
     mip_filter_declination_source source;
-    /** Declination; used only if `source` is manual. Unit: rad. For write. */
+    /** Declination; used only if `source` is manual. Unit: rad. Required for write. */
     float declination;
 };
 
@@ -1512,9 +1501,7 @@ mip_filter_magnetic_field_declination_source_control_default(void);
 /**
  * Magnetic declination source response: response (0x0D,0xB2).
  *
- * Answers Magnetic declination source (0x0D,0x43).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_magnetic_field_declination_source_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  */
@@ -1542,6 +1529,9 @@ mip_error mip_filter_magnetic_field_declination_source_control_response_encode(
  *
  * How far the filter trusts gravity measurements whose magnitude is not that of gravity.
  *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_gravity_magnitude_error_adaptive_measurement_response. Supported by 3DM-GX5-15.
+ *
  * Also called accelerometer magnitude error adaptive measurement.
  *
  * All parameters after the selector keep their values if they are left out.
@@ -1551,17 +1541,14 @@ mip_error mip_filter_magnetic_field_declination_source_control_response_encode(
  * Raise the limits where vibration is strong, lower them where it is weak. High limits cost pitch
  * and roll accuracy under linear acceleration, low limits cost heading accuracy.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_gravity_magnitude_error_adaptive_measurement_response. Supported by 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
 struct mip_filter_gravity_magnitude_error_adaptive_measurement {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Kind of adaptation. For write. */
+    /** Kind of adaptation. Required for write. */
     mip_filter_adaptive_measurement_selector adaptive_measurement;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Optional. */
     float frequency;
@@ -1620,9 +1607,7 @@ mip_filter_gravity_magnitude_error_adaptive_measurement_default(void);
 /**
  * Gravity magnitude error adaptive measurement response: response (0x0D,0xB3).
  *
- * Answers Gravity magnitude error adaptive measurement (0x0D,0x44).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_filter_gravity_magnitude_error_adaptive_measurement. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
@@ -1667,11 +1652,11 @@ mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_encod
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
 struct mip_filter_pitch_roll_aiding_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the aiding. For write. */
+    /** Source of the aiding. Required for write. */
     mip_filter_pitch_roll_aiding_source aiding;
 };
 
@@ -1684,8 +1669,8 @@ mip_error mip_filter_pitch_roll_aiding_control_decode(
 mip_error mip_filter_pitch_roll_aiding_control_encode(
     const struct mip_filter_pitch_roll_aiding_control *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_write(
-    mip_filter_pitch_roll_aiding_source aiding);
+struct mip_filter_pitch_roll_aiding_control
+mip_filter_pitch_roll_aiding_control_write(mip_filter_pitch_roll_aiding_source aiding);
 /** Send the current setting back in a response. */
 struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -1698,9 +1683,7 @@ struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control
 /**
  * Pitch and roll aiding response: response (0x0D,0xBB).
  *
- * Answers Pitch and roll aiding (0x0D,0x4B).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_filter_pitch_roll_aiding_control. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
@@ -1730,13 +1713,13 @@ mip_error mip_filter_pitch_roll_aiding_control_response_encode(
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
 struct mip_filter_aiding_measurement_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** The source; `all` is for save, load and default. */
     mip_filter_aiding_source aiding_source;
-    /** Whether the filter uses the source. For write. */
+    /** Whether the filter uses the source. Required for write. */
     mip_bool enable;
 };
 
@@ -1752,24 +1735,22 @@ mip_error mip_filter_aiding_measurement_control_encode(
 struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_write(
     mip_filter_aiding_source aiding_source, mip_bool enable);
 /** Send the current setting back in a response. */
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_read(
-    mip_filter_aiding_source aiding_source);
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_read(mip_filter_aiding_source aiding_source);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_save(
-    mip_filter_aiding_source aiding_source);
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_save(mip_filter_aiding_source aiding_source);
 /** Load the saved setting. */
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_load(
-    mip_filter_aiding_source aiding_source);
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_load(mip_filter_aiding_source aiding_source);
 /** Load the factory default setting. */
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_default(
-    mip_filter_aiding_source aiding_source);
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_default(mip_filter_aiding_source aiding_source);
 
 /**
  * Aiding measurement control response: response (0x0D,0xD0).
  *
- * Answers Aiding measurement control (0x0D,0x50).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_aiding_measurement_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -1796,6 +1777,9 @@ mip_error mip_filter_aiding_measurement_control_response_encode(
  *
  * Sources and values of the initial attitude, position and velocity of the filter.
  *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_navigation_filter_initialization_response. Supported by 3DM-CV7-GNSS/INS.
+ *
  * Single precision resolves the latitude and longitude of the initial position to about a metre
  * only.
  *
@@ -1803,42 +1787,41 @@ mip_error mip_filter_aiding_measurement_control_response_encode(
  *
  * External alignment needs a heading at least every 5 seconds.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_navigation_filter_initialization_response. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
 struct mip_filter_navigation_filter_initialization {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
      * 1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to 1.
-     * For write.
+     * Required for write.
      */
     uint8_t wait_for_run_command;
-    /** Which initial conditions are found and which are given. For write. */
+    /** Which initial conditions are found and which are given. Required for write. */
     mip_filter_initial_condition_source initial_cond_src;
-    /** Ways in which the initial heading may be found. For write. */
+    /** Ways in which the initial heading may be found. Required for write. */
     mip_filter_heading_alignment auto_heading_alignment_selector;
-    /** Given heading. Unit: deg. For write. */
+    /** Given heading. Unit: deg. Required for write. */
     float initial_heading;
-    /** Given pitch. Unit: deg. For write. */
+    /** Given pitch. Unit: deg. Required for write. */
     float initial_pitch;
-    /** Given roll. Unit: deg. For write. */
+    /** Given roll. Unit: deg. Required for write. */
     float initial_roll;
     /**
-     * Given position. Elements: x, y, z. For write. If reference_frame_selector is ecef: unit m,
-     * frame ecef. If reference_frame_selector is llh: unit deg, deg, m, frame llh.
+     * Given position. Elements: x, y, z. Required for write. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
      */
     float initial_position[3];
     /**
-     * Given velocity. Elements: x, y, z. Unit: m/s. For write. If reference_frame_selector is ecef:
-     * frame ecef. If reference_frame_selector is llh: frame ned.
+     * Given velocity. Elements: x, y, z. Unit: m/s. Required for write. If reference_frame_selector
+     * is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
      */
     float initial_velocity[3];
-    /** Frame of the given position and velocity. For write. */
+    /** Frame of the given position and velocity. Required for write. */
     mip_filter_reference_frame reference_frame_selector;
 };
 
@@ -1873,9 +1856,7 @@ mip_filter_navigation_filter_initialization_default(void);
 /**
  * Navigation filter initialization response: response (0x0D,0xD2).
  *
- * Answers Navigation filter initialization (0x0D,0x52).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_navigation_filter_initialization. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
@@ -1895,13 +1876,15 @@ struct mip_filter_navigation_filter_initialization_response {
     /** Given roll. Unit: deg. */
     float initial_roll;
     /**
-     * Given position. Elements: x, y, z. If reference_frame_selector is ecef: unit m, frame ecef.
-     * If reference_frame_selector is llh: unit deg, deg, m, frame llh.
+     * Given position. Elements: x, y, z. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
      */
     float initial_position[3];
     /**
-     * Given velocity. Elements: x, y, z. Unit: m/s. If reference_frame_selector is ecef: frame
-     * ecef. If reference_frame_selector is llh: frame ned.
+     * Given velocity. Elements: x, y, z. Unit: m/s. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
      */
     float initial_velocity[3];
     /** Frame of the given position and velocity. */
@@ -1931,15 +1914,15 @@ mip_error mip_filter_navigation_filter_initialization_response_encode(
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
 struct mip_filter_adaptive_filter_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Strength of the adaptation. Default: 2. For write. */
+    /** Strength of the adaptation. Default: 2. Required for write. */
     mip_filter_adaptive_level level;
     /**
-     * Longest time for which measurements are rejected before the filter recovers. Unit: ms. For
-     * write.
+     * Longest time for which measurements are rejected before the filter recovers. Unit: ms.
+     * Required for write.
      */
     uint16_t time_limit;
 };
@@ -1953,8 +1936,8 @@ mip_error mip_filter_adaptive_filter_control_decode(
 mip_error mip_filter_adaptive_filter_control_encode(
     const struct mip_filter_adaptive_filter_control *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_write(
-    mip_filter_adaptive_level level, uint16_t time_limit);
+struct mip_filter_adaptive_filter_control
+mip_filter_adaptive_filter_control_write(mip_filter_adaptive_level level, uint16_t time_limit);
 /** Send the current setting back in a response. */
 struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -1967,9 +1950,7 @@ struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_def
 /**
  * Adaptive filter control response: response (0x0D,0xD3).
  *
- * Answers Adaptive filter control (0x0D,0x53).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_adaptive_filter_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
@@ -1994,23 +1975,23 @@ mip_error mip_filter_adaptive_filter_control_response_encode(
  *
  * Position of the antenna of one receiver on devices with several antennas.
  *
- * The magnitude of the vector is limited to 10.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_gnss_multi_antenna_offset_control_response. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * The magnitude of the vector is limited to 10.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
 struct mip_filter_gnss_multi_antenna_offset_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Number of the receiver, from 1. At least 1. */
+    /** Number of the receiver, from 1. Range: at least 1. */
     uint8_t receiver_id;
     /**
      * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
-     * For write.
+     * Required for write.
      */
     float antenna_offset[3];
 };
@@ -2043,14 +2024,12 @@ mip_filter_gnss_multi_antenna_offset_control_default(uint8_t receiver_id);
 /**
  * GNSS multi-antenna offset response: response (0x0D,0xD4).
  *
- * Answers GNSS multi-antenna offset (0x0D,0x54).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_gnss_multi_antenna_offset_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
 struct mip_filter_gnss_multi_antenna_offset_control_response {
-    /** Number of the receiver, from 1. At least 1. */
+    /** Number of the receiver, from 1. Range: at least 1. */
     uint8_t receiver_id;
     /**
      * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
@@ -2081,17 +2060,18 @@ mip_error mip_filter_gnss_multi_antenna_offset_control_response_encode(
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
 struct mip_filter_relative_position_configuration {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the reference point. For write. */
+    /** Source of the reference point. Required for write. */
     mip_filter_relative_position_source source;
-    /** Frame of the coordinates. For write. */
+    /** Frame of the coordinates. Required for write. */
     mip_filter_reference_frame reference_frame_selector;
     /**
-     * Reference point. Elements: x, y, z. For write. If reference_frame_selector is ecef: unit m,
-     * frame ecef. If reference_frame_selector is llh: unit deg, deg, m, frame llh.
+     * Reference point. Elements: x, y, z. Required for write. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
      */
     double reference_coordinates[3];
 };
@@ -2124,9 +2104,7 @@ mip_filter_relative_position_configuration_default(void);
 /**
  * Relative position configuration response: response (0x0D,0xD5).
  *
- * Answers Relative position configuration (0x0D,0x55).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_relative_position_configuration. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
@@ -2136,8 +2114,9 @@ struct mip_filter_relative_position_configuration_response {
     /** Frame of the coordinates. */
     mip_filter_reference_frame reference_frame_selector;
     /**
-     * Reference point. Elements: x, y, z. If reference_frame_selector is ecef: unit m, frame ecef.
-     * If reference_frame_selector is llh: unit deg, deg, m, frame llh.
+     * Reference point. Elements: x, y, z. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
      */
     double reference_coordinates[3];
 };
@@ -2159,27 +2138,27 @@ mip_error mip_filter_relative_position_configuration_response_encode(
  *
  * Moves the point to which the position and the velocity of the filter refer.
  *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_reference_point_lever_arm_response. Supported by 3DM-CV7-GNSS/INS.
+ *
  * It shifts `llh_position`, `velocity_ned`, `ecef_position`, `ecef_velocity` and
  * `ned_relative_position` of set `filter_data`, depending on the attitude and, for velocities, on
  * the angular rate.
  *
  * The magnitude of the vector is limited to 10.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_reference_point_lever_arm_response. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
 struct mip_filter_reference_point_lever_arm {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Point to move; it must be 1. For write. */
+    /** Point to move; it must be 1. Required for write. */
     mip_filter_reference_point ref_point_sel;
     /**
      * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
-     * For write.
+     * Required for write.
      */
     float lever_arm_offset[3];
 };
@@ -2207,9 +2186,7 @@ struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm
 /**
  * Reference point lever arm response: response (0x0D,0xD6).
  *
- * Answers Reference point lever arm (0x0D,0x56).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_reference_point_lever_arm. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
@@ -2237,23 +2214,23 @@ mip_error mip_filter_reference_point_lever_arm_response_encode(
  *
  * Position of the point whose speed is measured, such as the wheel that an odometer is on.
  *
- * It corrects for the speed that such a point has only because the vehicle turns.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_measurement_speed_lever_arm_response. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * It corrects for the speed that such a point has only because the vehicle turns.
  *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
 struct mip_filter_measurement_speed_lever_arm {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Send 1. Send 1. */
+    /** Send 1. Reserved: send 1. */
     uint8_t source;
     /**
-     * From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle. For
-     * write.
+     * From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle.
+     * Required for write.
      */
     float lever_arm_offset[3];
 };
@@ -2267,8 +2244,8 @@ mip_error mip_filter_measurement_speed_lever_arm_decode(
 mip_error mip_filter_measurement_speed_lever_arm_encode(
     const struct mip_filter_measurement_speed_lever_arm *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_write(
-    const float lever_arm_offset[3]);
+struct mip_filter_measurement_speed_lever_arm
+mip_filter_measurement_speed_lever_arm_write(const float lever_arm_offset[3]);
 /** Send the current setting back in a response. */
 struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -2281,14 +2258,12 @@ struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever
 /**
  * Speed measurement lever arm response: response (0x0D,0xE1).
  *
- * Answers Speed measurement lever arm (0x0D,0x61).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_measurement_speed_lever_arm. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
 struct mip_filter_measurement_speed_lever_arm_response {
-    /** Send 1. Send 1. */
+    /** Send 1. Reserved. */
     uint8_t source;
     /** From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle. */
     float lever_arm_offset[3];
@@ -2310,20 +2285,20 @@ mip_error mip_filter_measurement_speed_lever_arm_response_encode(
  *
  * Lets the filter assume that the vehicle moves only along its x axis.
  *
- * It improves the heading of cars and the like, above all when GNSS comes and goes. It is wrong for
- * vehicles that move sideways, such as aircraft.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_wheeled_vehicle_constraint_control_response. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * It improves the heading of cars and the like, above all when GNSS comes and goes. It is wrong for
+ * vehicles that move sideways, such as aircraft.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
 struct mip_filter_wheeled_vehicle_constraint_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
 };
 
@@ -2355,9 +2330,7 @@ mip_filter_wheeled_vehicle_constraint_control_default(void);
 /**
  * Wheeled vehicle constraint response: response (0x0D,0xE3).
  *
- * Answers Wheeled vehicle constraint (0x0D,0x63).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_wheeled_vehicle_constraint_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
@@ -2390,15 +2363,15 @@ mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
  */
 struct mip_filter_gnss_antenna_offset_calibration_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
     /**
      * Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
-     * vehicle. Range: 0 to 0.5. Default: 0.1. For write.
+     * vehicle. Range: 0 to 0.5. Default: 0.1. Required for write.
      */
     float max_offset;
 };
@@ -2433,9 +2406,7 @@ mip_filter_gnss_antenna_offset_calibration_control_default(void);
 /**
  * GNSS antenna offset calibration response: response (0x0D,0xE4).
  *
- * Answers GNSS antenna offset calibration (0x0D,0x64).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_gnss_antenna_offset_calibration_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration

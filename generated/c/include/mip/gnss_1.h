@@ -9,7 +9,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/gnss_1.h and mip/core.h are not of one version"
+#error "mip/gnss_1.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
@@ -20,107 +20,107 @@ extern "C" {
 
 /** Which parts of the position are valid. */
 typedef uint16_t mip_gnss_1_gnss_llh_position_flags;
-/** Bit 0: Latitude and longitude. */
+/** Bit 0. Latitude and longitude. */
 #define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_LAT_LON 0x0001U
-/** Bit 1: Height above the ellipsoid. */
+/** Bit 1. Height above the ellipsoid. */
 #define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_ELLIPSOID_HEIGHT 0x0002U
-/** Bit 2: Height above mean sea level. */
+/** Bit 2. Height above mean sea level. */
 #define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_MSL_HEIGHT 0x0004U
-/** Bit 3: Horizontal accuracy. */
+/** Bit 3. Horizontal accuracy. */
 #define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY 0x0008U
-/** Bit 4: Vertical accuracy. */
+/** Bit 4. Vertical accuracy. */
 #define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_VERTICAL_ACCURACY 0x0010U
-/** Bits 0 to 4: All of them. */
+/** Bits 0 to 4. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_GNSS_LLH_POSITION_FLAGS_FLAGS 0x001FU
 
 /** Which parts of the position are valid. */
 typedef uint16_t mip_gnss_1_gnss_ecef_position_flags;
-/** Bit 0: Position. */
+/** Bit 0. Position. */
 #define MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_POSITION 0x0001U
-/** Bit 1: Accuracy of the position. */
+/** Bit 1. Accuracy of the position. */
 #define MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_POSITION_ACCURACY 0x0002U
-/** Bits 0 to 1: All of them. */
+/** Bits 0 to 1. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_GNSS_ECEF_POSITION_FLAGS_FLAGS 0x0003U
 
 /** Which parts of the velocity are valid. */
 typedef uint16_t mip_gnss_1_ned_velocity_flags;
-/** Bit 0: Velocity vector. */
+/** Bit 0. Velocity vector. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_VELOCITY 0x0001U
-/** Bit 1: Speed in space. */
+/** Bit 1. Speed in space. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_SPEED_3D 0x0002U
-/** Bit 2: Speed over ground. */
+/** Bit 2. Speed over ground. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_GROUND_SPEED 0x0004U
-/** Bit 3: Heading. */
+/** Bit 3. Heading. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_HEADING 0x0008U
-/** Bit 4: Accuracy of the speed. */
+/** Bit 4. Accuracy of the speed. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_SPEED_ACCURACY 0x0010U
-/** Bit 5: Accuracy of the heading. */
+/** Bit 5. Accuracy of the heading. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_HEADING_ACCURACY 0x0020U
-/** Bits 0 to 5: All of them. */
+/** Bits 0 to 5. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_FLAGS 0x003FU
 
 /** Which parts of the velocity are valid. */
 typedef uint16_t mip_gnss_1_gnss_ecef_velocity_flags;
-/** Bit 0: Velocity. */
+/** Bit 0. Velocity. */
 #define MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_VELOCITY 0x0001U
-/** Bit 1: Accuracy of the velocity. */
+/** Bit 1. Accuracy of the velocity. */
 #define MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY 0x0002U
-/** Bits 0 to 1: All of them. */
+/** Bits 0 to 1. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_GNSS_ECEF_VELOCITY_FLAGS_FLAGS 0x0003U
 
 /** Which dilutions of precision are valid. */
 typedef uint16_t mip_gnss_1_dop_flags;
-/** Bit 0: Geometric. */
+/** Bit 0. Geometric. */
 #define MIP_GNSS_1_DOP_FLAGS_GDOP 0x0001U
-/** Bit 1: Position. */
+/** Bit 1. Position. */
 #define MIP_GNSS_1_DOP_FLAGS_PDOP 0x0002U
-/** Bit 2: Horizontal. */
+/** Bit 2. Horizontal. */
 #define MIP_GNSS_1_DOP_FLAGS_HDOP 0x0004U
-/** Bit 3: Vertical. */
+/** Bit 3. Vertical. */
 #define MIP_GNSS_1_DOP_FLAGS_VDOP 0x0008U
-/** Bit 4: Time. */
+/** Bit 4. Time. */
 #define MIP_GNSS_1_DOP_FLAGS_TDOP 0x0010U
-/** Bit 5: Northing. */
+/** Bit 5. Northing. */
 #define MIP_GNSS_1_DOP_FLAGS_NDOP 0x0020U
-/** Bit 6: Easting. */
+/** Bit 6. Easting. */
 #define MIP_GNSS_1_DOP_FLAGS_EDOP 0x0040U
-/** Bits 0 to 6: All of them. */
+/** Bits 0 to 6. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_DOP_FLAGS_FLAGS 0x007FU
 
 /** How far the UTC time is valid. */
 typedef uint16_t mip_gnss_1_utc_time_flags;
-/** Bit 0: Date and time come from GNSS. */
+/** Bit 0. Date and time come from GNSS. */
 #define MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME 0x0001U
-/** Bit 1: The leap seconds between GPS time and UTC are known. */
+/** Bit 1. The leap seconds between GPS time and UTC are known. */
 #define MIP_GNSS_1_UTC_TIME_FLAGS_LEAP_SECONDS_KNOWN 0x0002U
-/** Bits 0 to 1: All of them. */
+/** Bits 0 to 1. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_UTC_TIME_FLAGS_FLAGS 0x0003U
 
 /** Which parts of the time are valid. */
 typedef uint16_t mip_gnss_1_gps_time_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_1_GPS_TIME_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_1_GPS_TIME_FLAGS_WEEK_NUMBER 0x0002U
-/** Bits 0 to 1: All of them. */
+/** Bits 0 to 1. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_GPS_TIME_FLAGS_FLAGS 0x0003U
 
 /** What the fix makes use of. */
 typedef uint16_t mip_gnss_1_fix_flags;
-/** Bit 0: Satellite based augmentation. */
+/** Bit 0. Satellite based augmentation. */
 #define MIP_GNSS_1_FIX_FLAGS_SBAS_USED 0x0001U
-/** Bit 1: Differential corrections. */
+/** Bit 1. Differential corrections. */
 #define MIP_GNSS_1_FIX_FLAGS_DGNSS_USED 0x0002U
 
 /** Which parts of the fix information are valid. */
 typedef uint16_t mip_gnss_1_fix_info_flags;
-/** Bit 0: Type of the fix. */
+/** Bit 0. Type of the fix. */
 #define MIP_GNSS_1_FIX_INFO_FLAGS_FIX_TYPE 0x0001U
-/** Bit 1: Number of satellites. */
+/** Bit 1. Number of satellites. */
 #define MIP_GNSS_1_FIX_INFO_FLAGS_NUM_SV 0x0002U
-/** Bit 2: Fix flags. */
+/** Bit 2. Fix flags. */
 #define MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS 0x0004U
-/** Bits 0 to 2: All of them. */
+/** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_FIX_INFO_FLAGS_FLAGS 0x0007U
 
 /** Whether the receiver works. */
@@ -156,31 +156,31 @@ typedef uint8_t mip_gnss_1_antenna_power;
 
 /** Which parts of the hardware status are valid. */
 typedef uint16_t mip_gnss_1_gnss_hardware_status_flags;
-/** Bit 0: State of the receiver. */
+/** Bit 0. State of the receiver. */
 #define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_SENSOR_STATE 0x0001U
-/** Bit 1: State of the antenna. */
+/** Bit 1. State of the antenna. */
 #define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_ANTENNA_STATE 0x0002U
-/** Bit 2: Supply of the antenna. */
+/** Bit 2. Supply of the antenna. */
 #define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_ANTENNA_POWER 0x0004U
-/** Bits 0 to 2: All of them. */
+/** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_GNSS_HARDWARE_STATUS_FLAGS_FLAGS 0x0007U
 
 /** Which clock parameters are valid. */
 typedef uint16_t mip_gnss_1_clock_info_2_flags;
-/** Bit 0: Bias. */
+/** Bit 0. Bias. */
 #define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_BIAS 0x0001U
-/** Bit 1: Drift. */
+/** Bit 1. Drift. */
 #define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT 0x0002U
-/** Bit 2: Accuracy of the bias. */
+/** Bit 2. Accuracy of the bias. */
 #define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_BIAS_ACCURACY 0x0004U
-/** Bit 3: Accuracy of the drift. */
+/** Bit 3. Accuracy of the drift. */
 #define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY 0x0008U
-/** Bits 0 to 3: All of them. */
+/** Bits 0 to 3. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_FLAGS 0x000FU
 
 /** Whether the leap seconds are valid. Bit 0 is not used. */
 typedef uint16_t mip_gnss_1_gps_leap_seconds_flags;
-/** Bit 1: Leap seconds. */
+/** Bit 1. Leap seconds. */
 #define MIP_GNSS_1_GPS_LEAP_SECONDS_FLAGS_LEAP_SECONDS 0x0002U
 
 /** Satellite based augmentation system. */
@@ -198,49 +198,49 @@ typedef uint8_t mip_gnss_1_sbas_system;
 
 /** What the SBAS service offers. */
 typedef uint8_t mip_gnss_1_sbas_status;
-/** Bit 0: Ranging is available. */
+/** Bit 0. Ranging is available. */
 #define MIP_GNSS_1_SBAS_STATUS_RANGE_AVAILABLE 0x01U
-/** Bit 1: Corrections are available. */
+/** Bit 1. Corrections are available. */
 #define MIP_GNSS_1_SBAS_STATUS_CORRECTIONS_AVAILABLE 0x02U
-/** Bit 2: Integrity information is available. */
+/** Bit 2. Integrity information is available. */
 #define MIP_GNSS_1_SBAS_STATUS_INTEGRITY_AVAILABLE 0x04U
-/** Bit 3: The service is in test mode. */
+/** Bit 3. The service is in test mode. */
 #define MIP_GNSS_1_SBAS_STATUS_TEST_MODE 0x08U
 
 /** Which parts of the SBAS status are valid. */
 typedef uint16_t mip_gnss_1_sbas_info_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2: System. */
+/** Bit 2. System. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_SYSTEM 0x0004U
-/** Bit 3: Satellite. */
+/** Bit 3. Satellite. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_ID 0x0008U
-/** Bit 4: Number of corrections. */
+/** Bit 4. Number of corrections. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_COUNT 0x0010U
-/** Bit 5: Status of the service. */
+/** Bit 5. Status of the service. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_STATUS 0x0020U
-/** Bits 0 to 5: All of them. */
+/** Bits 0 to 5. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_FLAGS 0x003FU
 
 /** Which parts of the satellite status are valid. */
 typedef uint16_t mip_gnss_1_satellite_status_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2: Constellation. */
+/** Bit 2. Constellation. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_GNSS_ID 0x0004U
-/** Bit 3: Satellite. */
+/** Bit 3. Satellite. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_SATELLITE_ID 0x0008U
-/** Bit 4: Elevation. */
+/** Bit 4. Elevation. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_ELEVATION 0x0010U
-/** Bit 5: Azimuth. */
+/** Bit 5. Azimuth. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_AZIMUTH 0x0020U
-/** Bit 6: Health. */
+/** Bit 6. Health. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_HEALTH 0x0040U
-/** Bits 0 to 6: All of them. */
+/** Bits 0 to 6. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_FLAGS 0x007FU
 
 /** How well a signal is tracked. */
@@ -260,50 +260,50 @@ typedef uint8_t mip_gnss_1_signal_quality;
 
 /** Which parts of the observation are valid. */
 typedef uint16_t mip_gnss_1_raw_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_1_RAW_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_1_RAW_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2: Receiver or reference station. */
+/** Bit 2. Receiver or reference station. */
 #define MIP_GNSS_1_RAW_FLAGS_RECEIVER_ID 0x0004U
-/** Bit 3: Tracking channel. */
+/** Bit 3. Tracking channel. */
 #define MIP_GNSS_1_RAW_FLAGS_TRACKING_CHANNEL 0x0008U
-/** Bit 4: Constellation. */
+/** Bit 4. Constellation. */
 #define MIP_GNSS_1_RAW_FLAGS_GNSS_ID 0x0010U
-/** Bit 5: Satellite. */
+/** Bit 5. Satellite. */
 #define MIP_GNSS_1_RAW_FLAGS_SATELLITE_ID 0x0020U
-/** Bit 6: Signal. */
+/** Bit 6. Signal. */
 #define MIP_GNSS_1_RAW_FLAGS_SIGNAL_ID 0x0040U
-/** Bit 7: Signal strength. */
+/** Bit 7. Signal strength. */
 #define MIP_GNSS_1_RAW_FLAGS_SIGNAL_STRENGTH 0x0080U
-/** Bit 8: Signal quality. */
+/** Bit 8. Signal quality. */
 #define MIP_GNSS_1_RAW_FLAGS_QUALITY 0x0100U
-/** Bit 9: Pseudorange. */
+/** Bit 9. Pseudorange. */
 #define MIP_GNSS_1_RAW_FLAGS_PSEUDORANGE 0x0200U
-/** Bit 10: Carrier phase. */
+/** Bit 10. Carrier phase. */
 #define MIP_GNSS_1_RAW_FLAGS_CARRIER_PHASE 0x0400U
-/** Bit 11: Doppler shift. */
+/** Bit 11. Doppler shift. */
 #define MIP_GNSS_1_RAW_FLAGS_DOPPLER 0x0800U
-/** Bit 12: Uncertainty of the pseudorange. */
+/** Bit 12. Uncertainty of the pseudorange. */
 #define MIP_GNSS_1_RAW_FLAGS_RANGE_UNCERTAINTY 0x1000U
-/** Bit 13: Uncertainty of the carrier phase. */
+/** Bit 13. Uncertainty of the carrier phase. */
 #define MIP_GNSS_1_RAW_FLAGS_CARRIER_PHASE_UNCERTAINTY 0x2000U
-/** Bit 14: Uncertainty of the Doppler shift. */
+/** Bit 14. Uncertainty of the Doppler shift. */
 #define MIP_GNSS_1_RAW_FLAGS_DOPPLER_UNCERTAINTY 0x4000U
-/** Bit 15: Lock time. */
+/** Bit 15. Lock time. */
 #define MIP_GNSS_1_RAW_FLAGS_LOCK_TIME 0x8000U
-/** Bits 0 to 15: All of them. */
+/** Bits 0 to 15. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_RAW_FLAGS_FLAGS 0xFFFFU
 
 /** What an ephemeris of GPS, Galileo or BeiDou holds. */
 typedef uint16_t mip_gnss_1_ephemeris_flags;
-/** Bit 0: The ephemeris is valid. */
+/** Bit 0. The ephemeris is valid. */
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
-/** Bit 1: The data of the modernized navigation message are included. */
+/** Bit 1. The data of the modernized navigation message are included. */
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_MODERN_DATA 0x0002U
-/** Bit 2: isc_l2c is the correction for L5, not for L2. */
+/** Bit 2. isc_l2c is the correction for L5, not for L2. */
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_ISC_L5 0x0004U
-/** Bits 0 to 2: All of them. */
+/** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_FLAGS 0x0007U
 
 /** Generation of a GLONASS satellite. */
@@ -315,9 +315,9 @@ typedef uint8_t mip_gnss_1_glonass_satellite_type;
 
 /** Whether the ephemeris is valid. */
 typedef uint16_t mip_gnss_1_glonass_ephemeris_flags;
-/** Bit 0: The ephemeris is valid. */
+/** Bit 0. The ephemeris is valid. */
 #define MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
-/** Bit 0: All of them. */
+/** Bit 0. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_FLAGS 0x0001U
 
 /**
@@ -687,9 +687,9 @@ mip_error mip_gnss_1_gnss_hardware_status_encode(
  *
  * Bias and drift of the receiver clock.
  *
- * It supersedes an older field, which the manual does not define.
- *
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * It supersedes an older field, which the manual does not define.
  *
  * - 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10)
  */
@@ -803,9 +803,9 @@ mip_error mip_gnss_1_sbas_info_encode(const struct mip_gnss_1_sbas_info *value,
  *
  * Where one satellite stands, and its health.
  *
- * An epoch is sent as one field for each satellite; index and count number the fields.
- *
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * An epoch is sent as one field for each satellite; index and count number the fields.
  *
  * - 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
  */
@@ -864,11 +864,11 @@ mip_error mip_gnss_1_satellite_status_encode(const struct mip_gnss_1_satellite_s
  *
  * Raw observation of one signal of one satellite.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * An epoch is sent as one field for each signal; index and count number the fields.
  *
  * The greatest lock time depends on the receiver.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
  */
@@ -956,9 +956,9 @@ mip_error mip_gnss_1_raw_encode(const struct mip_gnss_1_raw *value, struct mip_b
  *
  * Broadcast orbit and clock of one GPS satellite.
  *
- * iodec changes with the clock data; the manual has it roll over at 4.
- *
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * iodec changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
  */
@@ -1122,11 +1122,11 @@ mip_error mip_gnss_1_gps_ephemeris_encode(const struct mip_gnss_1_gps_ephemeris 
  *
  * Broadcast orbit and clock of one GLONASS satellite.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * The interface control document of GLONASS explains p and ft.
  *
  * A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
  */
@@ -1254,12 +1254,12 @@ mip_error mip_gnss_1_glonass_ephemeris_encode(const struct mip_gnss_1_glonass_ep
  *
  * Broadcast orbit and clock of one Galileo satellite.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
  * iodec changes with the clock data; the manual has it roll over at 4.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
  */
@@ -1423,12 +1423,12 @@ mip_error mip_gnss_1_galileo_ephemeris_encode(const struct mip_gnss_1_galileo_ep
  *
  * Broadcast orbit and clock of one BeiDou satellite.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
  * iodec changes with the clock data; the manual has it roll over at 4.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
  */

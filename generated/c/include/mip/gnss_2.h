@@ -10,7 +10,7 @@
 #include "mip/gnss_1.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/gnss_2.h and mip/core.h are not of one version"
+#error "mip/gnss_2.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
@@ -22,7 +22,9 @@ extern "C" {
 /**
  * GNSS LLH position: data (0x92,0x03).
  *
- * The same field as mip_gnss_1_gnss_llh_position.
+ * GNSS position as latitude, longitude and height.
+ *
+ * Has the layout of mip_gnss_1_gnss_llh_position. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
  */
@@ -36,7 +38,9 @@ extern "C" {
 /**
  * GNSS ECEF position: data (0x92,0x04).
  *
- * The same field as mip_gnss_1_gnss_ecef_position.
+ * GNSS position in Earth-fixed coordinates.
+ *
+ * Has the layout of mip_gnss_1_gnss_ecef_position. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
  */
@@ -50,7 +54,9 @@ extern "C" {
 /**
  * NED velocity: data (0x92,0x05).
  *
- * The same field as mip_gnss_1_ned_velocity.
+ * GNSS velocity in the local level frame.
+ *
+ * Has the layout of mip_gnss_1_ned_velocity. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
  */
@@ -64,7 +70,9 @@ extern "C" {
 /**
  * GNSS ECEF velocity: data (0x92,0x06).
  *
- * The same field as mip_gnss_1_gnss_ecef_velocity.
+ * GNSS velocity in Earth-fixed coordinates.
+ *
+ * Has the layout of mip_gnss_1_gnss_ecef_velocity. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06)
  */
@@ -78,7 +86,9 @@ extern "C" {
 /**
  * DOP: data (0x92,0x07).
  *
- * The same field as mip_gnss_1_dop.
+ * Dilution of precision of the satellite geometry.
+ *
+ * Has the layout of mip_gnss_1_dop. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
  */
@@ -92,7 +102,9 @@ extern "C" {
 /**
  * UTC time: data (0x92,0x08).
  *
- * The same field as mip_gnss_1_utc_time.
+ * Coordinated universal time as the receiver knows it.
+ *
+ * Has the layout of mip_gnss_1_utc_time. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: UTC Time (0x92,0x08)
  */
@@ -106,7 +118,9 @@ extern "C" {
 /**
  * GPS time: data (0x92,0x09).
  *
- * The same field as mip_gnss_1_gps_time.
+ * GPS time as the receiver knows it.
+ *
+ * Has the layout of mip_gnss_1_gps_time. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPS Time (0x92,0x09)
  */
@@ -120,7 +134,9 @@ extern "C" {
 /**
  * Fix info: data (0x92,0x0B).
  *
- * The same field as mip_gnss_1_fix_info.
+ * Type of the position fix and what it is made of.
+ *
+ * Has the layout of mip_gnss_1_fix_info. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
  */
@@ -134,7 +150,9 @@ extern "C" {
 /**
  * GNSS hardware status: data (0x92,0x0D).
  *
- * The same field as mip_gnss_1_gnss_hardware_status.
+ * State of the receiver and of its antenna.
+ *
+ * Has the layout of mip_gnss_1_gnss_hardware_status. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
  */
@@ -148,7 +166,11 @@ extern "C" {
 /**
  * Clock info 2: data (0x92,0x10).
  *
- * The same field as mip_gnss_1_clock_info_2.
+ * Bias and drift of the receiver clock.
+ *
+ * Has the layout of mip_gnss_1_clock_info_2. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * It supersedes an older field, which the manual does not define.
  *
  * - 3dm-cv7-gnss-ins: Clock Info 2 (0x92,0x10)
  */
@@ -162,7 +184,9 @@ extern "C" {
 /**
  * GPS leap seconds: data (0x92,0x11).
  *
- * The same field as mip_gnss_1_gps_leap_seconds.
+ * Difference between GPS time and UTC.
+ *
+ * Has the layout of mip_gnss_1_gps_leap_seconds. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11)
  */
@@ -176,7 +200,9 @@ extern "C" {
 /**
  * SBAS info: data (0x92,0x12).
  *
- * The same field as mip_gnss_1_sbas_info.
+ * Status of the satellite based augmentation.
+ *
+ * Has the layout of mip_gnss_1_sbas_info. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
  */
@@ -190,7 +216,11 @@ extern "C" {
 /**
  * Satellite status: data (0x92,0x20).
  *
- * The same field as mip_gnss_1_satellite_status.
+ * Where one satellite stands, and its health.
+ *
+ * Has the layout of mip_gnss_1_satellite_status. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * An epoch is sent as one field for each satellite; index and count number the fields.
  *
  * - 3dm-cv7-gnss-ins: Satellite Status (0x92,0x20)
  */
@@ -204,7 +234,13 @@ extern "C" {
 /**
  * Raw: data (0x92,0x22).
  *
- * The same field as mip_gnss_1_raw.
+ * Raw observation of one signal of one satellite.
+ *
+ * Has the layout of mip_gnss_1_raw. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * An epoch is sent as one field for each signal; index and count number the fields.
+ *
+ * The greatest lock time depends on the receiver.
  *
  * - 3dm-cv7-gnss-ins: Raw (0x92,0x22)
  */
@@ -218,7 +254,11 @@ extern "C" {
 /**
  * GPS ephemeris: data (0x92,0x61).
  *
- * The same field as mip_gnss_1_gps_ephemeris.
+ * Broadcast orbit and clock of one GPS satellite.
+ *
+ * Has the layout of mip_gnss_1_gps_ephemeris. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * iodec changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61)
  */
@@ -232,7 +272,13 @@ extern "C" {
 /**
  * GLONASS ephemeris: data (0x92,0x62).
  *
- * The same field as mip_gnss_1_glonass_ephemeris.
+ * Broadcast orbit and clock of one GLONASS satellite.
+ *
+ * Has the layout of mip_gnss_1_glonass_ephemeris. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * The interface control document of GLONASS explains p and ft.
+ *
+ * A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
  *
  * - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x92,0x62)
  */
@@ -246,7 +292,14 @@ extern "C" {
 /**
  * Galileo ephemeris: data (0x92,0x63).
  *
- * The same field as mip_gnss_1_galileo_ephemeris.
+ * Broadcast orbit and clock of one Galileo satellite.
+ *
+ * Has the layout of mip_gnss_1_galileo_ephemeris. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+ * corrections hold here.
+ *
+ * iodec changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63)
  */
@@ -260,7 +313,14 @@ extern "C" {
 /**
  * BeiDou ephemeris: data (0x92,0x64).
  *
- * The same field as mip_gnss_1_beidou_ephemeris.
+ * Broadcast orbit and clock of one BeiDou satellite.
+ *
+ * Has the layout of mip_gnss_1_beidou_ephemeris. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+ * corrections hold here.
+ *
+ * iodec changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64)
  */

@@ -10,7 +10,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/gnss_corrections.h and mip/core.h are not of one version"
+#error "mip/gnss_corrections.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
@@ -21,82 +21,82 @@ extern "C" {
 
 /** Properties of a base station, as its RTCM message gives them. */
 typedef uint16_t mip_gnss_corrections_base_station_indicators;
-/** Bit 0: GPS is supported. */
+/** Bit 0. GPS is supported. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_GPS 0x0001U
-/** Bit 1: GLONASS is supported. */
+/** Bit 1. GLONASS is supported. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_GLONASS 0x0002U
-/** Bit 2: Galileo is supported. */
+/** Bit 2. Galileo is supported. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_GALILEO 0x0004U
-/** Bit 3: BeiDou is supported. */
+/** Bit 3. BeiDou is supported. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_BEIDOU 0x0008U
-/** Bit 4: Reference station indicator. */
+/** Bit 4. Reference station indicator. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_REF_STATION 0x0010U
-/** Bit 5: Single receiver oscillator indicator. */
+/** Bit 5. Single receiver oscillator indicator. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_SINGLE_RECEIVER 0x0020U
-/** Bit 6: First bit of the quarter cycle indicator. */
+/** Bit 6. First bit of the quarter cycle indicator. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_QUARTER_CYCLE_BIT1 0x0040U
-/** Bit 7: Second bit of the quarter cycle indicator. */
+/** Bit 7. Second bit of the quarter cycle indicator. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_QUARTER_CYCLE_BIT2 0x0080U
-/** Bits 6 to 7: Quarter cycle indicator. */
+/** Bits 6 to 7. Quarter cycle indicator. Overlaps other bits. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INDICATORS_QUARTER_CYCLE_BITS 0x00C0U
 
 /** Which values are valid. */
 typedef uint16_t mip_gnss_corrections_base_station_info_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2: Position. */
+/** Bit 2. Position. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_ECEF_POSITION 0x0004U
-/** Bit 3: Antenna height. */
+/** Bit 3. Antenna height. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_HEIGHT 0x0008U
-/** Bit 4: Station. */
+/** Bit 4. Station. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_STATION_ID 0x0010U
-/** Bit 5: Indicators. */
+/** Bit 5. Indicators. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_INDICATORS 0x0020U
-/** Bits 0 to 5: All of them. */
+/** Bits 0 to 5. All of them. Overlaps other bits. */
 #define MIP_GNSS_CORRECTIONS_BASE_STATION_INFO_FLAGS_FLAGS 0x003FU
 
 /** Corrections that came during an epoch. */
 typedef uint16_t mip_gnss_corrections_rtk_epoch_status;
-/** Bit 0: Antenna location. */
+/** Bit 0. Antenna location. */
 #define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_ANTENNA_LOCATION_RECEIVED 0x0001U
-/** Bit 1: Antenna description. */
+/** Bit 1. Antenna description. */
 #define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_ANTENNA_DESCRIPTION_RECEIVED 0x0002U
-/** Bit 2: GPS corrections. */
+/** Bit 2. GPS corrections. */
 #define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_GPS_RECEIVED 0x0004U
-/** Bit 3: GLONASS corrections. */
+/** Bit 3. GLONASS corrections. */
 #define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_GLONASS_RECEIVED 0x0008U
-/** Bit 4: Galileo corrections. */
+/** Bit 4. Galileo corrections. */
 #define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_GALILEO_RECEIVED 0x0010U
-/** Bit 5: BeiDou corrections. */
+/** Bit 5. BeiDou corrections. */
 #define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_BEIDOU_RECEIVED 0x0020U
-/** Bit 6: GPS corrections come in MSM messages, not in the RTCM messages 1001-1004. */
+/** Bit 6. GPS corrections come in MSM messages, not in the RTCM messages 1001-1004. */
 #define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_USING_GPS_MSM_MESSAGES 0x0040U
-/** Bit 7: GLONASS corrections come in MSM messages, not in the RTCM messages 1009-1012. */
+/** Bit 7. GLONASS corrections come in MSM messages, not in the RTCM messages 1009-1012. */
 #define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_USING_GLONASS_MSM_MESSAGES 0x0080U
-/** Bit 8: The status of the dongle could not be read. */
+/** Bit 8. The status of the dongle could not be read. */
 #define MIP_GNSS_CORRECTIONS_RTK_EPOCH_STATUS_DONGLE_STATUS_READ_FAILED 0x0100U
 
 /** Which values are valid. */
 typedef uint16_t mip_gnss_corrections_rtk_corrections_status_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2: Epoch status. */
+/** Bit 2. Epoch status. */
 #define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS 0x0004U
-/** Bit 3: Status of the dongle. */
+/** Bit 3. Status of the dongle. */
 #define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS 0x0008U
-/** Bit 4: Latency of GPS corrections. */
+/** Bit 4. Latency of GPS corrections. */
 #define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_GPS_LATENCY 0x0010U
-/** Bit 5: Latency of GLONASS corrections. */
+/** Bit 5. Latency of GLONASS corrections. */
 #define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_GLONASS_LATENCY 0x0020U
-/** Bit 6: Latency of Galileo corrections. */
+/** Bit 6. Latency of Galileo corrections. */
 #define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_GALILEO_LATENCY 0x0040U
-/** Bit 7: Latency of BeiDou corrections. */
+/** Bit 7. Latency of BeiDou corrections. */
 #define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY 0x0080U
-/** Bits 0 to 7: All of them. */
+/** Bits 0 to 7. All of them. Overlaps other bits. */
 #define MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_FLAGS 0x00FFU
 
 /**
@@ -179,8 +179,9 @@ struct mip_gnss_corrections_rtk_corrections_status {
     mip_gnss_corrections_rtk_epoch_status epoch_status;
     /**
      * Status flags of the RTK dongle; of use only with a dongle. Valid if
-     * MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS in valid_flags is set. The
-     * manual does not define the flags.
+     * MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS in valid_flags is set.
+     *
+     * The manual does not define the flags.
      */
     uint32_t dongle_status;
     /**
@@ -203,7 +204,7 @@ struct mip_gnss_corrections_rtk_corrections_status {
      * MIP_GNSS_CORRECTIONS_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY in valid_flags is set.
      */
     float beidou_correction_latency;
-    /**  */
+    /** Reserved. */
     uint32_t reserved[4];
     /** Which values are valid. */
     mip_gnss_corrections_rtk_corrections_status_flags valid_flags;

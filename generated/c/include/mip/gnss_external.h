@@ -12,7 +12,7 @@
 #include "mip/gnss_1.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/gnss_external.h and mip/core.h are not of one version"
+#error "mip/gnss_external.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
@@ -24,7 +24,9 @@ extern "C" {
 /**
  * GNSS LLH position: data (0x94,0x03).
  *
- * The same field as mip_gnss_1_gnss_llh_position.
+ * GNSS position as latitude, longitude and height.
+ *
+ * Has the layout of mip_gnss_1_gnss_llh_position. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03)
  */
@@ -38,7 +40,9 @@ extern "C" {
 /**
  * NED velocity: data (0x94,0x05).
  *
- * The same field as mip_gnss_1_ned_velocity.
+ * GNSS velocity in the local level frame.
+ *
+ * Has the layout of mip_gnss_1_ned_velocity. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05)
  */
@@ -52,7 +56,9 @@ extern "C" {
 /**
  * UTC time: data (0x94,0x08).
  *
- * The same field as mip_gnss_1_utc_time.
+ * Coordinated universal time as the receiver knows it.
+ *
+ * Has the layout of mip_gnss_1_utc_time. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: UTC Time (0x94,0x08)
  */
@@ -66,7 +72,9 @@ extern "C" {
 /**
  * Fix info: data (0x94,0x0B).
  *
- * The same field as mip_gnss_1_fix_info.
+ * Type of the position fix and what it is made of.
+ *
+ * Has the layout of mip_gnss_1_fix_info. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Fix Info (0x94,0x0B)
  */
@@ -80,7 +88,11 @@ extern "C" {
 /**
  * Satellite status: data (0x94,0x20).
  *
- * The same field as mip_gnss_1_satellite_status.
+ * Where one satellite stands, and its health.
+ *
+ * Has the layout of mip_gnss_1_satellite_status. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * An epoch is sent as one field for each satellite; index and count number the fields.
  *
  * - 3dm-cv7-gnss-ins: Satellite Status (0x94,0x20)
  */

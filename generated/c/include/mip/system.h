@@ -9,7 +9,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/system.h and mip/core.h are not of one version"
+#error "mip/system.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
@@ -32,22 +32,22 @@ typedef uint8_t mip_system_protocol_mode;
  *
  * Switches the port between the device and one of the sensors inside it.
  *
+ * For advanced use. Functions: write, read, save, load and default. Answered by
+ * mip_system_communication_mode_response. Supported by 3DM-GX5-15.
+ *
  * The acknowledge is sent in the old mode, just before the switch.
  *
  * In a direct mode only this command and device status (0x0C,0x64) of the device itself are
  * answered.
  *
- * For advanced use. Functions: write, read, save, load and default. Answered by
- * mip_system_communication_mode_response. Supported by 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */
 struct mip_system_communication_mode {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Communication mode. Default: standard. For write. */
+    /** Communication mode. Default: MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. */
     mip_system_protocol_mode mode;
 };
 
@@ -60,8 +60,8 @@ mip_error mip_system_communication_mode_decode(struct mip_system_communication_m
 mip_error mip_system_communication_mode_encode(const struct mip_system_communication_mode *value,
                                                struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_system_communication_mode mip_system_communication_mode_write(
-    mip_system_protocol_mode mode);
+struct mip_system_communication_mode
+mip_system_communication_mode_write(mip_system_protocol_mode mode);
 /** Send the current setting back in a response. */
 struct mip_system_communication_mode mip_system_communication_mode_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -74,14 +74,12 @@ struct mip_system_communication_mode mip_system_communication_mode_default(void)
 /**
  * Communication mode response: response (0x7F,0x90).
  *
- * Answers Communication mode (0x7F,0x10).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_system_communication_mode. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */
 struct mip_system_communication_mode_response {
-    /** Communication mode. Default: standard. */
+    /** Communication mode. Default: MIP_SYSTEM_PROTOCOL_MODE_STANDARD. */
     mip_system_protocol_mode mode;
 };
 

@@ -78,24 +78,5 @@ const struct mip_entry mip_registry[] = {
 };
 const size_t mip_registry_size = sizeof(mip_registry) / sizeof(mip_registry[0]);
 
-const uint16_t mip_registry_links[] = {
-    12,
-    13, 14,
-    19, 20,
-    21,
-    21,
-    15,
-    16,
-    17,
-    18,
-    2,
-    3,
-    3,
-    8,
-    9,
-    10,
-    11,
-    4,
-    4,
-    5, 6,
-    0};
+const uint16_t mip_registry_links[] = {12, 13, 14, 19, 20, 21, 21, 15, 16, 17, 18, 2,
+                                       3,  3,  8,  9,  10, 11, 4,  4,  5,  6,  0};
