@@ -15,8 +15,7 @@ import awkward
 import pytest
 from mipgen import cli, codec
 from mipgen import model as m
-from mipgen.render import language
-from mipgen.targets import c as target
+from mipgen.targets.c import members, names
 from support import ROOT, SPECS, model, need
 
 HERE = Path(__file__).parent
@@ -44,7 +43,7 @@ def run(*command: str | Path, **environment: str) -> str:
 
 def written(path: Path, of: m.Model, checks: list[str]) -> Path:
     """A program that makes these checks, with the headers of all sets."""
-    includes = "".join(f'#include "mip/{target.module(s.name)}.h"\n' for s in of.sets)
+    includes = "".join(f'#include "mip/{names.module(s.name)}.h"\n' for s in of.sets)
     body = "\n    ".join(checks)
     path.write_text(f'#include "check.h"\n{includes}int main(void) {{\n    {body}\n    return 0;\n}}\n')
     return path
@@ -125,7 +124,7 @@ def test_formatted(spec: str) -> None:
     beside = Path(sys.executable).parent / "clang-format"
     run(
         beside if beside.is_file() else need("clang-format"),
-        f"--style=file:{ROOT / '.clang-format'}",
+        f"--style=file:{folder(spec) / '.clang-format'}",
         "--dry-run",
         "-Werror",
         *files,
@@ -142,8 +141,8 @@ def test_lines_are_short(spec: str) -> None:
 
 def test_files_of_two_versions_do_not_mix(tmp_path: Path) -> None:
     shutil.copytree(folder("invented") / "include", tmp_path / "include")
-    core = tmp_path / "include/mip/core.h"
-    core.write_text(re.sub(r"(#define MIP_VERSION_NUMBER) \d+", r"\1 1", core.read_text()))
+    constants = tmp_path / "include/mip/constants.h"
+    constants.write_text(re.sub(r"(#define MIP_VERSION_NUMBER) \d+", r"\1 1", constants.read_text()))
     (tmp_path / "user.c").write_text('#include "mip/tools.h"\n')
     done = subprocess.run(
         [need("gcc"), f"-I{tmp_path}/include", "-fsyntax-only", str(tmp_path / "user.c")],
@@ -154,15 +153,23 @@ def test_files_of_two_versions_do_not_mix(tmp_path: Path) -> None:
 
 def test_names_of_the_core_are_taken() -> None:
     """language.yaml knows all of them, so that no name of a specification becomes one."""
-    devices = {f"device_{d.name}" for d in model("real").devices}
-    names, constants = set(), set()
-    for header in ("core", "client", "registry", "reflect", "devices"):
+    found, constants = set(), set()
+    for header in ("constants", "core", "client", "registry", "reflect", "profile"):
         text = (folder("real") / f"include/mip/{header}.h").read_text("utf-8")
-        text = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
-        names |= set(re.findall(r"\bmip_(\w+)", text)) - {"ack_code"} - devices
+        text = re.sub(r"/\*.*?\*/|#include[^\n]*", "", text, flags=re.S)
+        found |= set(re.findall(r"\bmip_(\w+)", text)) - {"ack_code"}
         constants |= set(re.findall(r"^(?:#define| {3}) MIP_(\w+)", text, re.M)) - {f"{header.upper()}_H"}
-    data = language("c")
-    assert set(data["runtime"]) == names and set(data["constants"]) == constants
+    assert set(names.LANGUAGE["runtime"]) == found and set(names.LANGUAGE["constants"]) == constants
+
+
+@both
+def test_the_runtime_is_ordinary_source(spec: str) -> None:
+    """Nothing is filled in, and nothing is left for the formatter to do."""
+    runtime = ROOT / "templates/c/runtime"
+    copied = [p for p in runtime.rglob("*") if p.is_file()]
+    assert len(copied) > 15
+    for path in copied:
+        assert (folder(spec) / path.relative_to(runtime)).read_bytes() == path.read_bytes(), path
 
 
 # --------------------------------------------------------------------------- programs
@@ -245,8 +252,8 @@ def record(operations: tuple[m.Operation, ...], parameters: tuple[m.Parameter, .
 def constructed(of: m.Model) -> Iterator[tuple[m.Field, Any, dict[str, Any]]]:
     """Every constructor with values that it can be given."""
     for f in of.fields:
-        for made in target.constructors(f):
-            required = dict(f.required).get(made.function.value, 0) if made.function else f.required_count
+        for made in members.constructors(f):
+            required = f.required(made.function.value if made.function else None)
             groups = [g for g in f.operations if isinstance(g, m.GroupOp) and g.last <= required]
             plain = [o for o in f.operations if not isinstance(o, m.GroupOp)]
             operations = (*plain, *(o for g in groups for o in g.body))
@@ -260,10 +267,10 @@ def constructed(of: m.Model) -> Iterator[tuple[m.Field, Any, dict[str, Any]]]:
 
 def given(p: m.Parameter) -> str:
     """A member of the structure `x` as an argument of a constructor."""
-    name = target._member(p.name)
+    name = names.member(p.name)
     if p.length == "rest":
         return f"x.{name}_count, x.{name}"
-    pointer = p.element is None or (p.length is None and target.spelled(p.element).startswith("struct "))
+    pointer = p.element is None or (p.length is None and names.is_struct(p.element))
     return f"&x.{name}" if pointer else f"x.{name}"
 
 
@@ -272,11 +279,11 @@ def test_every_constructor(spec: str, tmp_path: Path) -> None:
     """Builds the shortest form that the reference builds from the same values."""
     of, body = model(spec), []
     for f, made, values in constructed(of):
-        name, data = target.field_name(f), codec.encode(f, values).hex()
+        name, data = names.field_name(f), codec.encode(f, values).hex()
         arguments = ", ".join(given(p) for p in made.asked)
         body.append(f"""{{
         struct {name} x;
-        struct mip_field field = field_of(0x{f.set:02X}, {target.macro(name)}_DESCRIPTOR, "{data}");
+        struct mip_field field = field_of(0x{f.set:02X}, {names.macro(name)}_DESCRIPTOR, "{data}");
         CHECK({name}_decode(&x, &field) == MIP_OK);
         struct {name} v = {name}_{made.name}({arguments});
         CHECK(mip_builder_start(&b, buffer, sizeof(buffer), 0x{f.set:02X}) == MIP_OK);
@@ -294,16 +301,15 @@ def test_every_constructor(spec: str, tmp_path: Path) -> None:
 
 
 def bitfields(of: m.Model) -> list[m.Bitfield]:
-    types = [*of.types, *(t for s in of.sets for t in s.types)]
-    return [t for t in types if isinstance(t, m.Bitfield)]
+    return [t for t in of.all_types if isinstance(t, m.Bitfield)]
 
 
 def accessor_checks(t: m.Bitfield) -> Iterator[str]:
     """Sets, clears and reads every bit, from all zeros and from all ones."""
-    name, ones = target.type_name(t), (1 << 8 * t.size) - 1
+    name, ones = names.type_name(t), (1 << 8 * t.size) - 1
     for b in t.bits:
         if t.scalar:
-            c = target.constant(t, b)
+            c = names.constant(t, b)
             start = f"{name} f = ({name})UINT64_C"
             for end, before, after in (("set", 0, b.mask), ("set", ones, ones), ("clear", ones, ones & ~b.mask)):
                 has = "" if after & b.mask else "!"
@@ -313,7 +319,7 @@ def accessor_checks(t: m.Bitfield) -> Iterator[str]:
                 )
             if b.width > 1:  # all of the bits, not any
                 yield f"{{ {start}({ones & ~(1 << b.last)}); CHECK(!mip_has(f, {c}) && (f & {c}) != 0); }}"
-        if not target.has_accessor(t, b):
+        if not members.has_accessor(b, t):
             continue
         most = (1 << b.width) - 1
         for start in (0, ones):
@@ -321,7 +327,7 @@ def accessor_checks(t: m.Bitfield) -> Iterator[str]:
                 result = start & ~b.mask | value << b.first
                 shown = f"UINT64_C({value})" if b.width > 1 else ("true" if value else "false")
                 if t.scalar:
-                    kind = target.bits_type(b)
+                    kind = members.bits_type(b)
                     yield (
                         f"{{ {name} f = (({name})UINT64_C({start})); {name}_set_{b.name}(&f, ({kind}){shown}); "
                         f"CHECK(f == UINT64_C({result}) && {name}_get_{b.name}(f) == {shown}); }}"
@@ -341,40 +347,22 @@ def test_every_bit(compiler: str, spec: str, tmp_path: Path) -> None:
     of = model(spec)
     checks = [check for t in bitfields(of) for check in accessor_checks(t)]
     assert len(checks) > 2 * sum(len(t.bits) for t in bitfields(of)) - 1
-    includes = [f'#include "mip/{target.module(s.name)}.h"\n' for s in of.sets]
-    program = tmp_path / "bits.c"
-    program.write_text(
-        '#include "check.h"\n'
-        + "".join(includes)
-        + "int main(void) {\n    "
-        + "\n    ".join(checks)
-        + "\n    return 0;\n}\n"
-    )
-    run(build(tmp_path, compiler, spec, program))
+    run(build(tmp_path, compiler, spec, written(tmp_path / "bits.c", of, checks)))
 
 
 @both
 def test_every_constant(spec: str, tmp_path: Path) -> None:
     of = model(spec)
-    types = [*of.types, of.protocol.function_selector, *(t for s in of.sets for t in s.types)]
+    types = [of.protocol.function_selector, *of.all_types]
     checks = [
-        f"{{ {target.type_name(t)} e = {target.constant(t, v)}; CHECK(e == UINT64_C({v.value})); }}"
+        f"{{ {names.type_name(t)} e = {names.constant(t, v)}; CHECK(e == UINT64_C({v.value})); }}"
         for t in types if isinstance(t, m.Enum) for v in t.values
     ]  # fmt: skip
     for f in of.fields:
-        name = target.macro(target.field_name(f))
+        name = names.macro(names.field_name(f))
         checks.append(f'CHECK({name}_DESCRIPTOR == {f.descriptor} && strcmp({name}_NAME, "{f.full_name}") == 0);')
-    checks += [f"CHECK({target.macro(f'mip_{s.name}')}_SET == {s.number});" for s in of.sets]
-    includes = [f'#include "mip/{target.module(s.name)}.h"\n' for s in of.sets]
-    program = tmp_path / "constants.c"
-    program.write_text(
-        '#include "check.h"\n'
-        + "".join(includes)
-        + "int main(void) {\n    "
-        + "\n    ".join(checks)
-        + "\n    return 0;\n}\n"
-    )
-    run(build(tmp_path, "gcc", spec, program))
+    checks += [f"CHECK({names.macro(f'mip_{s.name}')}_SET == {s.number});" for s in of.sets]
+    run(build(tmp_path, "gcc", spec, written(tmp_path / "constants.c", of, checks)))
 
 
 # --------------------------------------------------------------------------- linking and packaging
@@ -426,6 +414,13 @@ def test_folder_alone_builds(vendored: Path, tmp_path: Path) -> None:
         assert (vendored / name).is_file()
     run("sh", "-c", f"cd {vendored} && {need('cc')} -Iinclude taste.c src/*.c -o {tmp_path}/taste")
     taste(run(tmp_path / "taste"))
+
+
+@both
+def test_cmake_builds_every_source(spec: str) -> None:
+    lists = [folder(spec) / "CMakeLists.txt", folder(spec) / "cmake/generated.cmake"]
+    named = [name for path in lists for name in re.findall(r"^  src/(\w+\.c)$", path.read_text("utf-8"), re.M)]
+    assert sorted(named) == sorted(Path(source).name for source in sources(spec))
 
 
 def test_cmake_subdirectory(vendored: Path, tmp_path: Path) -> None:

@@ -74,11 +74,11 @@ static void write_frame_configuration(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_frame_configuration_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_FRAME_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_frame_configuration),
-    0,
+    0, /* time-out */
     read_frame_configuration,
     write_frame_configuration,
     NULL,
@@ -111,8 +111,8 @@ struct mip_aiding_frame_configuration mip_aiding_frame_configuration_write(
     return v;
 }
 
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_read(
-    uint8_t frame_id, mip_aiding_frame_format format) {
+struct mip_aiding_frame_configuration
+mip_aiding_frame_configuration_read(uint8_t frame_id, mip_aiding_frame_format format) {
     struct mip_aiding_frame_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -184,11 +184,11 @@ static void write_frame_configuration_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_aiding_frame_configuration_response_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_FRAME_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_aiding_frame_configuration_response),
-    0,
+    0, /* time-out */
     read_frame_configuration_response,
     write_frame_configuration_response,
     NULL,
@@ -227,11 +227,11 @@ static void write_echo_control(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_echo_control_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_ECHO_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_echo_control),
-    0,
+    0, /* time-out */
     read_echo_control,
     write_echo_control,
     NULL,
@@ -296,11 +296,11 @@ static void write_echo_control_response(struct mip_writer *w, const void *value)
 }
 
 const struct mip_codec mip_aiding_echo_control_response_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_ECHO_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_aiding_echo_control_response),
-    0,
+    0, /* time-out */
     read_echo_control_response,
     write_echo_control_response,
     NULL,
@@ -336,11 +336,11 @@ static void write_ecef_position(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_ecef_position_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_ECEF_POSITION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_ecef_position),
-    0,
+    0, /* time-out */
     read_ecef_position,
     write_ecef_position,
     NULL,
@@ -393,11 +393,11 @@ static void write_llh_position(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_llh_position_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_LLH_POSITION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_llh_position),
-    0,
+    0, /* time-out */
     read_llh_position,
     write_llh_position,
     NULL,
@@ -414,10 +414,10 @@ mip_error mip_aiding_llh_position_encode(const struct mip_aiding_llh_position *v
                             value);
 }
 
-struct mip_aiding_llh_position mip_aiding_llh_position_make(
-    const struct mip_aiding_measurement_time *time, uint8_t frame_id, double latitude,
-    double longitude, double height, const float uncertainty[3],
-    mip_aiding_llh_axis_flags valid_flags) {
+struct mip_aiding_llh_position
+mip_aiding_llh_position_make(const struct mip_aiding_measurement_time *time, uint8_t frame_id,
+                             double latitude, double longitude, double height,
+                             const float uncertainty[3], mip_aiding_llh_axis_flags valid_flags) {
     struct mip_aiding_llh_position v;
     memset(&v, 0, sizeof(v));
     v.time = *time;
@@ -450,11 +450,11 @@ static void write_height_above_ellipsoid(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_aiding_height_above_ellipsoid_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_height_above_ellipsoid),
-    0,
+    0, /* time-out */
     read_height_above_ellipsoid,
     write_height_above_ellipsoid,
     NULL,
@@ -503,11 +503,11 @@ static void write_ecef_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_ecef_velocity_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_ECEF_VELOCITY_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_ecef_velocity),
-    0,
+    0, /* time-out */
     read_ecef_velocity,
     write_ecef_velocity,
     NULL,
@@ -556,11 +556,11 @@ static void write_ned_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_ned_velocity_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_NED_VELOCITY_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_ned_velocity),
-    0,
+    0, /* time-out */
     read_ned_velocity,
     write_ned_velocity,
     NULL,
@@ -610,11 +610,11 @@ static void write_body_frame_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_body_frame_velocity_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_BODY_FRAME_VELOCITY_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_body_frame_velocity),
-    0,
+    0, /* time-out */
     read_body_frame_velocity,
     write_body_frame_velocity,
     NULL,
@@ -663,11 +663,11 @@ static void write_true_heading(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_true_heading_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_TRUE_HEADING_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_true_heading),
-    0,
+    0, /* time-out */
     read_true_heading,
     write_true_heading,
     NULL,
@@ -684,9 +684,9 @@ mip_error mip_aiding_true_heading_encode(const struct mip_aiding_true_heading *v
                             value);
 }
 
-struct mip_aiding_true_heading mip_aiding_true_heading_make(
-    const struct mip_aiding_measurement_time *time, uint8_t frame_id, float heading,
-    float uncertainty, uint16_t valid_flags) {
+struct mip_aiding_true_heading
+mip_aiding_true_heading_make(const struct mip_aiding_measurement_time *time, uint8_t frame_id,
+                             float heading, float uncertainty, uint16_t valid_flags) {
     struct mip_aiding_true_heading v;
     memset(&v, 0, sizeof(v));
     v.time = *time;
@@ -716,11 +716,11 @@ static void write_magnetic_field(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_magnetic_field_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_MAGNETIC_FIELD_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_magnetic_field),
-    0,
+    0, /* time-out */
     read_magnetic_field,
     write_magnetic_field,
     NULL,
@@ -769,11 +769,11 @@ static void write_pressure(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_pressure_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_PRESSURE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_pressure),
-    0,
+    0, /* time-out */
     read_pressure,
     write_pressure,
     NULL,

@@ -22,11 +22,11 @@ void mip_base_device_info_write(struct mip_writer *w, const struct mip_base_devi
 }
 
 const struct mip_codec mip_base_ping_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_PING_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_ping),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -41,11 +41,11 @@ mip_error mip_base_ping_encode(const struct mip_base_ping *value, struct mip_bui
 }
 
 const struct mip_codec mip_base_set_to_idle_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_SET_TO_IDLE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_set_to_idle),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -63,11 +63,11 @@ mip_error mip_base_set_to_idle_encode(const struct mip_base_set_to_idle *value,
 }
 
 const struct mip_codec mip_base_get_device_information_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_INFORMATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_get_device_information),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -97,11 +97,11 @@ static void write_get_device_information_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_base_get_device_information_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_INFORMATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_get_device_information_response),
-    0,
+    0, /* time-out */
     read_get_device_information_response,
     write_get_device_information_response,
     NULL,
@@ -120,11 +120,11 @@ mip_error mip_base_get_device_information_response_encode(
 }
 
 const struct mip_codec mip_base_get_device_descriptors_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_DESCRIPTORS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_get_device_descriptors),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -155,11 +155,11 @@ static void write_get_device_descriptors_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_base_get_device_descriptors_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_get_device_descriptors_response),
-    0,
+    0, /* time-out */
     read_get_device_descriptors_response,
     write_get_device_descriptors_response,
     NULL,
@@ -178,11 +178,11 @@ mip_error mip_base_get_device_descriptors_response_encode(
 }
 
 const struct mip_codec mip_base_built_in_test_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_BUILT_IN_TEST_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_built_in_test),
-    10000,
+    10000, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -211,11 +211,11 @@ static void write_built_in_test_response(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_base_built_in_test_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_BUILT_IN_TEST_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_built_in_test_response),
-    0,
+    0, /* time-out */
     read_built_in_test_response,
     write_built_in_test_response,
     NULL,
@@ -233,11 +233,11 @@ mip_error mip_base_built_in_test_response_encode(
 }
 
 const struct mip_codec mip_base_resume_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_RESUME_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_resume),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -252,11 +252,11 @@ mip_error mip_base_resume_encode(const struct mip_base_resume *value, struct mip
 }
 
 const struct mip_codec mip_base_get_device_descriptors_extended_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_get_device_descriptors_extended),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -288,11 +288,11 @@ static void write_get_device_descriptors_extended_response(struct mip_writer *w,
 }
 
 const struct mip_codec mip_base_get_device_descriptors_extended_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_get_device_descriptors_extended_response),
-    0,
+    0, /* time-out */
     read_get_device_descriptors_extended_response,
     write_get_device_descriptors_extended_response,
     NULL,
@@ -314,11 +314,11 @@ mip_error mip_base_get_device_descriptors_extended_response_encode(
 }
 
 const struct mip_codec mip_base_continuous_built_in_test_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_CONTINUOUS_BUILT_IN_TEST_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_continuous_built_in_test),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -348,11 +348,11 @@ static void write_continuous_built_in_test_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_base_continuous_built_in_test_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_continuous_built_in_test_response),
-    0,
+    0, /* time-out */
     read_continuous_built_in_test_response,
     write_continuous_built_in_test_response,
     NULL,
@@ -396,11 +396,11 @@ static void write_comm_port_speed(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_base_comm_port_speed_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_COMM_PORT_SPEED_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_comm_port_speed),
-    0,
+    0, /* time-out */
     read_comm_port_speed,
     write_comm_port_speed,
     NULL,
@@ -472,11 +472,11 @@ static void write_comm_port_speed_response(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_base_comm_port_speed_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_COMM_PORT_SPEED_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_comm_port_speed_response),
-    0,
+    0, /* time-out */
     read_comm_port_speed_response,
     write_comm_port_speed_response,
     NULL,
@@ -524,11 +524,11 @@ static bool silent_gps_time_update(const void *value) {
 }
 
 const struct mip_codec mip_base_gps_time_update_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GPS_TIME_UPDATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_gps_time_update),
-    0,
+    0, /* time-out */
     read_gps_time_update,
     write_gps_time_update,
     silent_gps_time_update,
@@ -586,11 +586,11 @@ static void write_gps_time_update_week_number_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_base_gps_time_update_week_number_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_gps_time_update_week_number_response),
-    0,
+    0, /* time-out */
     read_gps_time_update_week_number_response,
     write_gps_time_update_week_number_response,
     NULL,
@@ -622,11 +622,11 @@ static void write_gps_time_update_time_of_week_response(struct mip_writer *w, co
 }
 
 const struct mip_codec mip_base_gps_time_update_time_of_week_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_gps_time_update_time_of_week_response),
-    0,
+    0, /* time-out */
     read_gps_time_update_time_of_week_response,
     write_gps_time_update_time_of_week_response,
     NULL,
@@ -647,11 +647,11 @@ mip_error mip_base_gps_time_update_time_of_week_response_encode(
 }
 
 const struct mip_codec mip_base_reset_device_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_RESET_DEVICE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_reset_device),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,

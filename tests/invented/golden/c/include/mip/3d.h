@@ -9,7 +9,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/3d.h and mip/core.h are not of one version"
+#error "mip/3d.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus

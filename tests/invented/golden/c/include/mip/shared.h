@@ -9,7 +9,7 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/shared.h and mip/core.h are not of one version"
+#error "mip/shared.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus

@@ -1,4 +1,3 @@
-{% set p = model.protocol %}
 /**
  * @file
  * The core of the MIP binding: packets, fields, and the stream parser.
@@ -9,6 +8,8 @@
 #ifndef MIP_CORE_H
 #define MIP_CORE_H
 
+#include "mip/constants.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -17,25 +18,12 @@
 extern "C" {
 #endif
 
-/** Version of the specification and of all files of this binding. */
-#define MIP_VERSION "{{ version }}"
-/** The same as a number: 10203 is 1.2.3. */
-#define MIP_VERSION_NUMBER {{ version | version_number }}
-
-/** The two bytes that every packet begins with. */
-#define MIP_SYNC_1 {{ p.sync[0] | hex }}
-#define MIP_SYNC_2 {{ p.sync[1] | hex }}
-
-/** Most bytes of the payload of a packet. */
-#define MIP_MAX_PAYLOAD {{ p.max_payload }}
 /** Bytes before the payload: two sync bytes, descriptor set, length of the payload. */
 #define MIP_HEADER_SIZE 4
 /** Bytes behind the payload. */
 #define MIP_CHECKSUM_SIZE 2
 /** Most bytes of a packet. */
 #define MIP_MAX_PACKET (MIP_HEADER_SIZE + MIP_MAX_PAYLOAD + MIP_CHECKSUM_SIZE)
-/** Most bytes of the data of a field. */
-#define MIP_MAX_FIELD_DATA {{ max_field_data }}
 
 /** What can be wrong. */
 typedef enum mip_error {
@@ -204,8 +192,7 @@ mip_error mip_decode(const struct mip_codec *codec, void *value, const struct mi
                      size_t *trailing);
 
 /** Encodes a field of any type into a packet. On an error the packet stays as it was. */
-mip_error mip_encode(const struct mip_codec *codec, const void *value,
-                     struct mip_builder *builder);
+mip_error mip_encode(const struct mip_codec *codec, const void *value, struct mip_builder *builder);
 
 /* ------------------------------------------------------------------------------------ bitfields */
 
@@ -215,14 +202,30 @@ static inline bool mip_has(uint64_t flags, uint64_t bits) {
 }
 
 /** Set and clear bits of a bitfield of 8, 16, 32 or 64 bits. */
-{% for bits in (8, 16, 32, 64) %}
-static inline void mip_set_{{ bits }}(uint{{ bits }}_t *flags, uint{{ bits }}_t bits) {
-    *flags = (uint{{ bits }}_t)(*flags | bits);
+static inline void mip_set_8(uint8_t *flags, uint8_t bits) {
+    *flags = (uint8_t)(*flags | bits);
 }
-static inline void mip_clear_{{ bits }}(uint{{ bits }}_t *flags, uint{{ bits }}_t bits) {
-    *flags = (uint{{ bits }}_t)(*flags & ~{{ "(uint32_t)" if bits < 32 }}bits);
+static inline void mip_clear_8(uint8_t *flags, uint8_t bits) {
+    *flags = (uint8_t)(*flags & ~(uint32_t)bits);
 }
-{% endfor %}
+static inline void mip_set_16(uint16_t *flags, uint16_t bits) {
+    *flags = (uint16_t)(*flags | bits);
+}
+static inline void mip_clear_16(uint16_t *flags, uint16_t bits) {
+    *flags = (uint16_t)(*flags & ~(uint32_t)bits);
+}
+static inline void mip_set_32(uint32_t *flags, uint32_t bits) {
+    *flags = (uint32_t)(*flags | bits);
+}
+static inline void mip_clear_32(uint32_t *flags, uint32_t bits) {
+    *flags = (uint32_t)(*flags & ~bits);
+}
+static inline void mip_set_64(uint64_t *flags, uint64_t bits) {
+    *flags = (uint64_t)(*flags | bits);
+}
+static inline void mip_clear_64(uint64_t *flags, uint64_t bits) {
+    *flags = (uint64_t)(*flags & ~bits);
+}
 
 /* --------------------------------------------------------------- what generated code is made of */
 
@@ -306,14 +309,79 @@ void mip_copy_text(char *to, size_t room, const char *text);
 uint64_t mip_get_bits(const uint8_t *bytes, unsigned first, unsigned width);
 void mip_set_bits(uint8_t *bytes, unsigned first, unsigned width, uint64_t value);
 
-{% for name, type, bits in scalars %}
-static inline void mip_read_{{ name }}(struct mip_reader *r, {{ type }} *to, size_t count) {
-    mip_read_{{ bits }}(r, to, count);
+/** The same by the name of the scalar, so that a compiler checks the type of the member. */
+static inline void mip_read_u8(struct mip_reader *r, uint8_t *to, size_t count) {
+    mip_read_8(r, to, count);
 }
-static inline void mip_write_{{ name }}(struct mip_writer *w, const {{ type }} *from, size_t count) {
-    mip_write_{{ bits }}(w, from, count);
+static inline void mip_write_u8(struct mip_writer *w, const uint8_t *from, size_t count) {
+    mip_write_8(w, from, count);
 }
-{% endfor %}
+static inline void mip_read_u16(struct mip_reader *r, uint16_t *to, size_t count) {
+    mip_read_16(r, to, count);
+}
+static inline void mip_write_u16(struct mip_writer *w, const uint16_t *from, size_t count) {
+    mip_write_16(w, from, count);
+}
+static inline void mip_read_u32(struct mip_reader *r, uint32_t *to, size_t count) {
+    mip_read_32(r, to, count);
+}
+static inline void mip_write_u32(struct mip_writer *w, const uint32_t *from, size_t count) {
+    mip_write_32(w, from, count);
+}
+static inline void mip_read_u64(struct mip_reader *r, uint64_t *to, size_t count) {
+    mip_read_64(r, to, count);
+}
+static inline void mip_write_u64(struct mip_writer *w, const uint64_t *from, size_t count) {
+    mip_write_64(w, from, count);
+}
+static inline void mip_read_s8(struct mip_reader *r, int8_t *to, size_t count) {
+    mip_read_8(r, to, count);
+}
+static inline void mip_write_s8(struct mip_writer *w, const int8_t *from, size_t count) {
+    mip_write_8(w, from, count);
+}
+static inline void mip_read_s16(struct mip_reader *r, int16_t *to, size_t count) {
+    mip_read_16(r, to, count);
+}
+static inline void mip_write_s16(struct mip_writer *w, const int16_t *from, size_t count) {
+    mip_write_16(w, from, count);
+}
+static inline void mip_read_s32(struct mip_reader *r, int32_t *to, size_t count) {
+    mip_read_32(r, to, count);
+}
+static inline void mip_write_s32(struct mip_writer *w, const int32_t *from, size_t count) {
+    mip_write_32(w, from, count);
+}
+static inline void mip_read_s64(struct mip_reader *r, int64_t *to, size_t count) {
+    mip_read_64(r, to, count);
+}
+static inline void mip_write_s64(struct mip_writer *w, const int64_t *from, size_t count) {
+    mip_write_64(w, from, count);
+}
+static inline void mip_read_float(struct mip_reader *r, float *to, size_t count) {
+    mip_read_32(r, to, count);
+}
+static inline void mip_write_float(struct mip_writer *w, const float *from, size_t count) {
+    mip_write_32(w, from, count);
+}
+static inline void mip_read_double(struct mip_reader *r, double *to, size_t count) {
+    mip_read_64(r, to, count);
+}
+static inline void mip_write_double(struct mip_writer *w, const double *from, size_t count) {
+    mip_write_64(w, from, count);
+}
+static inline void mip_read_bool(struct mip_reader *r, mip_bool *to, size_t count) {
+    mip_read_8(r, to, count);
+}
+static inline void mip_write_bool(struct mip_writer *w, const mip_bool *from, size_t count) {
+    mip_write_8(w, from, count);
+}
+static inline void mip_read_char(struct mip_reader *r, char *to, size_t count) {
+    mip_read_8(r, to, count);
+}
+static inline void mip_write_char(struct mip_writer *w, const char *from, size_t count) {
+    mip_write_8(w, from, count);
+}
 
 #ifdef __cplusplus
 }
