@@ -18,7 +18,7 @@ import pytest
 from mipgen import model as m
 from mipgen import render
 from mipgen.resolve import load_model
-from mipgen.targets import python as target
+from mipgen.targets.python import members, names
 from support import ROOT, SPECS, all_fields, model
 
 INVENTED = SPECS["invented"][1] / "python"
@@ -71,7 +71,7 @@ def test_every_field_has_a_class_with_its_numbers_and_its_links(spec: str) -> No
     types = package.registry.all_types()
     assert len(types) == len(all_fields(of))
     for number, kind in types:
-        (field,) = [f for f in of.candidates(number, kind.DESCRIPTOR) if target.class_name(f) == kind.__name__] or [
+        (field,) = [f for f in of.candidates(number, kind.DESCRIPTOR) if names.class_name(f) == kind.__name__] or [
             None
         ]
         if field is None:
@@ -90,15 +90,15 @@ def test_every_field_has_a_class_with_its_numbers_and_its_links(spec: str) -> No
 @pytest.mark.parametrize("spec", sorted(SPECS))
 def test_every_value_and_bit_has_its_name(spec: str) -> None:
     package, of = (mip if spec == "invented" else real), model(spec)
-    for owner, types in [("types", of.types), *((target.module(s.name), s.types) for s in of.sets)]:
+    for owner, types in [("types", of.types), *((names.module(s.name), s.types) for s in of.sets)]:
         for t in types:
-            kind = getattr(getattr(package, owner), target.class_name(t))
+            kind = getattr(getattr(package, owner), names.class_name(t))
             if isinstance(t, m.Enum):
                 for v in t.values:
-                    assert kind[target.constant(v.name)] == v.value
+                    assert kind[names.constant(v.name)] == v.value
             elif isinstance(t, m.Bitfield):
                 for b in t.bits:
-                    assert int(getattr(kind, target.constant(b.name))) == b.mask
+                    assert int(getattr(kind, names.constant(b.name))) == b.mask
                     if b.width > 1 and not b.alias:
                         changed = getattr(kind(0), f"with_{b.name}")((1 << b.width) - 1)
                         assert int(changed) == b.mask and int(getattr(changed, b.name)) == (1 << b.width) - 1
@@ -403,10 +403,22 @@ def test_devices(spec: str) -> None:
     assert sorted(package.devices.DEVICES) == [d.id for d in of.devices]
     for d in of.devices:
         device = package.devices.DEVICES[d.id]
-        for name in d.fields:
-            f = of.field(name)
-            assert f is not None and device.supports(f.set, f.descriptor)
-        assert set(device.readings) == {name for name, _ in d.readings}
+        keys = {s: (s.field.set, s.field.descriptor) for s in d.supports}
+        assert device.fields == set(keys.values())
+        assert all(device.supports(*key) for key in keys.values())
+        assert device.functions == {key: m.letters(s.functions) for s, key in keys.items() if s.differs}
+        assert device.base_rates == {rate.set.number: rate.hertz for rate in d.base_rates}
+        assert [(p.name, p.id, p.baud_rates, p.protocols) for p in device.ports] == [
+            (p.name, p.id, p.baud_rates, p.protocols) for p in d.ports
+        ]
+        assert {k: (x.value, x.unit, x.description) for k, x in device.limits.items()} == {
+            x.name: (x.value, x.unit, x.description) for x in d.limits
+        }
+        assert {k: (x.title, x.description, x.rows) for k, x in device.notes.items()} == {
+            x.name: (x.title, x.description, x.rows) for x in d.notes
+        }
+        readings = {v.path: names.qualified(v.variant.type) for v in d.variants if v.variant.type}
+        assert {k: f"{t.__module__.rpartition('.')[2]}.{t.__name__}" for k, t in device.readings.items()} == readings
         assert device.ack_codes == set(d.ack_codes)
 
 
@@ -490,7 +502,7 @@ def test_examples_built_by_hand(spec: str) -> None:
     lines = ["from mip_protocol import *", "from mip_protocol import types, protocol, registry",
              "from mip_protocol.codec import single_from_bits as f32", "import struct",
              "f64 = lambda n: struct.unpack('>d', n.to_bytes(8, 'big'))[0]"]  # fmt: skip
-    lines += [f"from mip_protocol import {target.module(s.name)}" for s in of.sets]
+    lines += [f"from mip_protocol import {names.module(s.name)}" for s in of.sets]
     count = 0
     for e in of.examples:
         lines.append(f"b = PacketBuilder({e.set})")
@@ -508,29 +520,26 @@ def test_examples_built_by_hand(spec: str) -> None:
 
 def written(record: m.Field | m.Struct, values: dict[str, Any]) -> str:
     """A record as Python source: by the constructor of its function, where it has one."""
-    given = [p for p in target.stored(record) if (p.name in values and p.reserved is None) or p.name in values]
-    home = target.qualified(record) if isinstance(record, m.Struct) else _home(record)
-    words = {target._member(p.name): literal(p, values[p.name], values) for p in given}
+    given = [p for p in members.members(record) if p.name in values]
+    home = names.qualified(record) if isinstance(record, m.Struct) else _home(record)
+    words = {names.member(p.name): literal(p, values[p.name], values) for p in given}
     if isinstance(record, m.Field) and record.functions:
-        function = next((f for f in record.functions if f.value == values["function"]), None)
-        if function is not None:
-            c = target.constructor(function, record)
-            names = {x.partition(":")[0] for x in c["parameters"]}
-            own = {k: v for k, v in words.items() if k != "function"}
-            reserved = {target._member(p.name) for p in record.parameters if p.reserved is not None}
-            if set(own) - reserved == {n for n in names if n in own} and all(
-                n in own or "= None" in x for n, x in ((x.partition(":")[0], x) for x in c["parameters"])
-            ):
-                inner = ", ".join(f"{k}={v}" for k, v in own.items() if k in names)
-                return f"{home}.{target._member(function.name)}({inner})"
+        call = next((c for c in record.calls if c.function and c.function.value == values["function"]), None)
+        if call is not None and call.function is not None:
+            asked = {names.member(p.name) for p in call.asked if not p.derived}
+            free = {names.member(p.name) for p in call.optional if not p.derived}
+            reserved = {names.member(p.name) for p in record.parameters if p.reserved is not None}
+            own = {k: v for k, v in words.items() if k != "function" and k not in reserved}
+            if asked <= own.keys() <= asked | free:
+                return f"{home}.{names.member(call.function.name)}({', '.join(f'{k}={v}' for k, v in own.items())})"
     return f"{home}({', '.join(f'{k}={v}' for k, v in words.items())})"
 
 
 def _home(f: m.Field) -> str:
     if f.set == 0:
-        return target.class_name(f)
+        return names.class_name(f)
     owner = f.definition.partition(".")[0] if f.definition else f.set_name
-    return f"{target.module(owner)}.{target.class_name(f)}"
+    return f"{names.module(owner)}.{names.class_name(f)}"
 
 
 def literal(p: m.Parameter, value: Any, siblings: dict[str, Any]) -> str:
@@ -551,12 +560,12 @@ def item(e: Any, value: Any) -> str:
     if isinstance(e, m.Vector):
         return "(" + "".join(f"{number(e.scalar, v)}, " for v in value) + ")"
     if isinstance(e, m.Enum):
-        name = "FunctionSelector" if e.name == "function_selector" else target.qualified(e)
+        name = "FunctionSelector" if e.name == "function_selector" else names.qualified(e)
         known = next((v for v in e.values if v.value == value), None)
-        return f"{name}.{target.constant(known.name)}" if known else f"{name}({value})"
+        return f"{name}.{names.constant(known.name)}" if known else f"{name}({value})"
     if isinstance(e, m.Bitfield):
         whole = int.from_bytes(bytes(value), "little") if isinstance(value, list) else value
-        return f"{target.qualified(e)}({whole})"
+        return f"{names.qualified(e)}({whole})"
     return number(e, value)
 
 

@@ -1,6 +1,9 @@
 """Filter commands (0x0D).
 
 Commands that set up, start and aid the navigation filter.
+
+- 3dm-gx5-15: 4.3 Estimation Filter Commands
+- 3dm-cv7-gnss-ins: Filter (0x0D)
 """
 
 from __future__ import annotations
@@ -19,7 +22,7 @@ class EstimatedStates(IntFlag):
     """States that the filter estimates."""
 
     GYRO_BIAS = 1 << 0
-    """Estimate the gyroscope bias (recommended)."""
+    """Estimate the gyroscope bias (recommended). Bit 0."""
 
 
 class GnssAidingSource(codec.OpenEnum):
@@ -58,11 +61,11 @@ class TareAxes(IntFlag):
     """Axes to tare; 0 resets all axes."""
 
     ROLL = 1 << 0
-    """Tare roll."""
+    """Tare roll. Bit 0."""
     PITCH = 1 << 1
-    """Tare pitch."""
+    """Tare pitch. Bit 1."""
     YAW = 1 << 2
-    """Tare yaw."""
+    """Tare yaw. Bit 2."""
 
 
 @codec.open_flag(16)
@@ -70,9 +73,9 @@ class MeasurementFlags(IntFlag):
     """Measurements that the filter uses."""
 
     ACCELEROMETER = 1 << 0
-    """Accelerometer measurements."""
+    """Accelerometer measurements. Bit 0."""
     MAGNETOMETER = 1 << 1
-    """Magnetometer measurements, on models that have a magnetometer."""
+    """Magnetometer measurements, on models that have a magnetometer. Bit 1."""
 
 
 class DeclinationSource(codec.OpenEnum):
@@ -149,13 +152,13 @@ class HeadingAlignment(IntFlag):
     """Ways in which the device may find its initial heading."""
 
     DUAL_ANTENNA = 1 << 0
-    """From the baseline between two GNSS antennas."""
+    """From the baseline between two GNSS antennas. Bit 0."""
     KINEMATIC = 1 << 1
-    """From the GNSS velocity; assumes motion along the positive x axis of the vehicle."""
+    """From the GNSS velocity; assumes motion along the positive x axis of the vehicle. Bit 1."""
     MAGNETOMETER = 1 << 2
-    """From the built-in magnetometer."""
+    """From the built-in magnetometer. Bit 2."""
     EXTERNAL = 1 << 3
-    """From the heading that the user sends."""
+    """From the heading that the user sends. Bit 3."""
 
 
 class ReferenceFrame(codec.OpenEnum):
@@ -203,8 +206,7 @@ _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_0 = codec.Block("fff", "roll", 
 class SensorToVehicleFrameTransformationResponse(Response):
     """Sensor to vehicle frame transformation response (0x0D,0x81).
 
-    Answers Sensor to vehicle frame transformation (0x0D,0x11).
-    Supported by 3DM-GX5-15.
+    Answers `SensorToVehicleFrameTransformation`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -215,11 +217,11 @@ class SensorToVehicleFrameTransformationResponse(Response):
     ROLE = "response"
 
     roll: float
-    """Roll angle. [rad]"""
+    """Roll angle. Unit: rad."""
     pitch: float
-    """Pitch angle. [rad]"""
+    """Pitch angle. Unit: rad."""
     yaw: float
-    """Yaw angle. [rad]"""
+    """Yaw angle. Unit: rad."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformationResponse, int]:
@@ -237,15 +239,14 @@ class SensorToVehicleFrameTransformationResponse(Response):
         return codec.finished(out)
 
 
-_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_0 = codec.Block("fff", "offset", "offset", "offset")
+_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
 @dataclass(slots=True)
 class GnssAntennaOffsetControlResponse(Response):
     """GNSS antenna offset response (0x0D,0x83).
 
-    Answers GNSS antenna offset (0x0D,0x13).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GnssAntennaOffsetControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -256,7 +257,9 @@ class GnssAntennaOffsetControlResponse(Response):
     ROLE = "response"
 
     offset: types.Vector3f
-    """From the sensor origin to the centre of the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
+    vehicle. Range: -10 to 10.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetControlResponse, int]:
@@ -279,8 +282,7 @@ _ESTIMATION_CONTROL_FLAGS_RESPONSE_0 = codec.Block("H", "flags")
 class EstimationControlFlagsResponse(Response):
     """Estimation control flags response (0x0D,0x84).
 
-    Answers Estimation control flags (0x0D,0x14).
-    Supported by 3DM-GX5-15.
+    Answers `EstimationControlFlags`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -312,8 +314,7 @@ _GNSS_AIDING_SOURCE_CONTROL_RESPONSE_0 = codec.Block("B", "source")
 class GnssAidingSourceControlResponse(Response):
     """GNSS aiding source response (0x0D,0x86).
 
-    Answers GNSS aiding source (0x0D,0x15).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GnssAidingSourceControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
@@ -345,8 +346,7 @@ _HEADING_UPDATE_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class HeadingUpdateControlResponse(Response):
     """Heading update control response (0x0D,0x87).
 
-    Answers Heading update control (0x0D,0x18).
-    Supported by 3DM-GX5-15.
+    Answers `HeadingUpdateControl`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -378,8 +378,7 @@ _AUTO_INITIALIZATION_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class AutoInitializationControlResponse(Response):
     """Automatic initialization response (0x0D,0x88).
 
-    Answers Automatic initialization (0x0D,0x19).
-    Supported by 3DM-GX5-15.
+    Answers `AutoInitializationControl`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -404,15 +403,14 @@ class AutoInitializationControlResponse(Response):
         return codec.finished(out)
 
 
-_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class AccelerometerNoiseStandardDeviationResponse(Response):
     """Accelerometer noise response (0x0D,0x89).
 
-    Answers Accelerometer noise (0x0D,0x1A).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `AccelerometerNoiseStandardDeviation`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -424,7 +422,7 @@ class AccelerometerNoiseStandardDeviationResponse(Response):
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [m/s^2]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerNoiseStandardDeviationResponse, int]:
@@ -440,15 +438,14 @@ class AccelerometerNoiseStandardDeviationResponse(Response):
         return codec.finished(out)
 
 
-_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class GyroscopeNoiseStandardDeviationResponse(Response):
     """Gyroscope noise response (0x0D,0x8A).
 
-    Answers Gyroscope noise (0x0D,0x1B).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GyroscopeNoiseStandardDeviation`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -460,7 +457,7 @@ class GyroscopeNoiseStandardDeviationResponse(Response):
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [rad/s]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: rad/s."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeNoiseStandardDeviationResponse, int]:
@@ -477,7 +474,7 @@ class GyroscopeNoiseStandardDeviationResponse(Response):
 
 
 _ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_0 = codec.Block(
-    "ffffff", "beta", "beta", "beta", "noise", "noise", "noise"
+    "ffffff", *["beta"] * 3, *["noise"] * 3
 )
 
 
@@ -485,8 +482,7 @@ _ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_0 = codec.Block(
 class AccelerometerBiasModelParametersResponse(Response):
     """Accelerometer bias model response (0x0D,0x8B).
 
-    Answers Accelerometer bias model (0x0D,0x1C).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `AccelerometerBiasModelParameters`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -497,9 +493,9 @@ class AccelerometerBiasModelParametersResponse(Response):
     ROLE = "response"
 
     beta: types.Vector3f
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s."""
     noise: types.Vector3f
-    """Standard deviation of the noise per axis. [m/s^2]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasModelParametersResponse, int]:
@@ -516,17 +512,14 @@ class AccelerometerBiasModelParametersResponse(Response):
         return codec.finished(out)
 
 
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_0 = codec.Block(
-    "ffffff", "beta", "beta", "beta", "noise", "noise", "noise"
-)
+_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class GyroscopeBiasModelParametersResponse(Response):
     """Gyroscope bias model response (0x0D,0x8C).
 
-    Answers Gyroscope bias model (0x0D,0x1D).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GyroscopeBiasModelParameters`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -538,9 +531,9 @@ class GyroscopeBiasModelParametersResponse(Response):
     ROLE = "response"
 
     beta: types.Vector3f
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s."""
     noise: types.Vector3f
-    """Standard deviation of the noise per axis. [rad/s]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasModelParametersResponse, int]:
@@ -564,8 +557,7 @@ _ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable", "thre
 class ZeroAngularRateUpdateControlResponse(Response):
     """Zero angular rate update response (0x0D,0x8E).
 
-    Answers Zero angular rate update (0x0D,0x20).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `ZeroAngularRateUpdateControl`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -579,7 +571,7 @@ class ZeroAngularRateUpdateControlResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     threshold: float
-    """Largest angular rate that is taken as zero. [rad/s] Range: 0 to …."""
+    """Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ZeroAngularRateUpdateControlResponse, int]:
@@ -603,8 +595,7 @@ _SET_REFERENCE_POSITION_RESPONSE_0 = codec.Block(
 class SetReferencePositionResponse(Response):
     """Set reference position response (0x0D,0x90).
 
-    Answers Set reference position (0x0D,0x26).
-    Supported by 3DM-GX5-15.
+    Answers `SetReferencePosition`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -617,11 +608,11 @@ class SetReferencePositionResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     latitude: float
-    """Latitude. [deg] Frame: llh."""
+    """Latitude. Unit: deg. Frame: llh."""
     longitude: float
-    """Longitude. [deg] Frame: llh."""
+    """Longitude. Unit: deg. Frame: llh."""
     altitude: float
-    """Altitude. [m] Frame: llh."""
+    """Altitude. Unit: m. Frame: llh."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetReferencePositionResponse, int]:
@@ -640,15 +631,14 @@ class SetReferencePositionResponse(Response):
         return codec.finished(out)
 
 
-_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class GravityNoiseStandardDeviationResponse(Response):
     """Gravity noise response (0x0D,0x93).
 
-    Answers Gravity noise (0x0D,0x28).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GravityNoiseStandardDeviation`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -660,7 +650,7 @@ class GravityNoiseStandardDeviationResponse(Response):
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [g]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: g."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GravityNoiseStandardDeviationResponse, int]:
@@ -683,8 +673,7 @@ _ENABLE_DISABLE_MEASUREMENTS_RESPONSE_0 = codec.Block("H", "control")
 class EnableDisableMeasurementsResponse(Response):
     """Enable or disable measurements response (0x0D,0xB0).
 
-    Answers Enable or disable measurements (0x0D,0x41).
-    Supported by 3DM-GX5-15.
+    Answers `EnableDisableMeasurements`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -716,8 +705,7 @@ _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_0 = codec.Block("Bf", "sourc
 class MagneticFieldDeclinationSourceControlResponse(Response):
     """Magnetic declination source response (0x0D,0xB2).
 
-    Answers Magnetic declination source (0x0D,0x43).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `MagneticFieldDeclinationSourceControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     """
@@ -730,7 +718,7 @@ class MagneticFieldDeclinationSourceControlResponse(Response):
     source: DeclinationSource
     """Source of the declination."""
     declination: float
-    """Declination; used only if `source` is manual. [rad]"""
+    """Declination; used only if `source` is manual. Unit: rad."""
 
     @classmethod
     def _read(
@@ -765,8 +753,7 @@ _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class GravityMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Gravity magnitude error adaptive measurement response (0x0D,0xB3).
 
-    Answers Gravity magnitude error adaptive measurement (0x0D,0x44).
-    Supported by 3DM-GX5-15.
+    Answers `GravityMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -779,17 +766,17 @@ class GravityMagnitudeErrorAdaptiveMeasurementResponse(Response):
     adaptive_measurement: AdaptiveMeasurementSelector
     """Kind of adaptation."""
     frequency: float
-    """Cut-off frequency of the low-pass filter. [Hz]"""
+    """Cut-off frequency of the low-pass filter. Unit: Hz."""
     low_limit: float
-    """Lower limit of the error. [m/s^2]"""
+    """Lower limit of the error. Unit: m/s^2."""
     high_limit: float
-    """Upper limit of the error. [m/s^2]"""
+    """Upper limit of the error. Unit: m/s^2."""
     low_limit_uncertainty: float
-    """Standard deviation at the lower limit. [m/s^2]"""
+    """Standard deviation at the lower limit. Unit: m/s^2."""
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. [m/s^2]"""
+    """Standard deviation at the upper limit. Unit: m/s^2."""
     minimum_uncertainty: float
-    """Smallest standard deviation. [m/s^2]"""
+    """Smallest standard deviation. Unit: m/s^2."""
 
     @classmethod
     def _read(
@@ -834,8 +821,7 @@ _PITCH_ROLL_AIDING_CONTROL_RESPONSE_0 = codec.Block("B", "aiding")
 class PitchRollAidingControlResponse(Response):
     """Pitch and roll aiding response (0x0D,0xBB).
 
-    Answers Pitch and roll aiding (0x0D,0x4B).
-    Supported by 3DM-GX5-15.
+    Answers `PitchRollAidingControl`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -867,8 +853,7 @@ _AIDING_MEASUREMENT_CONTROL_RESPONSE_0 = codec.Block("HB", "aiding_source", "ena
 class AidingMeasurementControlResponse(Response):
     """Aiding measurement control response (0x0D,0xD0).
 
-    Answers Aiding measurement control (0x0D,0x50).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `AidingMeasurementControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -904,12 +889,8 @@ _NAVIGATION_FILTER_INITIALIZATION_RESPONSE_0 = codec.Block(
     "initial_heading",
     "initial_pitch",
     "initial_roll",
-    "initial_position",
-    "initial_position",
-    "initial_position",
-    "initial_velocity",
-    "initial_velocity",
-    "initial_velocity",
+    *["initial_position"] * 3,
+    *["initial_velocity"] * 3,
     "reference_frame_selector",
 )
 
@@ -918,8 +899,7 @@ _NAVIGATION_FILTER_INITIALIZATION_RESPONSE_0 = codec.Block(
 class NavigationFilterInitializationResponse(Response):
     """Navigation filter initialization response (0x0D,0xD2).
 
-    Answers Navigation filter initialization (0x0D,0x52).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `NavigationFilterInitialization`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
@@ -930,26 +910,29 @@ class NavigationFilterInitializationResponse(Response):
     ROLE = "response"
 
     wait_for_run_command: int
-    """1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to
-    1.
+    """1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to 1.
     """
     initial_cond_src: InitialConditionSource
     """Which initial conditions are found and which are given."""
     auto_heading_alignment_selector: HeadingAlignment
     """Ways in which the initial heading may be found."""
     initial_heading: float
-    """Given heading. [deg]"""
+    """Given heading. Unit: deg."""
     initial_pitch: float
-    """Given pitch. [deg]"""
+    """Given pitch. Unit: deg."""
     initial_roll: float
-    """Given roll. [deg]"""
+    """Given roll. Unit: deg."""
     initial_position: types.Vector3f
-    """Given position. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Given position. Elements: x, y, z.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
     initial_velocity: types.Vector3f
-    """Given velocity. [m/s] If reference_frame_selector is ecef: frame ecef. If
-    reference_frame_selector is llh: frame ned.
+    """Given velocity. Elements: x, y, z. Unit: m/s.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: frame ned.
     """
     reference_frame_selector: ReferenceFrame
     """Frame of the given position and velocity."""
@@ -1001,8 +984,7 @@ _ADAPTIVE_FILTER_CONTROL_RESPONSE_0 = codec.Block("BH", "level", "time_limit")
 class AdaptiveFilterControlResponse(Response):
     """Adaptive filter control response (0x0D,0xD3).
 
-    Answers Adaptive filter control (0x0D,0x53).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `AdaptiveFilterControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -1013,9 +995,9 @@ class AdaptiveFilterControlResponse(Response):
     ROLE = "response"
 
     level: AdaptiveLevel
-    """Strength of the adaptation. Factory default: 2."""
+    """Strength of the adaptation. Default: 2."""
     time_limit: int
-    """Longest time for which measurements are rejected before the filter recovers. [ms]"""
+    """Longest time for which measurements are rejected before the filter recovers. Unit: ms."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterControlResponse, int]:
@@ -1031,7 +1013,7 @@ class AdaptiveFilterControlResponse(Response):
 
 
 _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_0 = codec.Block(
-    "Bfff", "receiver_id", "antenna_offset", "antenna_offset", "antenna_offset"
+    "Bfff", "receiver_id", *["antenna_offset"] * 3
 )
 
 
@@ -1039,8 +1021,7 @@ _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_0 = codec.Block(
 class GnssMultiAntennaOffsetControlResponse(Response):
     """GNSS multi-antenna offset response (0x0D,0xD4).
 
-    Answers GNSS multi-antenna offset (0x0D,0x54).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GnssMultiAntennaOffsetControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -1051,9 +1032,10 @@ class GnssMultiAntennaOffsetControlResponse(Response):
     ROLE = "response"
 
     receiver_id: int
-    """Number of the receiver, from 1. Range: 1 to …."""
+    """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f
-    """From the sensor to the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssMultiAntennaOffsetControlResponse, int]:
@@ -1071,12 +1053,7 @@ class GnssMultiAntennaOffsetControlResponse(Response):
 
 
 _RELATIVE_POSITION_CONFIGURATION_RESPONSE_0 = codec.Block(
-    "BBddd",
-    "source",
-    "reference_frame_selector",
-    "reference_coordinates",
-    "reference_coordinates",
-    "reference_coordinates",
+    "BBddd", "source", "reference_frame_selector", *["reference_coordinates"] * 3
 )
 
 
@@ -1084,8 +1061,7 @@ _RELATIVE_POSITION_CONFIGURATION_RESPONSE_0 = codec.Block(
 class RelativePositionConfigurationResponse(Response):
     """Relative position configuration response (0x0D,0xD5).
 
-    Answers Relative position configuration (0x0D,0x55).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `RelativePositionConfiguration`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -1100,8 +1076,10 @@ class RelativePositionConfigurationResponse(Response):
     reference_frame_selector: ReferenceFrame
     """Frame of the coordinates."""
     reference_coordinates: types.Vector3d
-    """Reference point. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Reference point. Elements: x, y, z.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
 
     @classmethod
@@ -1123,7 +1101,7 @@ class RelativePositionConfigurationResponse(Response):
 
 
 _REFERENCE_POINT_LEVER_ARM_RESPONSE_0 = codec.Block(
-    "Bfff", "ref_point_sel", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
+    "Bfff", "ref_point_sel", *["lever_arm_offset"] * 3
 )
 
 
@@ -1131,8 +1109,7 @@ _REFERENCE_POINT_LEVER_ARM_RESPONSE_0 = codec.Block(
 class ReferencePointLeverArmResponse(Response):
     """Reference point lever arm response (0x0D,0xD6).
 
-    Answers Reference point lever arm (0x0D,0x56).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `ReferencePointLeverArm`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -1145,7 +1122,8 @@ class ReferencePointLeverArmResponse(Response):
     ref_point_sel: ReferencePoint
     """Point to move; it must be 1."""
     lever_arm_offset: types.Vector3f
-    """From the sensor to the point. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArmResponse, int]:
@@ -1162,17 +1140,14 @@ class ReferencePointLeverArmResponse(Response):
         return codec.finished(out)
 
 
-_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_0 = codec.Block(
-    "Bfff", "source", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
-)
+_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_0 = codec.Block("Bfff", "source", *["lever_arm_offset"] * 3)
 
 
 @dataclass(slots=True)
 class MeasurementSpeedLeverArmResponse(Response):
     """Speed measurement lever arm response (0x0D,0xE1).
 
-    Answers Speed measurement lever arm (0x0D,0x61).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `MeasurementSpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
@@ -1183,9 +1158,9 @@ class MeasurementSpeedLeverArmResponse(Response):
     ROLE = "response"
 
     source: int = field(default=1, kw_only=True)
-    """Send 1."""
+    """Reserved."""
     lever_arm_offset: types.Vector3f
-    """From the sensor to the point of measurement. [m] Frame: vehicle."""
+    """From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MeasurementSpeedLeverArmResponse, int]:
@@ -1209,8 +1184,7 @@ _WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class WheeledVehicleConstraintControlResponse(Response):
     """Wheeled vehicle constraint response (0x0D,0xE3).
 
-    Answers Wheeled vehicle constraint (0x0D,0x63).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
@@ -1242,8 +1216,7 @@ _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable"
 class GnssAntennaOffsetCalibrationControlResponse(Response):
     """GNSS antenna offset calibration response (0x0D,0xE4).
 
-    Answers GNSS antenna offset calibration (0x0D,0x64).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GnssAntennaOffsetCalibrationControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
@@ -1257,8 +1230,8 @@ class GnssAntennaOffsetCalibrationControlResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     max_offset: float
-    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. [m] Frame:
-    vehicle. Range: 0 to 0.5. Factory default: 0.1.
+    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
+    vehicle. Range: 0 to 0.5. Default: 0.1.
     """
 
     @classmethod
@@ -1281,10 +1254,12 @@ class ResetNavigationFilter(Command):
     """Reset navigation filter (0x0D,0x01).
 
     Puts the filter back into its initialization state.
-    If automatic initialization is off, the attitude or heading must be set before the filter runs
-    again.
-    3DM-CV7: send it after a large jump of the system time, for example when the PPS is first found.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    If automatic initialization is off, the attitude or heading must be set before the filter runs
+    again. 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
+    found.
 
     - 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01)
     - 3dm-gx5-15: 4.3.1 Reset Filter (0x0D, 0x01)
@@ -1311,8 +1286,10 @@ class SetInitialAttitude(Command):
     """Set initial attitude (0x0D,0x02).
 
     Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
-    Accepted only in the initialization state.
+
     Supported by 3DM-GX5-15.
+
+    Accepted only in the initialization state.
 
     - 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02)
     """
@@ -1323,11 +1300,12 @@ class SetInitialAttitude(Command):
     ROLE = "command"
 
     roll: float
-    """Roll angle. [rad] Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
     pitch: float
-    """Pitch angle. [rad] Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."""
+    """Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."""
     heading: float
-    """Heading (yaw) angle. [rad] Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetInitialAttitude, int]:
@@ -1351,10 +1329,11 @@ class SetInitialHeadingControl(Command):
     """Set initial heading (0x0D,0x03).
 
     Gives the filter its initial heading; pitch and roll come from the accelerometers.
-    3DM-GX5: accepted only in the initialization state.
-    3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
-    ignored.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if
+    magnetometer aiding is on, the given heading is ignored.
 
     - 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03)
     - 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
@@ -1366,7 +1345,7 @@ class SetInitialHeadingControl(Command):
     ROLE = "command"
 
     heading: float
-    """Initial heading. [rad] Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetInitialHeadingControl, int]:
@@ -1385,9 +1364,11 @@ class RunNavigationFilter(Command):
     """Run navigation filter (0x0D,0x05).
 
     Starts a filter that was set up to wait for this command.
+
+    Supported by 3DM-CV7-GNSS/INS.
+
     The filter waits in its initialization state if `wait_for_run_command` of
     `navigation_filter_initialization` is set.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
     """
@@ -1421,11 +1402,14 @@ class SensorToVehicleFrameTransformation(Command):
     """Sensor to vehicle frame transformation (0x0D,0x11).
 
     Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleFrameTransformationResponse`. Supported by 3DM-GX5-15.
+
     It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
     velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
-    vector of the filter.
-    The 3DM-CV7 takes the inverse instead: `3dm.sensor_to_vehicle_frame_transformation_euler`.
-    Supported by 3DM-GX5-15.
+    vector of the filter. The 3DM-CV7 takes the inverse instead:
+    `3dm.sensor_to_vehicle_frame_transformation_euler`.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -1440,11 +1424,11 @@ class SensorToVehicleFrameTransformation(Command):
     function: FunctionSelector
     """What to do with the setting."""
     roll: float | None = None
-    """Roll angle. [rad]"""
+    """Roll angle. Unit: rad. Required for `write`."""
     pitch: float | None = None
-    """Pitch angle. [rad]"""
+    """Pitch angle. Unit: rad. Required for `write`."""
     yaw: float | None = None
-    """Yaw angle. [rad]"""
+    """Yaw angle. Unit: rad. Required for `write`."""
 
     @classmethod
     def write(cls, roll: float, pitch: float, yaw: float) -> SensorToVehicleFrameTransformation:
@@ -1520,7 +1504,7 @@ class SensorToVehicleFrameTransformation(Command):
 
 
 _GNSS_ANTENNA_OFFSET_CONTROL_0 = codec.Block("B", "function")
-_GNSS_ANTENNA_OFFSET_CONTROL_1 = codec.Block("fff", "offset", "offset", "offset")
+_GNSS_ANTENNA_OFFSET_CONTROL_1 = codec.Block("fff", *["offset"] * 3)
 _GNSS_ANTENNA_OFFSET_CONTROL_GROUPS = ((1, ("offset",), False),)
 
 
@@ -1529,11 +1513,13 @@ class GnssAntennaOffsetControl(Command):
     """GNSS antenna offset (0x0D,0x13).
 
     Position of the GNSS antenna relative to the origin of the sensor.
-    The magnitude of the vector is limited to 10.
-    7-series devices expect the vehicle frame, 5-series devices the sensor frame.
-    On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding commands use
-    `aiding.frame_configuration`.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GnssAntennaOffsetControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    The magnitude of the vector is limited to 10. 7-series devices expect the vehicle frame,
+    5-series devices the sensor frame. On the 3DM-CV7 it is for GNSS data that come as NMEA; data
+    that come by the aiding commands use `aiding.frame_configuration`.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -1548,7 +1534,9 @@ class GnssAntennaOffsetControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     offset: types.Vector3f | None = None
-    """From the sensor origin to the centre of the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
+    vehicle. Range: -10 to 10. Required for `write`.
+    """
 
     @classmethod
     def write(cls, offset: types.Vector3f) -> GnssAntennaOffsetControl:
@@ -1615,7 +1603,9 @@ class EstimationControlFlags(Command):
     """Estimation control flags (0x0D,0x14).
 
     Which states the filter estimates.
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `EstimationControlFlagsResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -1630,7 +1620,7 @@ class EstimationControlFlags(Command):
     function: FunctionSelector
     """What to do with the setting."""
     flags: EstimatedStates | None = None
-    """States to estimate."""
+    """States to estimate. Required for `write`."""
 
     @classmethod
     def write(cls, flags: EstimatedStates) -> EstimationControlFlags:
@@ -1697,9 +1687,12 @@ class GnssAidingSourceControl(Command):
     """GNSS aiding source (0x0D,0x15).
 
     Which GNSS receiver aids the filter.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GnssAidingSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     A change while the filter runs may put it back into initialization until the new source gives
     data.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
@@ -1714,7 +1707,7 @@ class GnssAidingSourceControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: GnssAidingSource | None = None
-    """Source of the GNSS data."""
+    """Source of the GNSS data. Required for `write`."""
 
     @classmethod
     def write(cls, source: GnssAidingSource) -> GnssAidingSourceControl:
@@ -1779,12 +1772,13 @@ class ExternalHeadingUpdate(Command):
     """External heading update (0x0D,0x17).
 
     Gives the filter one measurement of the heading of the sensor frame in the NED frame.
-    Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
-    and by `aiding_measurement_control` on the 3DM-CV7.
-    The 3DM-GX5-15 takes at most 20 updates per second.
-    If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
-    ones.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
+    and by `aiding_measurement_control` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per
+    second. If the declination source is not valid, -25 models refuse true headings and -45 models
+    magnetic ones.
 
     - 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17)
     - 3dm-gx5-15: 4.3.7 External Heading Update (0x0D, 0x17)
@@ -1796,11 +1790,11 @@ class ExternalHeadingUpdate(Command):
     ROLE = "command"
 
     heading: float
-    """Heading relative to the north that `type` names. [rad] Frame: ned. Range:
+    """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
     -3.141592653589793 to 3.141592653589793.
     """
     heading_uncertainty: float
-    """Standard deviation; it must be greater than 0, other values are refused. [rad]"""
+    """Standard deviation; it must be greater than 0, other values are refused. Unit: rad."""
     type: HeadingType
     """North that the heading refers to."""
 
@@ -1828,7 +1822,9 @@ class HeadingUpdateControl(Command):
     """Heading update control (0x0D,0x18).
 
     Source of the heading that aids the filter.
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `HeadingUpdateControlResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -1843,7 +1839,7 @@ class HeadingUpdateControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: HeadingUpdateSource | None = None
-    """Source of the heading."""
+    """Source of the heading. Required for `write`."""
 
     @classmethod
     def write(cls, enable: HeadingUpdateSource) -> HeadingUpdateControl:
@@ -1910,8 +1906,11 @@ class AutoInitializationControl(Command):
     """Automatic initialization (0x0D,0x19).
 
     Whether the filter initializes by itself when the device starts.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AutoInitializationControlResponse`. Supported by 3DM-GX5-15.
+
     It needs a valid heading source.
-    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -1926,7 +1925,7 @@ class AutoInitializationControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
 
     @classmethod
     def write(cls, enable: int) -> AutoInitializationControl:
@@ -1984,7 +1983,7 @@ class AutoInitializationControl(Command):
 
 
 _ACCELEROMETER_NOISE_STANDARD_DEVIATION_0 = codec.Block("B", "function")
-_ACCELEROMETER_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", "noise", "noise", "noise")
+_ACCELEROMETER_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", *["noise"] * 3)
 _ACCELEROMETER_NOISE_STANDARD_DEVIATION_GROUPS = ((1, ("noise",), False),)
 
 
@@ -1993,8 +1992,11 @@ class AccelerometerNoiseStandardDeviation(Command):
     """Accelerometer noise (0x0D,0x1A).
 
     Standard deviation of the accelerometer noise that the filter assumes (process noise).
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AccelerometerNoiseStandardDeviationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     Every value must be greater than 0. The factory values suit most laboratory conditions.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -2010,7 +2012,7 @@ class AccelerometerNoiseStandardDeviation(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [m/s^2]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Required for `write`."""
 
     @classmethod
     def write(cls, noise: types.Vector3f) -> AccelerometerNoiseStandardDeviation:
@@ -2070,7 +2072,7 @@ class AccelerometerNoiseStandardDeviation(Command):
 
 
 _GYROSCOPE_NOISE_STANDARD_DEVIATION_0 = codec.Block("B", "function")
-_GYROSCOPE_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", "noise", "noise", "noise")
+_GYROSCOPE_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", *["noise"] * 3)
 _GYROSCOPE_NOISE_STANDARD_DEVIATION_GROUPS = ((1, ("noise",), False),)
 
 
@@ -2079,8 +2081,11 @@ class GyroscopeNoiseStandardDeviation(Command):
     """Gyroscope noise (0x0D,0x1B).
 
     Standard deviation of the gyroscope noise that the filter assumes (process noise).
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GyroscopeNoiseStandardDeviationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     Every value must be greater than 0. The factory values suit most laboratory conditions.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -2096,7 +2101,7 @@ class GyroscopeNoiseStandardDeviation(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [rad/s]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Required for `write`."""
 
     @classmethod
     def write(cls, noise: types.Vector3f) -> GyroscopeNoiseStandardDeviation:
@@ -2156,8 +2161,8 @@ class GyroscopeNoiseStandardDeviation(Command):
 
 
 _ACCELEROMETER_BIAS_MODEL_PARAMETERS_0 = codec.Block("B", "function")
-_ACCELEROMETER_BIAS_MODEL_PARAMETERS_1 = codec.Block("fff", "beta", "beta", "beta")
-_ACCELEROMETER_BIAS_MODEL_PARAMETERS_2 = codec.Block("fff", "noise", "noise", "noise")
+_ACCELEROMETER_BIAS_MODEL_PARAMETERS_1 = codec.Block("fff", *["beta"] * 3)
+_ACCELEROMETER_BIAS_MODEL_PARAMETERS_2 = codec.Block("fff", *["noise"] * 3)
 _ACCELEROMETER_BIAS_MODEL_PARAMETERS_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 
 
@@ -2166,8 +2171,11 @@ class AccelerometerBiasModelParameters(Command):
     """Accelerometer bias model (0x0D,0x1C).
 
     Parameters of the model by which the accelerometer bias drifts.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AccelerometerBiasModelParametersResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     Every noise value must be greater than 0.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -2182,9 +2190,13 @@ class AccelerometerBiasModelParameters(Command):
     function: FunctionSelector
     """What to do with the setting."""
     beta: types.Vector3f | None = None
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+    `write`.
+    """
     noise: types.Vector3f | None = None
-    """Standard deviation of the noise per axis. [m/s^2]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Required for
+    `write`.
+    """
 
     @classmethod
     def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> AccelerometerBiasModelParameters:
@@ -2255,8 +2267,8 @@ class AccelerometerBiasModelParameters(Command):
 
 
 _GYROSCOPE_BIAS_MODEL_PARAMETERS_0 = codec.Block("B", "function")
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_1 = codec.Block("fff", "beta", "beta", "beta")
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_2 = codec.Block("fff", "noise", "noise", "noise")
+_GYROSCOPE_BIAS_MODEL_PARAMETERS_1 = codec.Block("fff", *["beta"] * 3)
+_GYROSCOPE_BIAS_MODEL_PARAMETERS_2 = codec.Block("fff", *["noise"] * 3)
 _GYROSCOPE_BIAS_MODEL_PARAMETERS_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 
 
@@ -2265,8 +2277,11 @@ class GyroscopeBiasModelParameters(Command):
     """Gyroscope bias model (0x0D,0x1D).
 
     Parameters of the model by which the gyroscope bias drifts.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GyroscopeBiasModelParametersResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     Every noise value must be greater than 0.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -2282,9 +2297,13 @@ class GyroscopeBiasModelParameters(Command):
     function: FunctionSelector
     """What to do with the setting."""
     beta: types.Vector3f | None = None
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+    `write`.
+    """
     noise: types.Vector3f | None = None
-    """Standard deviation of the noise per axis. [rad/s]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Required for
+    `write`.
+    """
 
     @classmethod
     def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> GyroscopeBiasModelParameters:
@@ -2360,14 +2379,14 @@ class ExternalHeadingUpdateWithTime(Command):
     """External heading update with time (0x0D,0x1F).
 
     Gives the filter one measurement of the heading of the sensor frame with its GPS time.
-    Better than `external_heading_update` where the heading changes quickly; the time must be
-    accurate.
-    Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
-    and by `aiding_measurement_control` on the 3DM-CV7.
-    The 3DM-GX5-15 takes at most 20 updates per second.
-    If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
-    ones.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Better than `external_heading_update` where the heading changes quickly; the time must be
+    accurate. Refused unless external heading updates are enabled, by `heading_update_control` on
+    the 3DM-GX5 and by `aiding_measurement_control` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20
+    updates per second. If the declination source is not valid, -25 models refuse true headings and
+    -45 models magnetic ones.
 
     - 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
     - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
@@ -2379,15 +2398,15 @@ class ExternalHeadingUpdateWithTime(Command):
     ROLE = "command"
 
     gps_time: float
-    """GPS time of week of the measurement. [s]"""
+    """GPS time of week of the measurement. Unit: s."""
     gps_week: int
-    """GPS week, counted without rollover. [week]"""
+    """GPS week, counted without rollover. Unit: week."""
     heading: float
-    """Heading relative to the north that `type` names. [rad] Frame: ned. Range:
+    """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
     -3.141592653589793 to 3.141592653589793.
     """
     heading_uncertainty: float
-    """Standard deviation; it must be greater than 0, other values are refused. [rad]"""
+    """Standard deviation; it must be greater than 0, other values are refused. Unit: rad."""
     type: HeadingType
     """North that the heading refers to."""
 
@@ -2420,8 +2439,11 @@ class ZeroAngularRateUpdateControl(Command):
     """Zero angular rate update (0x0D,0x20).
 
     Lets the filter take the device as not rotating while its angular rate is small.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ZeroAngularRateUpdateControlResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     The update applies while the magnitude of the angular rate vector is at or below the threshold.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -2437,9 +2459,11 @@ class ZeroAngularRateUpdateControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     threshold: float | None = None
-    """Largest angular rate that is taken as zero. [rad/s] Range: 0 to …."""
+    """Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. Required for
+    `write`.
+    """
 
     @classmethod
     def write(cls, enable: int, threshold: float) -> ZeroAngularRateUpdateControl:
@@ -2515,8 +2539,10 @@ class TareOrientation(Command):
     """Tare orientation (0x0D,0x21).
 
     Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
+
+    Functions: `write`, `save`, `load` and `default`. Supported by 3DM-GX5-15.
+
     Refused while the filter has no valid attitude.
-    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
     """
@@ -2530,7 +2556,7 @@ class TareOrientation(Command):
     function: FunctionSelector
     """What to do with the setting."""
     axes: TareAxes | None = None
-    """Axes to tare; 0 resets all axes."""
+    """Axes to tare; 0 resets all axes. Required for `write`."""
 
     @classmethod
     def write(cls, axes: TareAxes) -> TareOrientation:
@@ -2587,8 +2613,10 @@ class CommandedZeroAngularRateUpdate(Command):
     """Commanded zero angular rate update (0x0D,0x23).
 
     Tells the filter once that the device is not rotating.
-    At most 10 per second.
+
     Supported by 3DM-GX5-15.
+
+    At most 10 per second.
 
     - 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23)
     """
@@ -2624,7 +2652,9 @@ class SetReferencePosition(Command):
     """Set reference position (0x0D,0x26).
 
     Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SetReferencePositionResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -2639,13 +2669,13 @@ class SetReferencePosition(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     latitude: float | None = None
-    """Latitude. [deg] Frame: llh."""
+    """Latitude. Unit: deg. Frame: llh. Required for `write`."""
     longitude: float | None = None
-    """Longitude. [deg] Frame: llh."""
+    """Longitude. Unit: deg. Frame: llh. Required for `write`."""
     altitude: float | None = None
-    """Altitude. [m] Frame: llh."""
+    """Altitude. Unit: m. Frame: llh. Required for `write`."""
 
     @classmethod
     def write(
@@ -2738,7 +2768,7 @@ class SetReferencePosition(Command):
 
 
 _GRAVITY_NOISE_STANDARD_DEVIATION_0 = codec.Block("B", "function")
-_GRAVITY_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", "noise", "noise", "noise")
+_GRAVITY_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", *["noise"] * 3)
 _GRAVITY_NOISE_STANDARD_DEVIATION_GROUPS = ((1, ("noise",), False),)
 
 
@@ -2747,8 +2777,11 @@ class GravityNoiseStandardDeviation(Command):
     """Gravity noise (0x0D,0x28).
 
     Standard deviation of the gravity noise that the filter assumes (process noise).
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GravityNoiseStandardDeviationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     Every value must be greater than 0. The factory values suit most laboratory conditions.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -2764,7 +2797,7 @@ class GravityNoiseStandardDeviation(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [g]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: g. Required for `write`."""
 
     @classmethod
     def write(cls, noise: types.Vector3f) -> GravityNoiseStandardDeviation:
@@ -2831,7 +2864,9 @@ class EnableDisableMeasurements(Command):
     """Enable or disable measurements (0x0D,0x41).
 
     Which inertial measurements the filter uses.
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `EnableDisableMeasurementsResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -2846,7 +2881,7 @@ class EnableDisableMeasurements(Command):
     function: FunctionSelector
     """What to do with the setting."""
     control: MeasurementFlags | None = None
-    """Measurements to use."""
+    """Measurements to use. Required for `write`."""
 
     @classmethod
     def write(cls, control: MeasurementFlags) -> EnableDisableMeasurements:
@@ -2917,8 +2952,11 @@ class MagneticFieldDeclinationSourceControl(Command):
     """Magnetic declination source (0x0D,0x43).
 
     Source of the local declination of the magnetic field.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagneticFieldDeclinationSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     Without a good declination source, keep automatic magnetometer calibration off.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     """
@@ -2933,9 +2971,9 @@ class MagneticFieldDeclinationSourceControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: DeclinationSource | None = None
-    """Source of the declination."""
+    """Source of the declination. Required for `write`."""
     declination: float | None = None
-    """Declination; used only if `source` is manual. [rad]"""
+    """Declination; used only if `source` is manual. Unit: rad. Required for `write`."""
 
     @classmethod
     def write(
@@ -3027,12 +3065,14 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
     """Gravity magnitude error adaptive measurement (0x0D,0x44).
 
     How far the filter trusts gravity measurements whose magnitude is not that of gravity.
-    Also called accelerometer magnitude error adaptive measurement.
-    All parameters after the selector keep their values if they are left out.
-    Filter and limits take effect only with `fixed`.
-    Raise the limits where vibration is strong, lower them where it is weak. High limits cost pitch
-    and roll accuracy under linear acceleration, low limits cost heading accuracy.
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GravityMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-15.
+
+    Also called accelerometer magnitude error adaptive measurement. All parameters after the
+    selector keep their values if they are left out. Filter and limits take effect only with
+    `fixed`. Raise the limits where vibration is strong, lower them where it is weak. High limits
+    cost pitch and roll accuracy under linear acceleration, low limits cost heading accuracy.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -3047,19 +3087,19 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
     function: FunctionSelector
     """What to do with the setting."""
     adaptive_measurement: AdaptiveMeasurementSelector | None = None
-    """Kind of adaptation."""
+    """Kind of adaptation. Required for `write`."""
     frequency: float | None = None
-    """Cut-off frequency of the low-pass filter. [Hz]"""
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Optional."""
     low_limit: float | None = None
-    """Lower limit of the error. [m/s^2]"""
+    """Lower limit of the error. Unit: m/s^2. Optional."""
     high_limit: float | None = None
-    """Upper limit of the error. [m/s^2]"""
+    """Upper limit of the error. Unit: m/s^2. Optional."""
     low_limit_uncertainty: float | None = None
-    """Standard deviation at the lower limit. [m/s^2]"""
+    """Standard deviation at the lower limit. Unit: m/s^2. Optional."""
     high_limit_uncertainty: float | None = None
-    """Standard deviation at the upper limit. [m/s^2]"""
+    """Standard deviation at the upper limit. Unit: m/s^2. Optional."""
     minimum_uncertainty: float | None = None
-    """Smallest standard deviation. [m/s^2]"""
+    """Smallest standard deviation. Unit: m/s^2. Optional."""
 
     @classmethod
     def write(
@@ -3209,7 +3249,9 @@ class PitchRollAidingControl(Command):
     """Pitch and roll aiding (0x0D,0x4B).
 
     What aids pitch and roll while the motion is gentle.
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `PitchRollAidingControlResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -3224,7 +3266,7 @@ class PitchRollAidingControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     aiding: PitchRollAidingSource | None = None
-    """Source of the aiding."""
+    """Source of the aiding. Required for `write`."""
 
     @classmethod
     def write(cls, aiding: PitchRollAidingSource) -> PitchRollAidingControl:
@@ -3292,7 +3334,9 @@ class AidingMeasurementControl(Command):
     """Aiding measurement control (0x0D,0x50).
 
     Enables or disables one source of aiding measurements.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AidingMeasurementControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -3309,7 +3353,7 @@ class AidingMeasurementControl(Command):
     aiding_source: AidingSource | None = None
     """The source; `all` is for save, load and default."""
     enable: bool | None = None
-    """Whether the filter uses the source."""
+    """Whether the filter uses the source. Required for `write`."""
 
     @classmethod
     def write(cls, aiding_source: AidingSource, enable: bool) -> AidingMeasurementControl:
@@ -3382,12 +3426,8 @@ _NAVIGATION_FILTER_INITIALIZATION_3 = codec.Block("B", "auto_heading_alignment_s
 _NAVIGATION_FILTER_INITIALIZATION_4 = codec.Block("f", "initial_heading")
 _NAVIGATION_FILTER_INITIALIZATION_5 = codec.Block("f", "initial_pitch")
 _NAVIGATION_FILTER_INITIALIZATION_6 = codec.Block("f", "initial_roll")
-_NAVIGATION_FILTER_INITIALIZATION_7 = codec.Block(
-    "fff", "initial_position", "initial_position", "initial_position"
-)
-_NAVIGATION_FILTER_INITIALIZATION_8 = codec.Block(
-    "fff", "initial_velocity", "initial_velocity", "initial_velocity"
-)
+_NAVIGATION_FILTER_INITIALIZATION_7 = codec.Block("fff", *["initial_position"] * 3)
+_NAVIGATION_FILTER_INITIALIZATION_8 = codec.Block("fff", *["initial_velocity"] * 3)
 _NAVIGATION_FILTER_INITIALIZATION_9 = codec.Block("B", "reference_frame_selector")
 _NAVIGATION_FILTER_INITIALIZATION_GROUPS = (
     (1, ("wait_for_run_command",), False),
@@ -3407,11 +3447,13 @@ class NavigationFilterInitialization(Command):
     """Navigation filter initialization (0x0D,0x52).
 
     Sources and values of the initial attitude, position and velocity of the filter.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `NavigationFilterInitializationResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     Single precision resolves the latitude and longitude of the initial position to about a metre
-    only.
-    Kinematic alignment sets the heading once the speed reaches 2 m/s.
-    External alignment needs a heading at least every 5 seconds.
-    Supported by 3DM-CV7-GNSS/INS.
+    only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment
+    needs a heading at least every 5 seconds.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
@@ -3426,29 +3468,33 @@ class NavigationFilterInitialization(Command):
     function: FunctionSelector
     """What to do with the setting."""
     wait_for_run_command: int | None = None
-    """1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to
-    1.
+    """1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to 1.
+    Required for `write`.
     """
     initial_cond_src: InitialConditionSource | None = None
-    """Which initial conditions are found and which are given."""
+    """Which initial conditions are found and which are given. Required for `write`."""
     auto_heading_alignment_selector: HeadingAlignment | None = None
-    """Ways in which the initial heading may be found."""
+    """Ways in which the initial heading may be found. Required for `write`."""
     initial_heading: float | None = None
-    """Given heading. [deg]"""
+    """Given heading. Unit: deg. Required for `write`."""
     initial_pitch: float | None = None
-    """Given pitch. [deg]"""
+    """Given pitch. Unit: deg. Required for `write`."""
     initial_roll: float | None = None
-    """Given roll. [deg]"""
+    """Given roll. Unit: deg. Required for `write`."""
     initial_position: types.Vector3f | None = None
-    """Given position. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Given position. Elements: x, y, z. Required for `write`.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
     initial_velocity: types.Vector3f | None = None
-    """Given velocity. [m/s] If reference_frame_selector is ecef: frame ecef. If
-    reference_frame_selector is llh: frame ned.
+    """Given velocity. Elements: x, y, z. Unit: m/s. Required for `write`.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: frame ned.
     """
     reference_frame_selector: ReferenceFrame | None = None
-    """Frame of the given position and velocity."""
+    """Frame of the given position and velocity. Required for `write`."""
 
     @classmethod
     def write(
@@ -3625,7 +3671,9 @@ class AdaptiveFilterControl(Command):
     """Adaptive filter control (0x0D,0x53).
 
     How the filter adapts to measurements that do not fit its model.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AdaptiveFilterControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -3640,9 +3688,11 @@ class AdaptiveFilterControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     level: AdaptiveLevel | None = None
-    """Strength of the adaptation. Factory default: 2."""
+    """Strength of the adaptation. Default: 2. Required for `write`."""
     time_limit: int | None = None
-    """Longest time for which measurements are rejected before the filter recovers. [ms]"""
+    """Longest time for which measurements are rejected before the filter recovers. Unit: ms.
+    Required for `write`.
+    """
 
     @classmethod
     def write(cls, level: AdaptiveLevel, time_limit: int) -> AdaptiveFilterControl:
@@ -3710,9 +3760,7 @@ class AdaptiveFilterControl(Command):
 
 _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_0 = codec.Block("B", "function")
 _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_1 = codec.Block("B", "receiver_id")
-_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_2 = codec.Block(
-    "fff", "antenna_offset", "antenna_offset", "antenna_offset"
-)
+_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_2 = codec.Block("fff", *["antenna_offset"] * 3)
 _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_GROUPS = (
     (1, ("receiver_id",), False),
     (2, ("antenna_offset",), False),
@@ -3724,8 +3772,11 @@ class GnssMultiAntennaOffsetControl(Command):
     """GNSS multi-antenna offset (0x0D,0x54).
 
     Position of the antenna of one receiver on devices with several antennas.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GnssMultiAntennaOffsetControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The magnitude of the vector is limited to 10.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -3740,9 +3791,11 @@ class GnssMultiAntennaOffsetControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     receiver_id: int | None = None
-    """Number of the receiver, from 1. Range: 1 to …."""
+    """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f | None = None
-    """From the sensor to the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    Required for `write`.
+    """
 
     @classmethod
     def write(
@@ -3815,9 +3868,7 @@ class GnssMultiAntennaOffsetControl(Command):
 _RELATIVE_POSITION_CONFIGURATION_0 = codec.Block("B", "function")
 _RELATIVE_POSITION_CONFIGURATION_1 = codec.Block("B", "source")
 _RELATIVE_POSITION_CONFIGURATION_2 = codec.Block("B", "reference_frame_selector")
-_RELATIVE_POSITION_CONFIGURATION_3 = codec.Block(
-    "ddd", "reference_coordinates", "reference_coordinates", "reference_coordinates"
-)
+_RELATIVE_POSITION_CONFIGURATION_3 = codec.Block("ddd", *["reference_coordinates"] * 3)
 _RELATIVE_POSITION_CONFIGURATION_GROUPS = (
     (1, ("source",), False),
     (2, ("reference_frame_selector",), False),
@@ -3830,7 +3881,9 @@ class RelativePositionConfiguration(Command):
     """Relative position configuration (0x0D,0x55).
 
     Reference point of the relative position that the filter reports.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `RelativePositionConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -3845,12 +3898,14 @@ class RelativePositionConfiguration(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: RelativePositionSource | None = None
-    """Source of the reference point."""
+    """Source of the reference point. Required for `write`."""
     reference_frame_selector: ReferenceFrame | None = None
-    """Frame of the coordinates."""
+    """Frame of the coordinates. Required for `write`."""
     reference_coordinates: types.Vector3d | None = None
-    """Reference point. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Reference point. Elements: x, y, z. Required for `write`.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
 
     @classmethod
@@ -3940,9 +3995,7 @@ class RelativePositionConfiguration(Command):
 
 _REFERENCE_POINT_LEVER_ARM_0 = codec.Block("B", "function")
 _REFERENCE_POINT_LEVER_ARM_1 = codec.Block("B", "ref_point_sel")
-_REFERENCE_POINT_LEVER_ARM_2 = codec.Block(
-    "fff", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
-)
+_REFERENCE_POINT_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
 _REFERENCE_POINT_LEVER_ARM_GROUPS = (
     (1, ("ref_point_sel",), False),
     (2, ("lever_arm_offset",), False),
@@ -3954,11 +4007,13 @@ class ReferencePointLeverArm(Command):
     """Reference point lever arm (0x0D,0x56).
 
     Moves the point to which the position and the velocity of the filter refer.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ReferencePointLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     It shifts `llh_position`, `velocity_ned`, `ecef_position`, `ecef_velocity` and
     `ned_relative_position` of set `filter_data`, depending on the attitude and, for velocities, on
-    the angular rate.
-    The magnitude of the vector is limited to 10.
-    Supported by 3DM-CV7-GNSS/INS.
+    the angular rate. The magnitude of the vector is limited to 10.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -3973,9 +4028,11 @@ class ReferencePointLeverArm(Command):
     function: FunctionSelector
     """What to do with the setting."""
     ref_point_sel: ReferencePoint | None = None
-    """Point to move; it must be 1."""
+    """Point to move; it must be 1. Required for `write`."""
     lever_arm_offset: types.Vector3f | None = None
-    """From the sensor to the point. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    Required for `write`.
+    """
 
     @classmethod
     def write(
@@ -4049,9 +4106,7 @@ class ReferencePointLeverArm(Command):
 
 _MEASUREMENT_SPEED_LEVER_ARM_0 = codec.Block("B", "function")
 _MEASUREMENT_SPEED_LEVER_ARM_1 = codec.Block("B", "source")
-_MEASUREMENT_SPEED_LEVER_ARM_2 = codec.Block(
-    "fff", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
-)
+_MEASUREMENT_SPEED_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
 _MEASUREMENT_SPEED_LEVER_ARM_GROUPS = ((1, ("source",), False), (2, ("lever_arm_offset",), False))
 
 
@@ -4060,8 +4115,11 @@ class MeasurementSpeedLeverArm(Command):
     """Speed measurement lever arm (0x0D,0x61).
 
     Position of the point whose speed is measured, such as the wheel that an odometer is on.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MeasurementSpeedLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     It corrects for the speed that such a point has only because the vehicle turns.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
@@ -4076,9 +4134,11 @@ class MeasurementSpeedLeverArm(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: int | None = None
-    """Send 1."""
+    """Reserved: send 1."""
     lever_arm_offset: types.Vector3f | None = None
-    """From the sensor to the point of measurement. [m] Frame: vehicle."""
+    """From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle.
+    Required for `write`.
+    """
 
     @classmethod
     def write(cls, lever_arm_offset: types.Vector3f) -> MeasurementSpeedLeverArm:
@@ -4156,9 +4216,12 @@ class WheeledVehicleConstraintControl(Command):
     """Wheeled vehicle constraint (0x0D,0x63).
 
     Lets the filter assume that the vehicle moves only along its x axis.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `WheeledVehicleConstraintControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     It improves the heading of cars and the like, above all when GNSS comes and goes. It is wrong
     for vehicles that move sideways, such as aircraft.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
@@ -4173,7 +4236,7 @@ class WheeledVehicleConstraintControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
 
     @classmethod
     def write(cls, enable: int) -> WheeledVehicleConstraintControl:
@@ -4244,7 +4307,9 @@ class GnssAntennaOffsetCalibrationControl(Command):
     """GNSS antenna offset calibration (0x0D,0x64).
 
     Lets the filter track the error of the antenna offset.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GnssAntennaOffsetCalibrationControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
@@ -4260,10 +4325,10 @@ class GnssAntennaOffsetCalibrationControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     max_offset: float | None = None
-    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. [m] Frame:
-    vehicle. Range: 0 to 0.5. Factory default: 0.1.
+    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
+    vehicle. Range: 0 to 0.5. Default: 0.1. Required for `write`.
     """
 
     @classmethod
@@ -4358,7 +4423,6 @@ ReferencePointLeverArmResponse.COMMANDS = (ReferencePointLeverArm,)
 MeasurementSpeedLeverArmResponse.COMMANDS = (MeasurementSpeedLeverArm,)
 WheeledVehicleConstraintControlResponse.COMMANDS = (WheeledVehicleConstraintControl,)
 GnssAntennaOffsetCalibrationControlResponse.COMMANDS = (GnssAntennaOffsetCalibrationControl,)
-
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {

@@ -1,6 +1,8 @@
 """GNSS receiver 1 data (0x91).
 
 Measurements and status of the first internal GNSS receiver.
+
+- 3dm-cv7-gnss-ins: GNSS Recv 1 (0x91)
 """
 
 from __future__ import annotations
@@ -17,17 +19,17 @@ class GnssLlhPositionFlags(IntFlag):
     """Which parts of the position are valid."""
 
     LAT_LON = 1 << 0
-    """Latitude and longitude."""
+    """Latitude and longitude. Bit 0."""
     ELLIPSOID_HEIGHT = 1 << 1
-    """Height above the ellipsoid."""
+    """Height above the ellipsoid. Bit 1."""
     MSL_HEIGHT = 1 << 2
-    """Height above mean sea level."""
+    """Height above mean sea level. Bit 2."""
     HORIZONTAL_ACCURACY = 1 << 3
-    """Horizontal accuracy."""
+    """Horizontal accuracy. Bit 3."""
     VERTICAL_ACCURACY = 1 << 4
-    """Vertical accuracy."""
+    """Vertical accuracy. Bit 4."""
     FLAGS = 0x1F
-    """All of them."""
+    """All of them. Bits 0 to 4. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -35,11 +37,11 @@ class GnssEcefPositionFlags(IntFlag):
     """Which parts of the position are valid."""
 
     POSITION = 1 << 0
-    """Position."""
+    """Position. Bit 0."""
     POSITION_ACCURACY = 1 << 1
-    """Accuracy of the position."""
+    """Accuracy of the position. Bit 1."""
     FLAGS = 0x3
-    """All of them."""
+    """All of them. Bits 0 to 1. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -47,19 +49,19 @@ class NedVelocityFlags(IntFlag):
     """Which parts of the velocity are valid."""
 
     VELOCITY = 1 << 0
-    """Velocity vector."""
+    """Velocity vector. Bit 0."""
     SPEED_3D = 1 << 1
-    """Speed in space."""
+    """Speed in space. Bit 1."""
     GROUND_SPEED = 1 << 2
-    """Speed over ground."""
+    """Speed over ground. Bit 2."""
     HEADING = 1 << 3
-    """Heading."""
+    """Heading. Bit 3."""
     SPEED_ACCURACY = 1 << 4
-    """Accuracy of the speed."""
+    """Accuracy of the speed. Bit 4."""
     HEADING_ACCURACY = 1 << 5
-    """Accuracy of the heading."""
+    """Accuracy of the heading. Bit 5."""
     FLAGS = 0x3F
-    """All of them."""
+    """All of them. Bits 0 to 5. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -67,11 +69,11 @@ class GnssEcefVelocityFlags(IntFlag):
     """Which parts of the velocity are valid."""
 
     VELOCITY = 1 << 0
-    """Velocity."""
+    """Velocity. Bit 0."""
     VELOCITY_ACCURACY = 1 << 1
-    """Accuracy of the velocity."""
+    """Accuracy of the velocity. Bit 1."""
     FLAGS = 0x3
-    """All of them."""
+    """All of them. Bits 0 to 1. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -79,21 +81,21 @@ class DopFlags(IntFlag):
     """Which dilutions of precision are valid."""
 
     GDOP = 1 << 0
-    """Geometric."""
+    """Geometric. Bit 0."""
     PDOP = 1 << 1
-    """Position."""
+    """Position. Bit 1."""
     HDOP = 1 << 2
-    """Horizontal."""
+    """Horizontal. Bit 2."""
     VDOP = 1 << 3
-    """Vertical."""
+    """Vertical. Bit 3."""
     TDOP = 1 << 4
-    """Time."""
+    """Time. Bit 4."""
     NDOP = 1 << 5
-    """Northing."""
+    """Northing. Bit 5."""
     EDOP = 1 << 6
-    """Easting."""
+    """Easting. Bit 6."""
     FLAGS = 0x7F
-    """All of them."""
+    """All of them. Bits 0 to 6. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -101,11 +103,11 @@ class UtcTimeFlags(IntFlag):
     """How far the UTC time is valid."""
 
     GNSS_DATE_TIME = 1 << 0
-    """Date and time come from GNSS."""
+    """Date and time come from GNSS. Bit 0."""
     LEAP_SECONDS_KNOWN = 1 << 1
-    """The leap seconds between GPS time and UTC are known."""
+    """The leap seconds between GPS time and UTC are known. Bit 1."""
     FLAGS = 0x3
-    """All of them."""
+    """All of them. Bits 0 to 1. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -113,11 +115,11 @@ class GpsTimeFlags(IntFlag):
     """Which parts of the time are valid."""
 
     TOW = 1 << 0
-    """Time of week."""
+    """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number."""
+    """Week number. Bit 1."""
     FLAGS = 0x3
-    """All of them."""
+    """All of them. Bits 0 to 1. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -125,9 +127,9 @@ class FixFlags(IntFlag):
     """What the fix makes use of."""
 
     SBAS_USED = 1 << 0
-    """Satellite based augmentation."""
+    """Satellite based augmentation. Bit 0."""
     DGNSS_USED = 1 << 1
-    """Differential corrections."""
+    """Differential corrections. Bit 1."""
 
 
 @codec.open_flag(16)
@@ -135,13 +137,13 @@ class FixInfoFlags(IntFlag):
     """Which parts of the fix information are valid."""
 
     FIX_TYPE = 1 << 0
-    """Type of the fix."""
+    """Type of the fix. Bit 0."""
     NUM_SV = 1 << 1
-    """Number of satellites."""
+    """Number of satellites. Bit 1."""
     FIX_FLAGS = 1 << 2
-    """Fix flags."""
+    """Fix flags. Bit 2."""
     FLAGS = 0x7
-    """All of them."""
+    """All of them. Bits 0 to 2. Overlaps other bits."""
 
 
 class ReceiverState(codec.OpenEnum):
@@ -186,13 +188,13 @@ class GnssHardwareStatusFlags(IntFlag):
     """Which parts of the hardware status are valid."""
 
     SENSOR_STATE = 1 << 0
-    """State of the receiver."""
+    """State of the receiver. Bit 0."""
     ANTENNA_STATE = 1 << 1
-    """State of the antenna."""
+    """State of the antenna. Bit 1."""
     ANTENNA_POWER = 1 << 2
-    """Supply of the antenna."""
+    """Supply of the antenna. Bit 2."""
     FLAGS = 0x7
-    """All of them."""
+    """All of them. Bits 0 to 2. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -200,15 +202,15 @@ class ClockInfo2Flags(IntFlag):
     """Which clock parameters are valid."""
 
     BIAS = 1 << 0
-    """Bias."""
+    """Bias. Bit 0."""
     DRIFT = 1 << 1
-    """Drift."""
+    """Drift. Bit 1."""
     BIAS_ACCURACY = 1 << 2
-    """Accuracy of the bias."""
+    """Accuracy of the bias. Bit 2."""
     DRIFT_ACCURACY = 1 << 3
-    """Accuracy of the drift."""
+    """Accuracy of the drift. Bit 3."""
     FLAGS = 0xF
-    """All of them."""
+    """All of them. Bits 0 to 3. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -216,7 +218,7 @@ class GpsLeapSecondsFlags(IntFlag):
     """Whether the leap seconds are valid. Bit 0 is not used."""
 
     LEAP_SECONDS = 1 << 1
-    """Leap seconds."""
+    """Leap seconds. Bit 1."""
 
 
 class SbasSystem(codec.OpenEnum):
@@ -239,13 +241,13 @@ class SbasStatus(IntFlag):
     """What the SBAS service offers."""
 
     RANGE_AVAILABLE = 1 << 0
-    """Ranging is available."""
+    """Ranging is available. Bit 0."""
     CORRECTIONS_AVAILABLE = 1 << 1
-    """Corrections are available."""
+    """Corrections are available. Bit 1."""
     INTEGRITY_AVAILABLE = 1 << 2
-    """Integrity information is available."""
+    """Integrity information is available. Bit 2."""
     TEST_MODE = 1 << 3
-    """The service is in test mode."""
+    """The service is in test mode. Bit 3."""
 
 
 @codec.open_flag(16)
@@ -253,19 +255,19 @@ class SbasInfoFlags(IntFlag):
     """Which parts of the SBAS status are valid."""
 
     TOW = 1 << 0
-    """Time of week."""
+    """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number."""
+    """Week number. Bit 1."""
     SBAS_SYSTEM = 1 << 2
-    """System."""
+    """System. Bit 2."""
     SBAS_ID = 1 << 3
-    """Satellite."""
+    """Satellite. Bit 3."""
     COUNT = 1 << 4
-    """Number of corrections."""
+    """Number of corrections. Bit 4."""
     SBAS_STATUS = 1 << 5
-    """Status of the service."""
+    """Status of the service. Bit 5."""
     FLAGS = 0x3F
-    """All of them."""
+    """All of them. Bits 0 to 5. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -273,21 +275,21 @@ class SatelliteStatusFlags(IntFlag):
     """Which parts of the satellite status are valid."""
 
     TOW = 1 << 0
-    """Time of week."""
+    """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number."""
+    """Week number. Bit 1."""
     GNSS_ID = 1 << 2
-    """Constellation."""
+    """Constellation. Bit 2."""
     SATELLITE_ID = 1 << 3
-    """Satellite."""
+    """Satellite. Bit 3."""
     ELEVATION = 1 << 4
-    """Elevation."""
+    """Elevation. Bit 4."""
     AZIMUTH = 1 << 5
-    """Azimuth."""
+    """Azimuth. Bit 5."""
     HEALTH = 1 << 6
-    """Health."""
+    """Health. Bit 6."""
     FLAGS = 0x7F
-    """All of them."""
+    """All of them. Bits 0 to 6. Overlaps other bits."""
 
 
 class SignalQuality(codec.OpenEnum):
@@ -312,39 +314,39 @@ class RawFlags(IntFlag):
     """Which parts of the observation are valid."""
 
     TOW = 1 << 0
-    """Time of week."""
+    """Time of week. Bit 0."""
     WEEK_NUMBER = 1 << 1
-    """Week number."""
+    """Week number. Bit 1."""
     RECEIVER_ID = 1 << 2
-    """Receiver or reference station."""
+    """Receiver or reference station. Bit 2."""
     TRACKING_CHANNEL = 1 << 3
-    """Tracking channel."""
+    """Tracking channel. Bit 3."""
     GNSS_ID = 1 << 4
-    """Constellation."""
+    """Constellation. Bit 4."""
     SATELLITE_ID = 1 << 5
-    """Satellite."""
+    """Satellite. Bit 5."""
     SIGNAL_ID = 1 << 6
-    """Signal."""
+    """Signal. Bit 6."""
     SIGNAL_STRENGTH = 1 << 7
-    """Signal strength."""
+    """Signal strength. Bit 7."""
     QUALITY = 1 << 8
-    """Signal quality."""
+    """Signal quality. Bit 8."""
     PSEUDORANGE = 1 << 9
-    """Pseudorange."""
+    """Pseudorange. Bit 9."""
     CARRIER_PHASE = 1 << 10
-    """Carrier phase."""
+    """Carrier phase. Bit 10."""
     DOPPLER = 1 << 11
-    """Doppler shift."""
+    """Doppler shift. Bit 11."""
     RANGE_UNCERTAINTY = 1 << 12
-    """Uncertainty of the pseudorange."""
+    """Uncertainty of the pseudorange. Bit 12."""
     CARRIER_PHASE_UNCERTAINTY = 1 << 13
-    """Uncertainty of the carrier phase."""
+    """Uncertainty of the carrier phase. Bit 13."""
     DOPPLER_UNCERTAINTY = 1 << 14
-    """Uncertainty of the Doppler shift."""
+    """Uncertainty of the Doppler shift. Bit 14."""
     LOCK_TIME = 1 << 15
-    """Lock time."""
+    """Lock time. Bit 15."""
     FLAGS = 0xFFFF
-    """All of them."""
+    """All of them. Bits 0 to 15. Overlaps other bits."""
 
 
 @codec.open_flag(16)
@@ -352,13 +354,13 @@ class EphemerisFlags(IntFlag):
     """What an ephemeris of GPS, Galileo or BeiDou holds."""
 
     EPHEMERIS = 1 << 0
-    """The ephemeris is valid."""
+    """The ephemeris is valid. Bit 0."""
     MODERN_DATA = 1 << 1
-    """The data of the modernized navigation message are included."""
+    """The data of the modernized navigation message are included. Bit 1."""
     ISC_L5 = 1 << 2
-    """isc_l2c is the correction for L5, not for L2."""
+    """isc_l2c is the correction for L5, not for L2. Bit 2."""
     FLAGS = 0x7
-    """All of them."""
+    """All of them. Bits 0 to 2. Overlaps other bits."""
 
 
 class GlonassSatelliteType(codec.OpenEnum):
@@ -375,9 +377,9 @@ class GlonassEphemerisFlags(IntFlag):
     """Whether the ephemeris is valid."""
 
     EPHEMERIS = 1 << 0
-    """The ephemeris is valid."""
+    """The ephemeris is valid. Bit 0."""
     FLAGS = 1 << 0
-    """All of them."""
+    """All of them. Bit 0. Overlaps other bits."""
 
 
 _GNSS_LLH_POSITION_0 = codec.Block(
@@ -397,6 +399,7 @@ class GnssLlhPosition(Data):
     """GNSS LLH position (0x91,0x03).
 
     GNSS position as latitude, longitude and height.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
@@ -408,17 +411,29 @@ class GnssLlhPosition(Data):
     ROLE = "data"
 
     latitude: float
-    """Latitude. [deg] Frame: llh. Valid if valid_flags.lat_lon."""
+    """Latitude. Unit: deg. Frame: llh. Valid if `GnssLlhPositionFlags.LAT_LON` of `valid_flags` is
+    set.
+    """
     longitude: float
-    """Longitude. [deg] Frame: llh. Valid if valid_flags.lat_lon."""
+    """Longitude. Unit: deg. Frame: llh. Valid if `GnssLlhPositionFlags.LAT_LON` of `valid_flags` is
+    set.
+    """
     ellipsoid_height: float
-    """Height above the ellipsoid. [m] Frame: llh. Valid if valid_flags.ellipsoid_height."""
+    """Height above the ellipsoid. Unit: m. Frame: llh. Valid if
+    `GnssLlhPositionFlags.ELLIPSOID_HEIGHT` of `valid_flags` is set.
+    """
     msl_height: float
-    """Height above mean sea level. [m] Valid if valid_flags.msl_height."""
+    """Height above mean sea level. Unit: m. Valid if `GnssLlhPositionFlags.MSL_HEIGHT` of
+    `valid_flags` is set.
+    """
     horizontal_accuracy: float
-    """Horizontal accuracy. [m] Valid if valid_flags.horizontal_accuracy."""
+    """Horizontal accuracy. Unit: m. Valid if `GnssLlhPositionFlags.HORIZONTAL_ACCURACY` of
+    `valid_flags` is set.
+    """
     vertical_accuracy: float
-    """Vertical accuracy. [m] Valid if valid_flags.vertical_accuracy."""
+    """Vertical accuracy. Unit: m. Valid if `GnssLlhPositionFlags.VERTICAL_ACCURACY` of
+    `valid_flags` is set.
+    """
     valid_flags: GnssLlhPositionFlags
     """Which values are valid."""
 
@@ -456,7 +471,7 @@ class GnssLlhPosition(Data):
         return codec.finished(out)
 
 
-_GNSS_ECEF_POSITION_0 = codec.Block("dddfH", "x", "x", "x", "x_accuracy", "valid_flags")
+_GNSS_ECEF_POSITION_0 = codec.Block("dddfH", *["x"] * 3, "x_accuracy", "valid_flags")
 
 
 @dataclass(slots=True)
@@ -464,6 +479,7 @@ class GnssEcefPosition(Data):
     """GNSS ECEF position (0x91,0x04).
 
     GNSS position in Earth-fixed coordinates.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
@@ -475,9 +491,13 @@ class GnssEcefPosition(Data):
     ROLE = "data"
 
     x: types.Vector3d
-    """Position. [m] Frame: ecef. Valid if valid_flags.position."""
+    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if `GnssEcefPositionFlags.POSITION`
+    of `valid_flags` is set.
+    """
     x_accuracy: float
-    """Accuracy of the position. [m] Valid if valid_flags.position_accuracy."""
+    """Accuracy of the position. Unit: m. Valid if `GnssEcefPositionFlags.POSITION_ACCURACY` of
+    `valid_flags` is set.
+    """
     valid_flags: GnssEcefPositionFlags
     """Which values are valid."""
 
@@ -499,9 +519,7 @@ class GnssEcefPosition(Data):
 
 _NED_VELOCITY_0 = codec.Block(
     "ffffffffH",
-    "v_",
-    "v_",
-    "v_",
+    *["v_"] * 3,
     "speed",
     "ground_speed",
     "heading",
@@ -516,6 +534,7 @@ class NedVelocity(Data):
     """NED velocity (0x91,0x05).
 
     GNSS velocity in the local level frame.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
@@ -527,17 +546,27 @@ class NedVelocity(Data):
     ROLE = "data"
 
     v_: types.Vector3f
-    """Velocity. [m/s] Frame: ned. Valid if valid_flags.velocity."""
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Valid if `NedVelocityFlags.VELOCITY` of
+    `valid_flags` is set.
+    """
     speed: float
-    """Speed in space. [m/s] Valid if valid_flags.speed_3d."""
+    """Speed in space. Unit: m/s. Valid if `NedVelocityFlags.SPEED_3D` of `valid_flags` is set."""
     ground_speed: float
-    """Speed over ground. [m/s] Valid if valid_flags.ground_speed."""
+    """Speed over ground. Unit: m/s. Valid if `NedVelocityFlags.GROUND_SPEED` of `valid_flags` is
+    set.
+    """
     heading: float
-    """Direction of the motion over ground. [deg] Frame: ned. Valid if valid_flags.heading."""
+    """Direction of the motion over ground. Unit: deg. Frame: ned. Valid if
+    `NedVelocityFlags.HEADING` of `valid_flags` is set.
+    """
     speed_accuracy: float
-    """Accuracy of the speed. [m/s] Valid if valid_flags.speed_accuracy."""
+    """Accuracy of the speed. Unit: m/s. Valid if `NedVelocityFlags.SPEED_ACCURACY` of `valid_flags`
+    is set.
+    """
     heading_accuracy: float
-    """Accuracy of the heading. [deg] Valid if valid_flags.heading_accuracy."""
+    """Accuracy of the heading. Unit: deg. Valid if `NedVelocityFlags.HEADING_ACCURACY` of
+    `valid_flags` is set.
+    """
     valid_flags: NedVelocityFlags
     """Which values are valid."""
 
@@ -569,7 +598,7 @@ class NedVelocity(Data):
         return codec.finished(out)
 
 
-_GNSS_ECEF_VELOCITY_0 = codec.Block("ffffH", "v_", "v_", "v_", "v_accuracy", "valid_flags")
+_GNSS_ECEF_VELOCITY_0 = codec.Block("ffffH", *["v_"] * 3, "v_accuracy", "valid_flags")
 
 
 @dataclass(slots=True)
@@ -577,6 +606,7 @@ class GnssEcefVelocity(Data):
     """GNSS ECEF velocity (0x91,0x06).
 
     GNSS velocity in Earth-fixed coordinates.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
@@ -588,9 +618,13 @@ class GnssEcefVelocity(Data):
     ROLE = "data"
 
     v_: types.Vector3f
-    """Velocity. [m/s] Frame: ecef. Valid if valid_flags.velocity."""
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
+    `GnssEcefVelocityFlags.VELOCITY` of `valid_flags` is set.
+    """
     v_accuracy: float
-    """Accuracy of the velocity. [m/s] Valid if valid_flags.velocity_accuracy."""
+    """Accuracy of the velocity. Unit: m/s. Valid if `GnssEcefVelocityFlags.VELOCITY_ACCURACY` of
+    `valid_flags` is set.
+    """
     valid_flags: GnssEcefVelocityFlags
     """Which values are valid."""
 
@@ -620,6 +654,7 @@ class Dop(Data):
     """DOP (0x91,0x07).
 
     Dilution of precision of the satellite geometry.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: DOP (0x91,0x07)
@@ -631,19 +666,19 @@ class Dop(Data):
     ROLE = "data"
 
     gdop: float
-    """Geometric dilution. [1] Valid if valid_flags.gdop."""
+    """Geometric dilution. Unit: 1. Valid if `DopFlags.GDOP` of `valid_flags` is set."""
     pdop: float
-    """Position dilution. [1] Valid if valid_flags.pdop."""
+    """Position dilution. Unit: 1. Valid if `DopFlags.PDOP` of `valid_flags` is set."""
     hdop: float
-    """Horizontal dilution. [1] Valid if valid_flags.hdop."""
+    """Horizontal dilution. Unit: 1. Valid if `DopFlags.HDOP` of `valid_flags` is set."""
     vdop: float
-    """Vertical dilution. [1] Valid if valid_flags.vdop."""
+    """Vertical dilution. Unit: 1. Valid if `DopFlags.VDOP` of `valid_flags` is set."""
     tdop: float
-    """Time dilution. [1] Valid if valid_flags.tdop."""
+    """Time dilution. Unit: 1. Valid if `DopFlags.TDOP` of `valid_flags` is set."""
     ndop: float
-    """Northing dilution. [1] Valid if valid_flags.ndop."""
+    """Northing dilution. Unit: 1. Valid if `DopFlags.NDOP` of `valid_flags` is set."""
     edop: float
-    """Easting dilution. [1] Valid if valid_flags.edop."""
+    """Easting dilution. Unit: 1. Valid if `DopFlags.EDOP` of `valid_flags` is set."""
     valid_flags: DopFlags
     """Which values are valid."""
 
@@ -685,6 +720,7 @@ class UtcTime(Data):
     """UTC time (0x91,0x08).
 
     Coordinated universal time as the receiver knows it.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: UTC Time (0x91,0x08)
@@ -696,19 +732,25 @@ class UtcTime(Data):
     ROLE = "data"
 
     year: int
-    """Year. Valid if valid_flags.gnss_date_time."""
+    """Year. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
     month: int
-    """Month. Range: 1 to 12. Valid if valid_flags.gnss_date_time."""
+    """Month. Range: 1 to 12. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
     day: int
-    """Day of the month. Range: 1 to 31. Valid if valid_flags.gnss_date_time."""
+    """Day of the month. Range: 1 to 31. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is
+    set.
+    """
     hour: int
-    """Hour. Range: 0 to 23. Valid if valid_flags.gnss_date_time."""
+    """Hour. Range: 0 to 23. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
     min: int
-    """Minute. Range: 0 to 59. Valid if valid_flags.gnss_date_time."""
+    """Minute. Range: 0 to 59. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is set."""
     sec: int
-    """Second. [s] Range: 0 to 59. Valid if valid_flags.gnss_date_time."""
+    """Second. Unit: s. Range: 0 to 59. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of `valid_flags` is
+    set.
+    """
     msec: int
-    """Fraction of the second. [ms] Range: 0 to 999. Valid if valid_flags.gnss_date_time."""
+    """Fraction of the second. Unit: ms. Range: 0 to 999. Valid if `UtcTimeFlags.GNSS_DATE_TIME` of
+    `valid_flags` is set.
+    """
     valid_flags: UtcTimeFlags
     """How far the time is valid."""
 
@@ -748,6 +790,7 @@ class GpsTime(Data):
     """GPS time (0x91,0x09).
 
     GPS time as the receiver knows it.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Time (0x91,0x09)
@@ -759,9 +802,9 @@ class GpsTime(Data):
     ROLE = "data"
 
     tow: float
-    """GPS time of week. [s] Valid if valid_flags.tow."""
+    """GPS time of week. Unit: s. Valid if `GpsTimeFlags.TOW` of `valid_flags` is set."""
     week_number: int
-    """GPS week number. [week] Valid if valid_flags.week_number."""
+    """GPS week number. Unit: week. Valid if `GpsTimeFlags.WEEK_NUMBER` of `valid_flags` is set."""
     valid_flags: GpsTimeFlags
     """Which values are valid."""
 
@@ -787,6 +830,7 @@ class FixInfo(Data):
     """Fix info (0x91,0x0B).
 
     Type of the position fix and what it is made of.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Fix Info (0x91,0x0B)
@@ -798,11 +842,13 @@ class FixInfo(Data):
     ROLE = "data"
 
     fix_type: types.GnssFixType
-    """Type of the fix. Valid if valid_flags.fix_type."""
+    """Type of the fix. Valid if `FixInfoFlags.FIX_TYPE` of `valid_flags` is set."""
     num_sv: int
-    """Number of satellites of the fix. [1] Valid if valid_flags.num_sv."""
+    """Number of satellites of the fix. Unit: 1. Valid if `FixInfoFlags.NUM_SV` of `valid_flags` is
+    set.
+    """
     fix_flags: FixFlags
-    """Aids of the fix. Valid if valid_flags.fix_flags."""
+    """Aids of the fix. Valid if `FixInfoFlags.FIX_FLAGS` of `valid_flags` is set."""
     valid_flags: FixInfoFlags
     """Which values are valid."""
 
@@ -831,6 +877,7 @@ class GnssHardwareStatus(Data):
     """GNSS hardware status (0x91,0x0D).
 
     State of the receiver and of its antenna.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
@@ -842,11 +889,17 @@ class GnssHardwareStatus(Data):
     ROLE = "data"
 
     receiver_state: ReceiverState
-    """State of the receiver. Valid if valid_flags.sensor_state."""
+    """State of the receiver. Valid if `GnssHardwareStatusFlags.SENSOR_STATE` of `valid_flags` is
+    set.
+    """
     antenna_state: AntennaState
-    """State of the antenna. Valid if valid_flags.antenna_state."""
+    """State of the antenna. Valid if `GnssHardwareStatusFlags.ANTENNA_STATE` of `valid_flags` is
+    set.
+    """
     antenna_power: AntennaPower
-    """Supply of the antenna. Valid if valid_flags.antenna_power."""
+    """Supply of the antenna. Valid if `GnssHardwareStatusFlags.ANTENNA_POWER` of `valid_flags` is
+    set.
+    """
     valid_flags: GnssHardwareStatusFlags
     """Which values are valid."""
 
@@ -877,8 +930,10 @@ class ClockInfo2(Data):
     """Clock info 2 (0x91,0x10).
 
     Bias and drift of the receiver clock.
-    It supersedes an older field, which the manual does not define.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    It supersedes an older field, which the manual does not define.
 
     - 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10)
     """
@@ -889,13 +944,17 @@ class ClockInfo2(Data):
     ROLE = "data"
 
     bias: float
-    """Bias of the clock. [s] Valid if valid_flags.bias."""
+    """Bias of the clock. Unit: s. Valid if `ClockInfo2Flags.BIAS` of `valid_flags` is set."""
     drift: float
-    """Drift of the clock. [s/s] Valid if valid_flags.drift."""
+    """Drift of the clock. Unit: s/s. Valid if `ClockInfo2Flags.DRIFT` of `valid_flags` is set."""
     bias_accuracy_estimate: float
-    """Accuracy of the bias. [s] Valid if valid_flags.bias_accuracy."""
+    """Accuracy of the bias. Unit: s. Valid if `ClockInfo2Flags.BIAS_ACCURACY` of `valid_flags` is
+    set.
+    """
     drift_accuracy_estimate: float
-    """Accuracy of the drift. [s/s] Valid if valid_flags.drift_accuracy."""
+    """Accuracy of the drift. Unit: s/s. Valid if `ClockInfo2Flags.DRIFT_ACCURACY` of `valid_flags`
+    is set.
+    """
     valid_flags: ClockInfo2Flags
     """Which values are valid."""
 
@@ -929,6 +988,7 @@ class GpsLeapSeconds(Data):
     """GPS leap seconds (0x91,0x11).
 
     Difference between GPS time and UTC.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x91,0x11)
@@ -940,7 +1000,9 @@ class GpsLeapSeconds(Data):
     ROLE = "data"
 
     leap_seconds: int
-    """GPS time minus UTC. [s] Valid if valid_flags.leap_seconds."""
+    """GPS time minus UTC. Unit: s. Valid if `GpsLeapSecondsFlags.LEAP_SECONDS` of `valid_flags` is
+    set.
+    """
     valid_flags: GpsLeapSecondsFlags
     """Whether the value is valid."""
 
@@ -974,6 +1036,7 @@ class SbasInfo(Data):
     """SBAS info (0x91,0x12).
 
     Status of the satellite based augmentation.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: SBAS Info (0x91,0x12)
@@ -985,17 +1048,18 @@ class SbasInfo(Data):
     ROLE = "data"
 
     time_of_week: float
-    """GPS time of week. [s] Valid if valid_flags.tow."""
+    """GPS time of week. Unit: s. Valid if `SbasInfoFlags.TOW` of `valid_flags` is set."""
     week_number: int
-    """GPS week number. [week] Valid if valid_flags.week_number."""
+    """GPS week number. Unit: week. Valid if `SbasInfoFlags.WEEK_NUMBER` of `valid_flags` is set."""
     sbas_system: SbasSystem
-    """System in use. Valid if valid_flags.sbas_system."""
+    """System in use. Valid if `SbasInfoFlags.SBAS_SYSTEM` of `valid_flags` is set."""
     sbas_id: int
-    """SBAS satellite. Valid if valid_flags.sbas_id."""
+    """SBAS satellite. Valid if `SbasInfoFlags.SBAS_ID` of `valid_flags` is set."""
     count: int
-    """Number of SBAS corrections. [1] Valid if valid_flags.count."""
+    """Number of SBAS corrections. Unit: 1. Valid if `SbasInfoFlags.COUNT` of `valid_flags` is set.
+    """
     sbas_status: SbasStatus
-    """Status of the service. Valid if valid_flags.sbas_status."""
+    """Status of the service. Valid if `SbasInfoFlags.SBAS_STATUS` of `valid_flags` is set."""
     valid_flags: SbasInfoFlags
     """Which values are valid."""
 
@@ -1047,8 +1111,10 @@ class SatelliteStatus(Data):
     """Satellite status (0x91,0x20).
 
     Where one satellite stands, and its health.
-    An epoch is sent as one field for each satellite; index and count number the fields.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    An epoch is sent as one field for each satellite; index and count number the fields.
 
     - 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
     """
@@ -1063,19 +1129,29 @@ class SatelliteStatus(Data):
     count: int
     """How many of these fields the epoch has."""
     time_of_week: float
-    """GPS time of week. [s] Valid if valid_flags.tow."""
+    """GPS time of week. Unit: s. Valid if `SatelliteStatusFlags.TOW` of `valid_flags` is set."""
     week_number: int
-    """GPS week number. [week] Valid if valid_flags.week_number."""
+    """GPS week number. Unit: week. Valid if `SatelliteStatusFlags.WEEK_NUMBER` of `valid_flags` is
+    set.
+    """
     gnss_id: types.GnssConstellation
-    """Constellation. Valid if valid_flags.gnss_id."""
+    """Constellation. Valid if `SatelliteStatusFlags.GNSS_ID` of `valid_flags` is set."""
     satellite_id: int
-    """Satellite within the constellation. Valid if valid_flags.satellite_id."""
+    """Satellite within the constellation. Valid if `SatelliteStatusFlags.SATELLITE_ID` of
+    `valid_flags` is set.
+    """
     elevation: float
-    """Elevation, as seen from the rover. [deg] Valid if valid_flags.elevation."""
+    """Elevation, as seen from the rover. Unit: deg. Valid if `SatelliteStatusFlags.ELEVATION` of
+    `valid_flags` is set.
+    """
     azimuth: float
-    """Azimuth, as seen from the rover. [deg] Valid if valid_flags.azimuth."""
+    """Azimuth, as seen from the rover. Unit: deg. Valid if `SatelliteStatusFlags.AZIMUTH` of
+    `valid_flags` is set.
+    """
     health: bool
-    """Whether the satellite is healthy. Valid if valid_flags.health."""
+    """Whether the satellite is healthy. Valid if `SatelliteStatusFlags.HEALTH` of `valid_flags` is
+    set.
+    """
     valid_flags: SatelliteStatusFlags
     """Which values are valid."""
 
@@ -1151,9 +1227,11 @@ class Raw(Data):
     """Raw (0x91,0x22).
 
     Raw observation of one signal of one satellite.
-    An epoch is sent as one field for each signal; index and count number the fields.
-    The greatest lock time depends on the receiver.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    An epoch is sent as one field for each signal; index and count number the fields. The greatest
+    lock time depends on the receiver.
 
     - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
     """
@@ -1168,40 +1246,51 @@ class Raw(Data):
     count: int
     """How many of these fields the epoch has."""
     time_of_week: float
-    """GPS time of week. [s] Valid if valid_flags.tow."""
+    """GPS time of week. Unit: s. Valid if `RawFlags.TOW` of `valid_flags` is set."""
     week_number: int
-    """GPS week number. [week] Valid if valid_flags.week_number."""
+    """GPS week number. Unit: week. Valid if `RawFlags.WEEK_NUMBER` of `valid_flags` is set."""
     receiver_id: int
     """Receiver, counted from 1; for a measurement from RTCM, the reference station. Valid if
-    valid_flags.receiver_id.
+    `RawFlags.RECEIVER_ID` of `valid_flags` is set.
     """
     tracking_channel: int
-    """Channel that tracks the satellite. Valid if valid_flags.tracking_channel."""
+    """Channel that tracks the satellite. Valid if `RawFlags.TRACKING_CHANNEL` of `valid_flags` is
+    set.
+    """
     gnss_id: types.GnssConstellation
-    """Constellation. Valid if valid_flags.gnss_id."""
+    """Constellation. Valid if `RawFlags.GNSS_ID` of `valid_flags` is set."""
     satellite_id: int
-    """Satellite within the constellation. Valid if valid_flags.satellite_id."""
+    """Satellite within the constellation. Valid if `RawFlags.SATELLITE_ID` of `valid_flags` is set.
+    """
     signal_id: types.GnssSignal
-    """Signal. Valid if valid_flags.signal_id."""
+    """Signal. Valid if `RawFlags.SIGNAL_ID` of `valid_flags` is set."""
     signal_strength: float
-    """Carrier to noise density ratio. [dB-Hz] Valid if valid_flags.signal_strength."""
+    """Carrier to noise density ratio. Unit: dB-Hz. Valid if `RawFlags.SIGNAL_STRENGTH` of
+    `valid_flags` is set.
+    """
     quality: SignalQuality
-    """How well the signal is tracked. Valid if valid_flags.quality."""
+    """How well the signal is tracked. Valid if `RawFlags.QUALITY` of `valid_flags` is set."""
     pseudorange: float
-    """Pseudorange. [m] Valid if valid_flags.pseudorange."""
+    """Pseudorange. Unit: m. Valid if `RawFlags.PSEUDORANGE` of `valid_flags` is set."""
     carrier_phase: float
-    """Carrier phase. [cycle] Valid if valid_flags.carrier_phase."""
+    """Carrier phase. Unit: cycle. Valid if `RawFlags.CARRIER_PHASE` of `valid_flags` is set."""
     doppler: float
-    """Doppler shift. [Hz] Valid if valid_flags.doppler."""
+    """Doppler shift. Unit: Hz. Valid if `RawFlags.DOPPLER` of `valid_flags` is set."""
     range_uncert: float
-    """Uncertainty of the pseudorange. [m] Valid if valid_flags.range_uncertainty."""
+    """Uncertainty of the pseudorange. Unit: m. Valid if `RawFlags.RANGE_UNCERTAINTY` of
+    `valid_flags` is set.
+    """
     phase_uncert: float
-    """Uncertainty of the carrier phase. [cycle] Valid if valid_flags.carrier_phase_uncertainty."""
+    """Uncertainty of the carrier phase. Unit: cycle. Valid if `RawFlags.CARRIER_PHASE_UNCERTAINTY`
+    of `valid_flags` is set.
+    """
     doppler_uncert: float
-    """Uncertainty of the Doppler shift. [Hz] Valid if valid_flags.doppler_uncertainty."""
+    """Uncertainty of the Doppler shift. Unit: Hz. Valid if `RawFlags.DOPPLER_UNCERTAINTY` of
+    `valid_flags` is set.
+    """
     lock_time: float
-    """Lower limit of the time that the carrier phase has been locked. [s] Valid if
-    valid_flags.lock_time.
+    """Lower limit of the time that the carrier phase has been locked. Unit: s. Valid if
+    `RawFlags.LOCK_TIME` of `valid_flags` is set.
     """
     valid_flags: RawFlags
     """Which values are valid."""
@@ -1320,8 +1409,10 @@ class GpsEphemeris(Data):
     """GPS ephemeris (0x91,0x61).
 
     Broadcast orbit and clock of one GPS satellite.
-    iodec changes with the clock data; the manual has it roll over at 4.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    iodec changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
     """
@@ -1336,73 +1427,102 @@ class GpsEphemeris(Data):
     count: int
     """How many of these fields the epoch has."""
     time_of_week: float
-    """GPS time of week. [s]"""
+    """GPS time of week. Unit: s."""
     week_number: int
-    """GPS week number. [week]"""
+    """GPS week number. Unit: week."""
     satellite_id: int
     """Satellite within the constellation."""
     health: int
-    """Health of satellite and signals. Valid if valid_flags.ephemeris."""
+    """Health of satellite and signals. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     iodec: int
-    """Issue of data, clock. Valid if valid_flags.ephemeris."""
+    """Issue of data, clock. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     iode: int
-    """Issue of data, ephemeris. Valid if valid_flags.ephemeris."""
+    """Issue of data, ephemeris. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     t_oc: float
-    """Reference time of the clock data. [s] Valid if valid_flags.ephemeris."""
+    """Reference time of the clock data. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     af0: float
-    """Clock bias. [s] Valid if valid_flags.ephemeris."""
+    """Clock bias. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     af1: float
-    """Clock drift. [s/s] Valid if valid_flags.ephemeris."""
+    """Clock drift. Unit: s/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     af2: float
-    """Clock drift rate. [s/s^2] Valid if valid_flags.ephemeris."""
+    """Clock drift rate. Unit: s/s^2. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     t_gd: float
-    """Group delay. [s] Valid if valid_flags.ephemeris."""
+    """Group delay. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     isc_l1ca: float
-    """Inter-signal correction for L1. [s] Valid if valid_flags.ephemeris."""
+    """Inter-signal correction for L1. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
+    """
     isc_l2c: float
-    """Inter-signal correction for L2, or for L5 if isc_l5 is set. [s] Valid if
-    valid_flags.ephemeris.
+    """Inter-signal correction for L2, or for L5 if isc_l5 is set. Unit: s. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     t_oe: float
-    """Reference time of the ephemeris. [s] Valid if valid_flags.ephemeris."""
+    """Reference time of the ephemeris. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     a: float
-    """Semi-major axis. [m] Valid if valid_flags.ephemeris."""
+    """Semi-major axis. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     a_dot: float
-    """Rate of the semi-major axis. [m/s] Valid if valid_flags.ephemeris."""
+    """Rate of the semi-major axis. Unit: m/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
+    """
     mean_anomaly: float
-    """Mean anomaly. [rad] Valid if valid_flags.ephemeris."""
+    """Mean anomaly. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     delta_mean_motion: float
-    """Correction of the mean motion. [rad/s] Valid if valid_flags.ephemeris."""
+    """Correction of the mean motion. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     delta_mean_motion_dot: float
-    """Rate of the correction of the mean motion. [rad/s^2] Valid if valid_flags.ephemeris."""
+    """Rate of the correction of the mean motion. Unit: rad/s^2. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     eccentricity: float
-    """Eccentricity. [1] Valid if valid_flags.ephemeris."""
+    """Eccentricity. Unit: 1. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     argument_of_perigee: float
-    """Argument of perigee. [rad] Valid if valid_flags.ephemeris."""
+    """Argument of perigee. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     omega: float
-    """Longitude of the ascending node. [rad] Valid if valid_flags.ephemeris."""
+    """Longitude of the ascending node. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     omega_dot: float
-    """Rate of the right ascension. [rad/s] Valid if valid_flags.ephemeris."""
+    """Rate of the right ascension. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     inclination: float
-    """Inclination. [rad] Valid if valid_flags.ephemeris."""
+    """Inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     inclination_dot: float
-    """Rate of the inclination. [rad/s] Valid if valid_flags.ephemeris."""
+    """Rate of the inclination. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is
+    set.
+    """
     c_ic: float
-    """Cosine harmonic correction of the inclination. [rad] Valid if valid_flags.ephemeris."""
+    """Cosine harmonic correction of the inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     c_is: float
-    """Sine harmonic correction of the inclination. [rad] Valid if valid_flags.ephemeris."""
+    """Sine harmonic correction of the inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     c_uc: float
-    """Cosine harmonic correction of the argument of latitude. [rad] Valid if
-    valid_flags.ephemeris.
+    """Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     c_us: float
-    """Sine harmonic correction of the argument of latitude. [rad] Valid if
-    valid_flags.ephemeris.
+    """Sine harmonic correction of the argument of latitude. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     c_rc: float
-    """Cosine harmonic correction of the orbit radius. [m] Valid if valid_flags.ephemeris."""
+    """Cosine harmonic correction of the orbit radius. Unit: m. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     c_rs: float
-    """Sine harmonic correction of the orbit radius. [m] Valid if valid_flags.ephemeris."""
+    """Sine harmonic correction of the orbit radius. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     valid_flags: EphemerisFlags
     """What the ephemeris holds."""
 
@@ -1534,15 +1654,9 @@ _GLONASS_EPHEMERIS_0 = codec.Block(
     "sat_type",
     "gamma",
     "tau_n",
-    "x",
-    "x",
-    "x",
-    "v_",
-    "v_",
-    "v_",
-    "a",
-    "a",
-    "a",
+    *["x"] * 3,
+    *["v_"] * 3,
+    *["a"] * 3,
     "health",
     "p",
     "nt",
@@ -1562,9 +1676,11 @@ class GlonassEphemeris(Data):
     """GLONASS ephemeris (0x91,0x62).
 
     Broadcast orbit and clock of one GLONASS satellite.
-    The interface control document of GLONASS explains p and ft.
-    A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    The interface control document of GLONASS explains p and ft. A period of four years has 1461
+    days; the manual does not say how nt, a u8, counts them.
 
     - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
     """
@@ -1579,55 +1695,87 @@ class GlonassEphemeris(Data):
     count: int
     """How many of these fields the epoch has."""
     time_of_week: float
-    """GPS time of week. [s]"""
+    """GPS time of week. Unit: s."""
     week_number: int
-    """GPS week number. [week]"""
+    """GPS week number. Unit: week."""
     satellite_id: int
     """Satellite within the constellation."""
     freq_number: int
-    """GLONASS frequency number. Range: -7 to 24. Valid if valid_flags.ephemeris."""
+    """GLONASS frequency number. Range: -7 to 24. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     tk: int
-    """Start of the frame within the day. [s] Valid if valid_flags.ephemeris."""
+    """Start of the frame within the day. Unit: s. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     tb: int
-    """Reference time of the ephemeris. [s] Valid if valid_flags.ephemeris."""
+    """Reference time of the ephemeris. Unit: s. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     sat_type: GlonassSatelliteType
-    """Generation of the satellite (M). Valid if valid_flags.ephemeris."""
+    """Generation of the satellite (M). Valid if `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
+    """
     gamma: float
-    """Relative deviation of the carrier frequency from its nominal value. [1] Valid if
-    valid_flags.ephemeris.
+    """Relative deviation of the carrier frequency from its nominal value. Unit: 1. Valid if
+    `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     tau_n: float
-    """Correction of the satellite time relative to GLONASS time. [s] Valid if
-    valid_flags.ephemeris.
+    """Correction of the satellite time relative to GLONASS time. Unit: s. Valid if
+    `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     x: types.Vector3d
-    """Position of the satellite in PZ-90. [m] Valid if valid_flags.ephemeris."""
+    """Position of the satellite in PZ-90. Elements: x, y, z. Unit: m. Valid if
+    `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     v_: types.Vector3f
-    """Velocity of the satellite in PZ-90. [m/s] Valid if valid_flags.ephemeris."""
+    """Velocity of the satellite in PZ-90. Elements: x, y, z. Unit: m/s. Valid if
+    `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     a: types.Vector3f
-    """Acceleration of the satellite by perturbations, in PZ-90. [m/s^2] Valid if
-    valid_flags.ephemeris.
+    """Acceleration of the satellite by perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
+    Valid if `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     health: int
-    """Health (Bn); not 0 if the satellite fails. Valid if valid_flags.ephemeris."""
+    """Health (Bn); not 0 if the satellite fails. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     p: int
-    """Mode of operation of the satellite. Valid if valid_flags.ephemeris."""
+    """Mode of operation of the satellite. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     nt: int
-    """Day within a period of four years. [day] Valid if valid_flags.ephemeris."""
+    """Day within a period of four years. Unit: day. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     delta_tau_n: float
-    """Time difference between L1 and L2. [s] Valid if valid_flags.ephemeris."""
+    """Time difference between L1 and L2. Unit: s. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     ft: int
-    """Code of the user range accuracy. Valid if valid_flags.ephemeris."""
+    """Code of the user range accuracy. Valid if `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
+    """
     en: int
-    """Age of the information. [day] Valid if valid_flags.ephemeris."""
+    """Age of the information. Unit: day. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     p1: int
-    """Time between adjacent values of tb. [min] Valid if valid_flags.ephemeris."""
+    """Time between adjacent values of tb. Unit: min. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     p2: int
-    """1 if tb is odd, 0 if it is even. Range: 0 to 1. Valid if valid_flags.ephemeris."""
+    """1 if tb is odd, 0 if it is even. Range: 0 to 1. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     p3: int
-    """Number of satellites in the almanac of the frame. [1] Valid if valid_flags.ephemeris."""
+    """Number of satellites in the almanac of the frame. Unit: 1. Valid if
+    `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     p4: int
-    """Whether ephemeris parameters are present. Valid if valid_flags.ephemeris."""
+    """Whether ephemeris parameters are present. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     valid_flags: GlonassEphemerisFlags
     """Whether the ephemeris is valid."""
 
@@ -1763,10 +1911,11 @@ class GalileoEphemeris(Data):
     """Galileo ephemeris (0x91,0x63).
 
     Broadcast orbit and clock of one Galileo satellite.
-    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here.
-    iodec changes with the clock data; the manual has it roll over at 4.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    corrections hold here. iodec changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
     """
@@ -1781,73 +1930,102 @@ class GalileoEphemeris(Data):
     count: int
     """How many of these fields the epoch has."""
     time_of_week: float
-    """GPS time of week. [s]"""
+    """GPS time of week. Unit: s."""
     week_number: int
-    """GPS week number. [week]"""
+    """GPS week number. Unit: week."""
     satellite_id: int
     """Satellite within the constellation."""
     health: int
-    """Health of satellite and signals. Valid if valid_flags.ephemeris."""
+    """Health of satellite and signals. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     iodec: int
-    """Issue of data, clock. Valid if valid_flags.ephemeris."""
+    """Issue of data, clock. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     iode: int
-    """Issue of data, ephemeris. Valid if valid_flags.ephemeris."""
+    """Issue of data, ephemeris. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     t_oc: float
-    """Reference time of the clock data. [s] Valid if valid_flags.ephemeris."""
+    """Reference time of the clock data. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     af0: float
-    """Clock bias. [s] Valid if valid_flags.ephemeris."""
+    """Clock bias. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     af1: float
-    """Clock drift. [s/s] Valid if valid_flags.ephemeris."""
+    """Clock drift. Unit: s/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     af2: float
-    """Clock drift rate. [s/s^2] Valid if valid_flags.ephemeris."""
+    """Clock drift rate. Unit: s/s^2. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     t_gd: float
-    """Group delay. [s] Valid if valid_flags.ephemeris."""
+    """Group delay. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     isc_l1ca: float
-    """Place of the inter-signal correction for L1 of GPS. [s] Valid if valid_flags.ephemeris."""
+    """Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     isc_l2c: float
-    """Place of the inter-signal correction for L2 or L5 of GPS. [s] Valid if
-    valid_flags.ephemeris.
+    """Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     t_oe: float
-    """Reference time of the ephemeris. [s] Valid if valid_flags.ephemeris."""
+    """Reference time of the ephemeris. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     a: float
-    """Semi-major axis. [m] Valid if valid_flags.ephemeris."""
+    """Semi-major axis. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     a_dot: float
-    """Rate of the semi-major axis. [m/s] Valid if valid_flags.ephemeris."""
+    """Rate of the semi-major axis. Unit: m/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
+    """
     mean_anomaly: float
-    """Mean anomaly. [rad] Valid if valid_flags.ephemeris."""
+    """Mean anomaly. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     delta_mean_motion: float
-    """Correction of the mean motion. [rad/s] Valid if valid_flags.ephemeris."""
+    """Correction of the mean motion. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     delta_mean_motion_dot: float
-    """Rate of the correction of the mean motion. [rad/s^2] Valid if valid_flags.ephemeris."""
+    """Rate of the correction of the mean motion. Unit: rad/s^2. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     eccentricity: float
-    """Eccentricity. [1] Valid if valid_flags.ephemeris."""
+    """Eccentricity. Unit: 1. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     argument_of_perigee: float
-    """Argument of perigee. [rad] Valid if valid_flags.ephemeris."""
+    """Argument of perigee. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     omega: float
-    """Longitude of the ascending node. [rad] Valid if valid_flags.ephemeris."""
+    """Longitude of the ascending node. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     omega_dot: float
-    """Rate of the right ascension. [rad/s] Valid if valid_flags.ephemeris."""
+    """Rate of the right ascension. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     inclination: float
-    """Inclination. [rad] Valid if valid_flags.ephemeris."""
+    """Inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     inclination_dot: float
-    """Rate of the inclination. [rad/s] Valid if valid_flags.ephemeris."""
+    """Rate of the inclination. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is
+    set.
+    """
     c_ic: float
-    """Cosine harmonic correction of the inclination. [rad] Valid if valid_flags.ephemeris."""
+    """Cosine harmonic correction of the inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     c_is: float
-    """Sine harmonic correction of the inclination. [rad] Valid if valid_flags.ephemeris."""
+    """Sine harmonic correction of the inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     c_uc: float
-    """Cosine harmonic correction of the argument of latitude. [rad] Valid if
-    valid_flags.ephemeris.
+    """Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     c_us: float
-    """Sine harmonic correction of the argument of latitude. [rad] Valid if
-    valid_flags.ephemeris.
+    """Sine harmonic correction of the argument of latitude. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     c_rc: float
-    """Cosine harmonic correction of the orbit radius. [m] Valid if valid_flags.ephemeris."""
+    """Cosine harmonic correction of the orbit radius. Unit: m. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     c_rs: float
-    """Sine harmonic correction of the orbit radius. [m] Valid if valid_flags.ephemeris."""
+    """Sine harmonic correction of the orbit radius. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     valid_flags: EphemerisFlags
     """What the ephemeris holds."""
 
@@ -2010,10 +2188,11 @@ class BeidouEphemeris(Data):
     """BeiDou ephemeris (0x91,0x64).
 
     Broadcast orbit and clock of one BeiDou satellite.
-    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
-    corrections hold here.
-    iodec changes with the clock data; the manual has it roll over at 4.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    corrections hold here. iodec changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
     """
@@ -2028,73 +2207,102 @@ class BeidouEphemeris(Data):
     count: int
     """How many of these fields the epoch has."""
     time_of_week: float
-    """GPS time of week. [s]"""
+    """GPS time of week. Unit: s."""
     week_number: int
-    """GPS week number. [week]"""
+    """GPS week number. Unit: week."""
     satellite_id: int
     """Satellite within the constellation."""
     health: int
-    """Health of satellite and signals. Valid if valid_flags.ephemeris."""
+    """Health of satellite and signals. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     iodec: int
-    """Issue of data, clock. Valid if valid_flags.ephemeris."""
+    """Issue of data, clock. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     iode: int
-    """Issue of data, ephemeris. Valid if valid_flags.ephemeris."""
+    """Issue of data, ephemeris. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     t_oc: float
-    """Reference time of the clock data. [s] Valid if valid_flags.ephemeris."""
+    """Reference time of the clock data. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     af0: float
-    """Clock bias. [s] Valid if valid_flags.ephemeris."""
+    """Clock bias. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     af1: float
-    """Clock drift. [s/s] Valid if valid_flags.ephemeris."""
+    """Clock drift. Unit: s/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     af2: float
-    """Clock drift rate. [s/s^2] Valid if valid_flags.ephemeris."""
+    """Clock drift rate. Unit: s/s^2. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     t_gd: float
-    """Group delay. [s] Valid if valid_flags.ephemeris."""
+    """Group delay. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     isc_l1ca: float
-    """Place of the inter-signal correction for L1 of GPS. [s] Valid if valid_flags.ephemeris."""
+    """Place of the inter-signal correction for L1 of GPS. Unit: s. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     isc_l2c: float
-    """Place of the inter-signal correction for L2 or L5 of GPS. [s] Valid if
-    valid_flags.ephemeris.
+    """Place of the inter-signal correction for L2 or L5 of GPS. Unit: s. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     t_oe: float
-    """Reference time of the ephemeris. [s] Valid if valid_flags.ephemeris."""
+    """Reference time of the ephemeris. Unit: s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     a: float
-    """Semi-major axis. [m] Valid if valid_flags.ephemeris."""
+    """Semi-major axis. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     a_dot: float
-    """Rate of the semi-major axis. [m/s] Valid if valid_flags.ephemeris."""
+    """Rate of the semi-major axis. Unit: m/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags`
+    is set.
+    """
     mean_anomaly: float
-    """Mean anomaly. [rad] Valid if valid_flags.ephemeris."""
+    """Mean anomaly. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     delta_mean_motion: float
-    """Correction of the mean motion. [rad/s] Valid if valid_flags.ephemeris."""
+    """Correction of the mean motion. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     delta_mean_motion_dot: float
-    """Rate of the correction of the mean motion. [rad/s^2] Valid if valid_flags.ephemeris."""
+    """Rate of the correction of the mean motion. Unit: rad/s^2. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     eccentricity: float
-    """Eccentricity. [1] Valid if valid_flags.ephemeris."""
+    """Eccentricity. Unit: 1. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     argument_of_perigee: float
-    """Argument of perigee. [rad] Valid if valid_flags.ephemeris."""
+    """Argument of perigee. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
+    """
     omega: float
-    """Longitude of the ascending node. [rad] Valid if valid_flags.ephemeris."""
+    """Longitude of the ascending node. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     omega_dot: float
-    """Rate of the right ascension. [rad/s] Valid if valid_flags.ephemeris."""
+    """Rate of the right ascension. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     inclination: float
-    """Inclination. [rad] Valid if valid_flags.ephemeris."""
+    """Inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is set."""
     inclination_dot: float
-    """Rate of the inclination. [rad/s] Valid if valid_flags.ephemeris."""
+    """Rate of the inclination. Unit: rad/s. Valid if `EphemerisFlags.EPHEMERIS` of `valid_flags` is
+    set.
+    """
     c_ic: float
-    """Cosine harmonic correction of the inclination. [rad] Valid if valid_flags.ephemeris."""
+    """Cosine harmonic correction of the inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     c_is: float
-    """Sine harmonic correction of the inclination. [rad] Valid if valid_flags.ephemeris."""
+    """Sine harmonic correction of the inclination. Unit: rad. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     c_uc: float
-    """Cosine harmonic correction of the argument of latitude. [rad] Valid if
-    valid_flags.ephemeris.
+    """Cosine harmonic correction of the argument of latitude. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     c_us: float
-    """Sine harmonic correction of the argument of latitude. [rad] Valid if
-    valid_flags.ephemeris.
+    """Sine harmonic correction of the argument of latitude. Unit: rad. Valid if
+    `EphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
     c_rc: float
-    """Cosine harmonic correction of the orbit radius. [m] Valid if valid_flags.ephemeris."""
+    """Cosine harmonic correction of the orbit radius. Unit: m. Valid if `EphemerisFlags.EPHEMERIS`
+    of `valid_flags` is set.
+    """
     c_rs: float
-    """Sine harmonic correction of the orbit radius. [m] Valid if valid_flags.ephemeris."""
+    """Sine harmonic correction of the orbit radius. Unit: m. Valid if `EphemerisFlags.EPHEMERIS` of
+    `valid_flags` is set.
+    """
     valid_flags: EphemerisFlags
     """What the ephemeris holds."""
 

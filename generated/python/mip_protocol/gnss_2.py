@@ -1,6 +1,8 @@
 """GNSS receiver 2 data (0x92).
 
 Measurements and status of the second internal GNSS receiver.
+
+- 3dm-cv7-gnss-ins: GNSS Recv 2 (0x92)
 """
 
 from __future__ import annotations
@@ -12,8 +14,9 @@ from .field import Field
 class GnssLlhPosition(gnss_1.GnssLlhPosition):
     """GNSS LLH position (0x92,0x03).
 
-    Has the values of gnss_1.GnssLlhPosition.
-    Supported by 3DM-CV7-GNSS/INS.
+    GNSS position as latitude, longitude and height.
+
+    Has the layout of `gnss_1.GnssLlhPosition`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
     """
@@ -27,8 +30,9 @@ class GnssLlhPosition(gnss_1.GnssLlhPosition):
 class GnssEcefPosition(gnss_1.GnssEcefPosition):
     """GNSS ECEF position (0x92,0x04).
 
-    Has the values of gnss_1.GnssEcefPosition.
-    Supported by 3DM-CV7-GNSS/INS.
+    GNSS position in Earth-fixed coordinates.
+
+    Has the layout of `gnss_1.GnssEcefPosition`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
     """
@@ -42,8 +46,9 @@ class GnssEcefPosition(gnss_1.GnssEcefPosition):
 class NedVelocity(gnss_1.NedVelocity):
     """NED velocity (0x92,0x05).
 
-    Has the values of gnss_1.NedVelocity.
-    Supported by 3DM-CV7-GNSS/INS.
+    GNSS velocity in the local level frame.
+
+    Has the layout of `gnss_1.NedVelocity`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
     """
@@ -57,8 +62,9 @@ class NedVelocity(gnss_1.NedVelocity):
 class GnssEcefVelocity(gnss_1.GnssEcefVelocity):
     """GNSS ECEF velocity (0x92,0x06).
 
-    Has the values of gnss_1.GnssEcefVelocity.
-    Supported by 3DM-CV7-GNSS/INS.
+    GNSS velocity in Earth-fixed coordinates.
+
+    Has the layout of `gnss_1.GnssEcefVelocity`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06)
     """
@@ -72,8 +78,9 @@ class GnssEcefVelocity(gnss_1.GnssEcefVelocity):
 class Dop(gnss_1.Dop):
     """DOP (0x92,0x07).
 
-    Has the values of gnss_1.Dop.
-    Supported by 3DM-CV7-GNSS/INS.
+    Dilution of precision of the satellite geometry.
+
+    Has the layout of `gnss_1.Dop`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: DOP (0x92,0x07)
     """
@@ -87,8 +94,9 @@ class Dop(gnss_1.Dop):
 class UtcTime(gnss_1.UtcTime):
     """UTC time (0x92,0x08).
 
-    Has the values of gnss_1.UtcTime.
-    Supported by 3DM-CV7-GNSS/INS.
+    Coordinated universal time as the receiver knows it.
+
+    Has the layout of `gnss_1.UtcTime`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: UTC Time (0x92,0x08)
     """
@@ -102,8 +110,9 @@ class UtcTime(gnss_1.UtcTime):
 class GpsTime(gnss_1.GpsTime):
     """GPS time (0x92,0x09).
 
-    Has the values of gnss_1.GpsTime.
-    Supported by 3DM-CV7-GNSS/INS.
+    GPS time as the receiver knows it.
+
+    Has the layout of `gnss_1.GpsTime`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Time (0x92,0x09)
     """
@@ -117,8 +126,9 @@ class GpsTime(gnss_1.GpsTime):
 class FixInfo(gnss_1.FixInfo):
     """Fix info (0x92,0x0B).
 
-    Has the values of gnss_1.FixInfo.
-    Supported by 3DM-CV7-GNSS/INS.
+    Type of the position fix and what it is made of.
+
+    Has the layout of `gnss_1.FixInfo`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
     """
@@ -132,8 +142,9 @@ class FixInfo(gnss_1.FixInfo):
 class GnssHardwareStatus(gnss_1.GnssHardwareStatus):
     """GNSS hardware status (0x92,0x0D).
 
-    Has the values of gnss_1.GnssHardwareStatus.
-    Supported by 3DM-CV7-GNSS/INS.
+    State of the receiver and of its antenna.
+
+    Has the layout of `gnss_1.GnssHardwareStatus`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
     """
@@ -147,8 +158,11 @@ class GnssHardwareStatus(gnss_1.GnssHardwareStatus):
 class ClockInfo2(gnss_1.ClockInfo2):
     """Clock info 2 (0x92,0x10).
 
-    Has the values of gnss_1.ClockInfo2.
-    Supported by 3DM-CV7-GNSS/INS.
+    Bias and drift of the receiver clock.
+
+    Has the layout of `gnss_1.ClockInfo2`. Supported by 3DM-CV7-GNSS/INS.
+
+    It supersedes an older field, which the manual does not define.
 
     - 3dm-cv7-gnss-ins: Clock Info 2 (0x92,0x10)
     """
@@ -162,8 +176,9 @@ class ClockInfo2(gnss_1.ClockInfo2):
 class GpsLeapSeconds(gnss_1.GpsLeapSeconds):
     """GPS leap seconds (0x92,0x11).
 
-    Has the values of gnss_1.GpsLeapSeconds.
-    Supported by 3DM-CV7-GNSS/INS.
+    Difference between GPS time and UTC.
+
+    Has the layout of `gnss_1.GpsLeapSeconds`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPS Leap Seconds (0x92,0x11)
     """
@@ -177,8 +192,9 @@ class GpsLeapSeconds(gnss_1.GpsLeapSeconds):
 class SbasInfo(gnss_1.SbasInfo):
     """SBAS info (0x92,0x12).
 
-    Has the values of gnss_1.SbasInfo.
-    Supported by 3DM-CV7-GNSS/INS.
+    Status of the satellite based augmentation.
+
+    Has the layout of `gnss_1.SbasInfo`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
     """
@@ -192,8 +208,11 @@ class SbasInfo(gnss_1.SbasInfo):
 class SatelliteStatus(gnss_1.SatelliteStatus):
     """Satellite status (0x92,0x20).
 
-    Has the values of gnss_1.SatelliteStatus.
-    Supported by 3DM-CV7-GNSS/INS.
+    Where one satellite stands, and its health.
+
+    Has the layout of `gnss_1.SatelliteStatus`. Supported by 3DM-CV7-GNSS/INS.
+
+    An epoch is sent as one field for each satellite; index and count number the fields.
 
     - 3dm-cv7-gnss-ins: Satellite Status (0x92,0x20)
     """
@@ -207,8 +226,12 @@ class SatelliteStatus(gnss_1.SatelliteStatus):
 class Raw(gnss_1.Raw):
     """Raw (0x92,0x22).
 
-    Has the values of gnss_1.Raw.
-    Supported by 3DM-CV7-GNSS/INS.
+    Raw observation of one signal of one satellite.
+
+    Has the layout of `gnss_1.Raw`. Supported by 3DM-CV7-GNSS/INS.
+
+    An epoch is sent as one field for each signal; index and count number the fields. The greatest
+    lock time depends on the receiver.
 
     - 3dm-cv7-gnss-ins: Raw (0x92,0x22)
     """
@@ -222,8 +245,11 @@ class Raw(gnss_1.Raw):
 class GpsEphemeris(gnss_1.GpsEphemeris):
     """GPS ephemeris (0x92,0x61).
 
-    Has the values of gnss_1.GpsEphemeris.
-    Supported by 3DM-CV7-GNSS/INS.
+    Broadcast orbit and clock of one GPS satellite.
+
+    Has the layout of `gnss_1.GpsEphemeris`. Supported by 3DM-CV7-GNSS/INS.
+
+    iodec changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61)
     """
@@ -237,8 +263,12 @@ class GpsEphemeris(gnss_1.GpsEphemeris):
 class GlonassEphemeris(gnss_1.GlonassEphemeris):
     """GLONASS ephemeris (0x92,0x62).
 
-    Has the values of gnss_1.GlonassEphemeris.
-    Supported by 3DM-CV7-GNSS/INS.
+    Broadcast orbit and clock of one GLONASS satellite.
+
+    Has the layout of `gnss_1.GlonassEphemeris`. Supported by 3DM-CV7-GNSS/INS.
+
+    The interface control document of GLONASS explains p and ft. A period of four years has 1461
+    days; the manual does not say how nt, a u8, counts them.
 
     - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x92,0x62)
     """
@@ -252,8 +282,12 @@ class GlonassEphemeris(gnss_1.GlonassEphemeris):
 class GalileoEphemeris(gnss_1.GalileoEphemeris):
     """Galileo ephemeris (0x92,0x63).
 
-    Has the values of gnss_1.GalileoEphemeris.
-    Supported by 3DM-CV7-GNSS/INS.
+    Broadcast orbit and clock of one Galileo satellite.
+
+    Has the layout of `gnss_1.GalileoEphemeris`. Supported by 3DM-CV7-GNSS/INS.
+
+    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    corrections hold here. iodec changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63)
     """
@@ -267,8 +301,12 @@ class GalileoEphemeris(gnss_1.GalileoEphemeris):
 class BeidouEphemeris(gnss_1.BeidouEphemeris):
     """BeiDou ephemeris (0x92,0x64).
 
-    Has the values of gnss_1.BeidouEphemeris.
-    Supported by 3DM-CV7-GNSS/INS.
+    Broadcast orbit and clock of one BeiDou satellite.
+
+    Has the layout of `gnss_1.BeidouEphemeris`. Supported by 3DM-CV7-GNSS/INS.
+
+    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    corrections hold here. iodec changes with the clock data; the manual has it roll over at 4.
 
     - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64)
     """

@@ -2,6 +2,9 @@
 
 What an external GNSS receiver tells the device by NMEA sentences. A field may need several
 sentences; a value that NMEA does not give is not valid. Times are those of the sentences.
+
+- 3dm-cv7-gnss-ins: GNSS External (0x94)
+- 3dm-cv7-gnss-ins: NMEA Input
 """
 
 from __future__ import annotations
@@ -13,8 +16,9 @@ from .field import Field
 class GnssLlhPosition(gnss_1.GnssLlhPosition):
     """GNSS LLH position (0x94,0x03).
 
-    Has the values of gnss_1.GnssLlhPosition.
-    Supported by 3DM-CV7-GNSS/INS.
+    GNSS position as latitude, longitude and height.
+
+    Has the layout of `gnss_1.GnssLlhPosition`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03)
     """
@@ -28,8 +32,9 @@ class GnssLlhPosition(gnss_1.GnssLlhPosition):
 class NedVelocity(gnss_1.NedVelocity):
     """NED velocity (0x94,0x05).
 
-    Has the values of gnss_1.NedVelocity.
-    Supported by 3DM-CV7-GNSS/INS.
+    GNSS velocity in the local level frame.
+
+    Has the layout of `gnss_1.NedVelocity`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05)
     """
@@ -43,8 +48,9 @@ class NedVelocity(gnss_1.NedVelocity):
 class UtcTime(gnss_1.UtcTime):
     """UTC time (0x94,0x08).
 
-    Has the values of gnss_1.UtcTime.
-    Supported by 3DM-CV7-GNSS/INS.
+    Coordinated universal time as the receiver knows it.
+
+    Has the layout of `gnss_1.UtcTime`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: UTC Time (0x94,0x08)
     """
@@ -58,8 +64,9 @@ class UtcTime(gnss_1.UtcTime):
 class FixInfo(gnss_1.FixInfo):
     """Fix info (0x94,0x0B).
 
-    Has the values of gnss_1.FixInfo.
-    Supported by 3DM-CV7-GNSS/INS.
+    Type of the position fix and what it is made of.
+
+    Has the layout of `gnss_1.FixInfo`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Fix Info (0x94,0x0B)
     """
@@ -73,8 +80,11 @@ class FixInfo(gnss_1.FixInfo):
 class SatelliteStatus(gnss_1.SatelliteStatus):
     """Satellite status (0x94,0x20).
 
-    Has the values of gnss_1.SatelliteStatus.
-    Supported by 3DM-CV7-GNSS/INS.
+    Where one satellite stands, and its health.
+
+    Has the layout of `gnss_1.SatelliteStatus`. Supported by 3DM-CV7-GNSS/INS.
+
+    An epoch is sent as one field for each satellite; index and count number the fields.
 
     - 3dm-cv7-gnss-ins: Satellite Status (0x94,0x20)
     """

@@ -1,6 +1,8 @@
 """System (0x7F).
 
 Advanced commands of devices that are built from several intelligent parts.
+
+- 3dm-gx5-15: 4.4 System Commands
 """
 
 from __future__ import annotations
@@ -31,8 +33,7 @@ _COMMUNICATION_MODE_RESPONSE_0 = codec.Block("B", "mode")
 class CommunicationModeResponse(Response):
     """Communication mode response (0x7F,0x90).
 
-    Answers Communication mode (0x7F,0x10).
-    Supported by 3DM-GX5-15.
+    Answers `CommunicationMode`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """
@@ -43,7 +44,7 @@ class CommunicationModeResponse(Response):
     ROLE = "response"
 
     mode: ProtocolMode
-    """Communication mode. Factory default: standard."""
+    """Communication mode. Default: `ProtocolMode.STANDARD`."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CommunicationModeResponse, int]:
@@ -67,11 +68,12 @@ class CommunicationMode(Command):
     """Communication mode (0x7F,0x10).
 
     Switches the port between the device and one of the sensors inside it.
-    The acknowledge is sent in the old mode, just before the switch.
-    In a direct mode only this command and device status (0x0C,0x64) of the device itself are
-    answered.
-    For advanced use.
-    Supported by 3DM-GX5-15.
+
+    For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `CommunicationModeResponse`. Supported by 3DM-GX5-15.
+
+    The acknowledge is sent in the old mode, just before the switch. In a direct mode only this
+    command and device status `mip_3dm.DeviceStatus` (0x0C,0x64) of the device itself are answered.
 
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """
@@ -86,7 +88,7 @@ class CommunicationMode(Command):
     function: FunctionSelector
     """What to do with the setting."""
     mode: ProtocolMode | None = None
-    """Communication mode. Factory default: standard."""
+    """Communication mode. Default: `ProtocolMode.STANDARD`. Required for `write`."""
 
     @classmethod
     def write(cls, mode: ProtocolMode) -> CommunicationMode:
@@ -144,7 +146,6 @@ class CommunicationMode(Command):
 
 
 CommunicationModeResponse.COMMANDS = (CommunicationMode,)
-
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {

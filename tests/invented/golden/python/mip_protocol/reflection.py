@@ -5,38 +5,10 @@ Importing this module imports all descriptor sets.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any
+from . import measurements, mip_3d, more, protocol, shared, tools, types
+from .parameter import Parameter
 
-from . import (
-    measurements,
-    mip_3d,
-    more,
-    protocol,
-    shared,
-    tools,
-    types,
-)
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """One value on the wire, in wire order. `name` is that of the specification."""
-
-    name: str
-    attribute: str
-    kind: str  # scalar, constant, counter, bits, text, array, struct or switch
-    scalar: str = ""  # u8 … s64, float, double, bool, char; bits: a bitfield in `size` bytes
-    size: int = 0
-    elements: tuple[str, ...] = ()  # of a vector
-    length: int | str | None = None  # a number, the counter's name, or "rest"
-    constant: int | None = None
-    counts: str = ""  # attribute of the array that a counter counts
-    type: Any = None  # enumeration, bitfield or structure
-    tag: str = ""  # attribute that selects a union's member
-    cases: dict[int, Parameter | None] = field(default_factory=dict)
-    units: tuple[str, ...] = ()
-
+__all__ = ["PARAMETERS", "Parameter"]
 
 #: Fields and structures -> their parameters.
 PARAMETERS: dict[type, tuple[Parameter, ...]] = {
@@ -238,7 +210,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter(
             "vectors", "vectors", "array", scalar="float", elements=("x", "y", "z"), length=2
         ),
-        Parameter("points", "points", "array", length=2, type=types.Point, units=("m",)),
+        Parameter("points", "points", "array", length=2, units=("m",), type=types.Point),
         Parameter("track", "track", "struct", type=types.Segment),
         Parameter("offsets", "offsets", "array", scalar="s8", length=4),
     ),
