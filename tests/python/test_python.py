@@ -71,9 +71,7 @@ def test_every_field_has_a_class_with_its_numbers_and_its_links(spec: str) -> No
     types = package.registry.all_types()
     assert len(types) == len(all_fields(of))
     for number, kind in types:
-        (field,) = [f for f in of.candidates(number, kind.DESCRIPTOR) if names.class_name(f) == kind.__name__] or [
-            None
-        ]
+        (field,) = [f for f in of.candidates(number, kind.DESCRIPTOR) if names.class_name(f) == kind.__name__] or [None]
         if field is None:
             assert of.protocol.acknowledge.full_name == kind.NAME
             continue
@@ -234,6 +232,52 @@ def test_repeated_fields_belong_to_their_own_set() -> None:
     assert packet.set == 0x92 and two.find(packet) == sent and one.find(packet) is None
     assert type(real.registry.decode(next(iter(packet)))) is two and issubclass(two, one)
     assert real.reflection.PARAMETERS[two] is real.reflection.PARAMETERS[one]
+
+
+VARIED = """# yaml-language-server: $schema=../../../../../spec/schema/set.schema.json
+set: 0x9A
+name: varied
+title: Varied
+description: A number that one device reads in its own way.
+fields:
+  - data: 0x01
+    name: state
+    title: State
+    description: Of the device.
+    sources: [{manual: guide, section: S}]
+    parameters: [{name: code, type: u8, description: A number.}]
+"""
+REPEATED = """# yaml-language-server: $schema=../../../../../spec/schema/set.schema.json
+set: 0x9B
+name: again
+title: Again
+description: The same of a second sensor, where it is the other device.
+repeats: {of: varied, fields: [{name: state, sources: [{manual: guide, section: S}]}]}
+"""
+
+
+def test_repeated_fields_are_read_in_their_own_way(tmp_path: Path) -> None:
+    """What a device says of a field does not hold for the fields of other sets that repeat it."""
+    spec, out = tmp_path / "spec", tmp_path / "python"
+    shutil.copytree(SPECS["invented"][0], spec)
+    (spec / "sets/varied.yaml").write_text(VARIED, "utf-8")
+    (spec / "sets/again.yaml").write_text(REPEATED, "utf-8")
+    for device, path in (("model_a", "varied.state.code"), ("model_b", "again.state.code")):
+        file = spec / f"devices/{device}.yaml"
+        text = file.read_text("utf-8")
+        new = f"{path}: {{type: mode}}"
+        text = text.replace("varies: {", f"varies: {{{new}, ") if "varies: {" in text else text.replace(
+            "varies:\n", f"varies:\n  {new}\n"
+        )  # fmt: skip
+        file.write_text(text, "utf-8")
+    render.write(render.render("python", load_model(spec)), out)
+    it = Package(out)
+    first, second = it.varied.State(1), it.again.State(1)
+    assert isinstance(second, it.varied.State) and second.code == 1
+    assert first.meaning("code", "model-a") is it.types.Mode.FAST and first.meaning("code", "model-b") == 1
+    assert second.meaning("code", "model-b") is it.types.Mode.FAST and type(second.meaning("code", "model-a")) is int
+    assert "On the Model A: values of `types.Mode`." in (out / "mip_protocol/varied.py").read_text("utf-8")
+    assert "On the Model B: values of `types.Mode`." in (out / "mip_protocol/again.py").read_text("utf-8")
 
 
 # --------------------------------------------------------------------------- core
@@ -422,6 +466,42 @@ def test_devices(spec: str) -> None:
         assert device.ack_codes == set(d.ack_codes)
 
 
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_reflection(spec: str) -> None:
+    """The tables for tools say what the specification says."""
+    package, of = (mip if spec == "invented" else real), model(spec)
+    table = package.reflection.PARAMETERS
+    records = [*all_fields(of), *(t for t in of.all_types if isinstance(t, m.Struct))]
+    assert len(table) == len(records)
+    for record in records:
+        kind = getattr(getattr(package, names.home(record)), names.class_name(record))
+        for p, row in zip(record.parameters, table[kind], strict=True):
+            check_reflection(package, p, row)
+
+
+def check_reflection(package: Package, p: m.Parameter, row: Any) -> None:
+    e = p.element
+    assert (row.name, row.attribute, row.kind) == (p.name, names.member(p.name), p.operation.kind)
+    assert (row.length, row.constant, row.units) == (p.length, p.constant, p.units)
+    assert (row.counts or None, row.tag or None) == tuple(x and names.member(x) for x in (p.counts, p.tag))
+    assert row.elements == (e.elements if isinstance(e, m.Vector) else ())
+    scalar = e if isinstance(e, m.Scalar) else getattr(e, "scalar", None)
+    if isinstance(e, m.Bitfield) and scalar is None:
+        assert (row.scalar, row.size) == ("bits", e.size)
+    else:
+        assert row.scalar == (scalar.name if scalar else "")
+    if isinstance(e, (m.Enum, m.Bitfield, m.Struct)):
+        assert row.type is getattr(getattr(package, names.home(e)), names.class_name(e))
+    else:
+        assert row.type is None
+    assert row.cases.keys() == {c.tag.value for c in p.cases}
+    for c in p.cases:
+        if c.parameter is None:
+            assert row.cases[c.tag.value] is None
+        else:
+            check_reflection(package, c.parameter, row.cases[c.tag.value])
+
+
 # --------------------------------------------------------------------------- a specification that is hard on Python
 
 AWKWARD = """# yaml-language-server: $schema=../../../../../spec/schema/set.schema.json
@@ -478,6 +558,7 @@ def test_awkward_specification(tmp_path: Path) -> None:
     for check in (["format", "--check"], ["check"]):
         done = subprocess.run([Path(sys.executable).parent / "ruff", *check, "--no-cache", out], capture_output=True)
         assert done.returncode == 0, done.stdout.decode()
+    assert_strict(out)
     it = Package(out).awkward
     whole = bytes.fromhex("01 02 00010002 00030004 0100")
     assert it.Halves.decode(whole).encode() == whole and it.Halves.decode(whole).bools == (True, False)
@@ -490,6 +571,20 @@ def test_awkward_specification(tmp_path: Path) -> None:
     assert it.Words.write(1, (1, 2), 5).encode().hex() == "010101020705"
     kept = it.Kept((1, 2, 3, 4, 5))
     assert kept.encode().hex() == "03000102030405" and it.Kept.decode(kept.encode()) == kept
+
+
+def assert_strict(folder: Path) -> None:
+    """The types of a package are complete and right."""
+    done = subprocess.run(
+        [sys.executable, "-m", "mypy", "--strict", "--cache-dir", os.devnull, "mip_protocol"],
+        cwd=folder, capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_strict_types(spec: str) -> None:
+    assert_strict(SPECS[spec][1] / "python")
 
 
 # --------------------------------------------------------------------------- examples, as a user writes them
@@ -596,6 +691,39 @@ def test_folder_alone_installs_and_runs(tmp_path: Path) -> None:
     assert user(site, "import mip_protocol; print(mip_protocol.__version__)") == f"{version}\n"
     taste = (REAL / "taste.py").read_text("utf-8")
     assert user(site, taste).splitlines()[0].startswith("75 65 01 02")
+    (metadata,) = site.glob("*.dist-info/METADATA")
+    said = metadata.read_text("utf-8").partition("\n\n")[0].splitlines()
+    assert {f"Version: {version}", "License-Expression: MIT", "License-File: LICENSE"} <= set(said)
+    assert next(site.glob("*.dist-info/licenses/LICENSE")).read_bytes() == (ROOT / "LICENSE").read_bytes()
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_runtime_is_ordinary_source(spec: str) -> None:
+    """It is in the package as it is: neither rendered nor reformatted."""
+    runtime = ROOT / "templates/python/runtime"
+    found = [p.relative_to(runtime) for p in runtime.rglob("*") if p.is_file() and "__pycache__" not in p.parts]
+    assert len(found) > 10
+    for path in found:
+        assert (runtime / path).read_bytes() == (SPECS[spec][1] / "python" / path).read_bytes(), path
+
+
+def test_python_inside_the_folder_says_what_is_wrong() -> None:
+    """types.py is found there instead of that of the standard library."""
+    done = subprocess.run(
+        [sys.executable, "-S", "-c", "import enum"], cwd=REAL / "mip_protocol", capture_output=True, text=True,
+        env={"PYTHONDONTWRITEBYTECODE": "1"},
+    )  # fmt: skip
+    assert done.returncode != 0 and "run Python in another folder" in done.stderr, done.stderr
+
+
+def test_readme_warns_of_modules_that_hide_names_of_python() -> None:
+    import builtins
+
+    for spec in SPECS:
+        text = (SPECS[spec][1] / "python/README.md").read_text("utf-8")
+        for s in model(spec).sets:
+            name = names.module(s.name)
+            assert (f"`from mip_protocol import {name} as mip_{name}`" in text) == hasattr(builtins, name), name
 
 
 def test_readme_shows_the_program_that_is_run() -> None:

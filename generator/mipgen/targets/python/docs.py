@@ -152,7 +152,7 @@ def comment(text: str, indent: int) -> str:
 
 def _wrapped(text: str, width: int) -> list[str]:
     """The lines of a paragraph or of an item of a list, which hangs below its dash."""
-    hang = "  " if text.startswith("- ") else ""
+    hang = "  " if text.lstrip('"').startswith("- ") else ""
     lines = textwrap.wrap(text, width, subsequent_indent=hang, break_long_words=False, break_on_hyphens=False)
     return lines or [""]
 

@@ -58,7 +58,6 @@ class Accel(measurements.Accel):
 
     SET = 0x81
     NAME = "more.accel"
-    READINGS = {}
 
     scaled_accel: types.Vector3f
     """Specific force. Elements: x, y, z. Unit: g. Frame: sensor. Each element is valid by its bit:
