@@ -5,19 +5,15 @@ from __future__ import annotations
 from functools import cache
 from importlib import import_module
 
+from ._sets import MODULES
 from .errors import PacketError
 from .field import Field, chosen
 from .packet import Packet, RawField
-from .protocol import {{ model.protocol.acknowledge | class }}
-
-#: Descriptor set -> module of this package.
-MODULES: dict[int, str] = {
-{% for s in model.sets %}
-    0x{{ "%02X" | format(s.number) }}: "{{ s.name | module }}",
-{% endfor %}
-}
+from .protocol import Acknowledge
 
 SHARED_SET = 0xFF
+
+__all__ = ["MODULES", "SHARED_SET", "all_types", "decode", "decode_packet", "types"]
 
 
 @cache
@@ -26,8 +22,8 @@ def types(set: int, descriptor: int) -> tuple[type[Field], ...]:
 
     Several mean that constants in the data tell them apart.
     """
-    if set < 0x80 and descriptor == {{ model.protocol.acknowledge | class }}.DESCRIPTOR:
-        return ({{ model.protocol.acknowledge | class }},)
+    if set < 0x80 and descriptor == Acknowledge.DESCRIPTOR:
+        return (Acknowledge,)
     found = _fields(set).get(descriptor, ())
     if not found and set >= 0x80:
         found = _fields(SHARED_SET).get(descriptor, ())
@@ -45,7 +41,7 @@ def _fields(set: int) -> dict[int, tuple[type[Field], ...]]:
 
 def all_types() -> list[tuple[int, type[Field]]]:
     """Every (set, type) of the specification, in order."""
-    found: list[tuple[int, type[Field]]] = [(0, {{ model.protocol.acknowledge | class }})]
+    found: list[tuple[int, type[Field]]] = [(0, Acknowledge)]
     for number in MODULES:
         for group in _fields(number).values():
             found += [(number, t) for t in group]
