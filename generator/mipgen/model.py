@@ -407,11 +407,12 @@ class Call:
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """A parameter of the command has this value."""
+    """A parameter of the command has this value, or that of another command was last set to it."""
 
     parameter: str
     value: int
     label: str  # the value as the specification writes it
+    command: str | None = None  # "aiding.echo_control": another command, whose setting it is
 
 
 @dataclass(frozen=True)
@@ -435,6 +436,7 @@ class Field:
     when: tuple[Condition, ...] = ()  # of a response: what in the command selects it
     responses: tuple[str, ...] = ()  # of a command: names of its responses, in the same set
     silent_when: tuple[Condition, ...] = ()  # of a command: it is not acknowledged then
+    silenced_by: tuple[Condition, ...] = ()  # nor then: settings of other commands
     definition: str | None = None  # "gnss_1.dop": the field of another set that this one repeats
     max_rate: float | None = None
     timeout: float | None = None
@@ -615,6 +617,7 @@ class Example:
     packet: bytes  # right, always
     fields: tuple[ExampleField, ...]
     note: str
+    device: Device | None = None  # what sends or takes it; None if its manual is for several and it names none
     synthetic: bool = False  # not printed as bytes: given by its parameters only
     position: Position | None = field(default=None, compare=False)
 
