@@ -138,7 +138,8 @@ def parameter(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
         found.append(_fact("constant", (str(p.constant),), "Always {}."))
     if p.reserved is not None:
         sent = not isinstance(record, m.Field) or record.role == m.COMMAND
-        found.append(_fact("reserved", (str(p.reserved),), "Reserved: send {}." if sent else "Reserved."))
+        value = (str(p.reserved),) if sent else ()
+        found.append(_fact("reserved", value, "Reserved: send {}." if sent else "Reserved."))
     if p.counts:
         found.append(_fact("counts", (Ref(beside[p.counts], p.counts, record),), "The number of elements of {}."))
     if p.tag:
@@ -231,9 +232,9 @@ def variant(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> Fac
         parts.append(("values of ", Ref(v.type, v.type.name)))
     for fact in _measures(v, p, model):
         parts.append((f"{fact.topic} ", *fact.value))
-    if v.description:
-        parts.append(prose(v.description.rstrip("."), model))
     said = _interleaved(parts, "; ")
+    if v.description:
+        said = (*said, *([". "] if parts else []), *prose(v.description.rstrip("."), model))
     return Fact("variant", said, (*variant_condition(v, record, model), ": ", *said, "."))
 
 
@@ -261,7 +262,8 @@ def bits_place(b: m.Bits) -> str:
 
 
 def bits(b: m.Bits, model: m.Model) -> list[Fact]:
-    found = [_fact("place", (bits_place(b),), "{}.")]
+    place = bits_place(b)
+    found = [Fact("place", (place,), (f"{place.capitalize()}.",))]
     if b.enum is not None:
         found.append(_fact("values", (Ref(b.enum, b.enum.name),), "A value of {}."))
     if b.alias:

@@ -552,6 +552,11 @@ class Support:
         """Does the device take other functions than the definition says?"""
         return self.functions != self.field.functions
 
+    @property
+    def responds(self) -> bool:
+        """Does the device take a function that is answered by a response, or has the command no functions?"""
+        return not self.field.functions or any(f.responds for f in self.functions)
+
 
 @dataclass(frozen=True, slots=True)
 class Rate:
@@ -739,12 +744,16 @@ class Model:
         return self._repeats.get(f.full_name, ())
 
     def supports(self, f: Field) -> tuple[tuple[Device, Support], ...]:
-        """The devices that support a field; a response is supported with its commands."""
+        """The devices that support a command or data field."""
         return self._supports.get(f.full_name, ())
 
     def devices_of(self, f: Field) -> tuple[Device, ...]:
-        owners = self.commands(f) if f.role == RESPONSE else (f,)
-        names = {d.id for owner in owners for d, _ in self.supports(owner)}
+        """The devices that support a field; a response where one of its commands asks for it."""
+        if f.role == RESPONSE:
+            found = [(d, s) for c in self.commands(f) for d, s in self.supports(c) if s.responds]
+        else:
+            found = list(self.supports(f))
+        names = {d.id for d, _ in found}
         return tuple(d for d in self.devices if d.id in names)
 
     def device(self, id: str) -> Device | None:
