@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 import pytest
 from mipgen import describe
@@ -169,3 +169,44 @@ def test_a_response_of_two_commands(manual: Manual) -> None:
         first, second = manual.model.commands(f)
         said = f"Answers {first.title} {number(first)} and {second.title} {number(second)}."
         assert words(manual.field(f)).count(said) == 1
+
+
+# --------------------------------------------------------------------------- these tests see
+
+
+@pytest.mark.parametrize(
+    ("page", "right", "wrong"),
+    [
+        ("sets/tools.md", "| Bd |", "| Hz |"),  # a unit
+        ("sets/tools.md", "| -180 to 180 |", "| -180 to 90 |"),  # a range
+        ("sets/tools.md", "range 1 to 10", "range 1 to 20"),  # of a variant
+        ("sets/tools.md", "| `write` and `apply` |", "| `write` |"),  # who requires it
+        ("sets/tools.md", "| `fast` (1) | What to do.", "|  | What to do."),  # a default
+        ("sets/tools.md", "Always 4711.", ""),  # a constant
+        ("sets/tools.md", "Reserved: send 1.", "Reserved."),  # a reserved value
+        ("sets/tools.md", "Not acknowledged if `suppress_ack` is true. ", ""),  # silence
+        ("sets/tools.md", "`write` and `read` only", "`write` only"),  # functions on a device
+        ("sets/3d.md", "`fast` (1)", "`slow` (2)"),  # the setting of another command
+        ("sets/measurements.md", "x by [`valid_flags.ready`]", "x by [`valid_flags.hot`]"),  # a valid flag
+        ("sets/measurements.md", "[sensor](../units.md#frame.sensor-frame)", ""),  # a frame
+        ("sets/measurements.md", " and [Model B](../devices/model-b.md).", "."),  # a device
+        ("sets/measurements.md", "Sent at 100 Hz at most.", ""),  # a rate
+        ("types.md", "| bit 1 |", "| bit 2 |"),  # the place of a bit
+        ("types.md", "Deprecated.", ""),  # of a value
+    ],
+)  # fmt: skip
+def test_a_wrong_fact_is_seen(page: str, right: str, wrong: str) -> None:
+    manual = manual_of("invented")
+    text = manual.page(page)
+    assert right in text
+    changed = Manual(manual.model, {**manual.files, f"docs/{page}": text.replace(right, wrong, 1).encode()})
+    tests = (test_every_fact_of_a_field, test_every_fact_of_a_parameter, test_every_fact_of_a_value_and_a_bit)
+    assert [test.__name__ for test in tests if fails(test, changed)]
+
+
+def fails(test: Callable[[Manual], None], manual: Manual) -> bool:
+    try:
+        test(manual)
+    except (AssertionError, StopIteration):
+        return True
+    return False
