@@ -118,9 +118,10 @@ def condition(c: m.Condition, command: m.Field) -> Text:
 
 
 def _setting(c: m.Condition, model: m.Model) -> Text:
-    """The setting of another command."""
+    """The setting of another command; that may be missing in a part of a specification."""
     command = model.field(c.command or "")
-    assert command is not None
+    if command is None:
+        return (f"{c.parameter} of {c.command} is {c.label}",)
     parameter, *rest = condition(c, command)
     return (parameter, " of ", _field(command), *rest)
 

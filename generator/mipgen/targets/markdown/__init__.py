@@ -65,6 +65,7 @@ FILTERS: Filters = {
     "inline": text.inline,
     "spaced": text.spaced,
     "label": places.label,
+    "types_page": places.types_page,
     "number": describe.number,
     "asked": fields.asked,
     "field_length": fields.field_length,
@@ -104,6 +105,7 @@ FILTERS_OF_PAGE: Filters = {
     "citations": sources.citations,
     "length_remarks": sources.length_remarks,
     "subjects": sources.subjects,
+    "device": examples.device,
     "packet_table": examples.packet_table,
     "field_tables": examples.field_tables,
 }

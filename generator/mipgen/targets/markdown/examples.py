@@ -34,6 +34,11 @@ class Around:
 # --------------------------------------------------------------------------- prints
 
 
+def device(page: Page, x: m.Example) -> m.Device | None:
+    """What sends or takes it; None also if that is not in a part of a specification."""
+    return page.model.device(x.device.id) if x.device else None
+
+
 def right_bytes(x: m.Example) -> str:
     """Those of the field, if the manual prints no packet around it."""
     return spaced(x.packet[4:-2] if x.role == "field" else x.packet)
