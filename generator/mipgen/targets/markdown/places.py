@@ -6,6 +6,7 @@ import posixpath
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import cache
 
 from ... import describe
 from ... import model as m
@@ -82,6 +83,11 @@ def label(thing: Thing) -> str:
     return code(thing.name)
 
 
+@cache
+def _relative(path: str, folder: str) -> str:
+    return posixpath.relpath(path, folder)
+
+
 @dataclass(frozen=True)
 class Page:
     """A page of the manual: links are relative to it."""
@@ -98,7 +104,7 @@ class Page:
 
     def url(self, thing: Thing) -> str:
         target, anchor = place(thing, self.model)
-        path = "" if target == self.path else posixpath.relpath(target, posixpath.dirname(self.path))
+        path = "" if target == self.path else _relative(target, posixpath.dirname(self.path))
         return f"{path}#{anchor}" if anchor else path or posixpath.basename(self.path)
 
     def link(self, thing: Thing, words: str | None = None) -> str:
