@@ -88,6 +88,7 @@ def field(f: m.Field, model: m.Model) -> list[Fact]:
         found.append(_fact("when", conditions(f.when, command), "Sent if {}."))
     if f.silent_when:
         found.append(_fact("silent", conditions(f.silent_when, f), "Not acknowledged if {}."))
+    found += [_fact("silent", _setting(c, model), "Not acknowledged if {}.") for c in f.silenced_by]
     if f.timeout:
         found.append(_fact("timeout", (f"{number(f.timeout)} s",), "The device may take {} to answer."))
     if f.max_rate:
@@ -95,7 +96,13 @@ def field(f: m.Field, model: m.Model) -> list[Fact]:
     devices = model.devices_of(f)
     if devices:
         found.append(_fact("devices", joined([(_device(d),) for d in devices]), "Supported by {}."))
+    found += [_support(d, s) for d, s in model.supports(f) if s.differs]
     return found + [_fact("note", prose(note, model), "{}") for note in f.notes]
+
+
+def _support(d: m.Device, s: m.Support) -> Fact:
+    functions = _functions(s.functions)
+    return Fact("support", functions, ("On the ", _device(d), ": ", *functions, " only."))
 
 
 def conditions(found: Sequence[m.Condition], command: m.Field) -> Text:
@@ -108,6 +115,15 @@ def condition(c: m.Condition, command: m.Field) -> Text:
     known = p.element.by_name(c.label) if isinstance(p.element, m.Enum) else None
     value: str | Ref = Ref(known, known.name, p.element) if known and isinstance(p.element, m.Enum) else c.label
     return (Ref(p, p.name, command), " is ", value)
+
+
+def _setting(c: m.Condition, model: m.Model) -> Text:
+    """The setting of another command; that may be missing in a part of a specification."""
+    command = model.field(c.command or "")
+    if command is None:
+        return (f"{c.parameter} of {c.command} is {c.label}",)
+    parameter, *rest = condition(c, command)
+    return (parameter, " of ", _field(command), *rest)
 
 
 # --------------------------------------------------------------------------- parameters
@@ -135,7 +151,7 @@ def parameter(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
     if p.valid:
         found.append(_valid(p, beside, record))
     found += _presence(p, record)
-    found += [_variant(v, p, record, model) for v in p.variants]
+    found += [variant(v, p, record, model) for v in p.variants]
     return found + [_fact("note", prose(note, model), "{}") for note in p.notes]
 
 
@@ -210,16 +226,16 @@ def case(c: m.Case, union: m.Parameter, record: Record) -> Fact:
     return _fact("case", value, "If {}." if c.parameter else "Empty if {}.")
 
 
-def _variant(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> Fact:
+def variant(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> Fact:
     """What is different on a device, or beside a value."""
     parts: list[Text] = []
     if v.type is not None:
         parts.append(("values of ", Ref(v.type, v.type.name)))
     for fact in _measures(v, p, model):
         parts.append((f"{fact.topic} ", *fact.value))
-    if v.description:
-        parts.append(prose(v.description.rstrip("."), model))
     said = _interleaved(parts, "; ")
+    if v.description:
+        said = (*said, *([". "] if parts else []), *prose(v.description.rstrip("."), model))
     return Fact("variant", said, (*variant_condition(v, record, model), ": ", *said, "."))
 
 
@@ -268,25 +284,29 @@ def sources(thing: m.Field | m.Set | m.Enum | m.Bitfield | m.Struct) -> list[str
 # --------------------------------------------------------------------------- words
 
 _FIELD = re.compile(
-    r"\(0x(?P<set>[0-9A-Fa-f]{2}),\s?0x(?P<descriptor>[0-9A-Fa-f]{2})\)|(?<![\w.`])(?P<name>\w+\.\w+)(?![\w*`])"
+    r"`(?P<code>[^`]*)`"
+    r"|\(0x(?P<set>[0-9A-Fa-f]{2}),\s?0x(?P<descriptor>[0-9A-Fa-f]{2})\)"
+    r"|(?<![\w.])(?P<name>\w+\.\w+)(?![\w*])"
 )
 
 
 def prose(text: str, model: m.Model) -> Text:
-    """A text of the specification; what it says of fields, as (0x0C,0x28) or base.ping, becomes a reference."""
+    """A text of the specification. What it says of fields, as (0x0C,0x28), base.ping or `base.ping`, becomes a
+    reference; other text between backticks stays as it is."""
     found: list[str | Ref] = []
     at = 0
     for match in _FIELD.finditer(text):
         f = _named(match, model)
         if f is not None:
-            found += [text[at : match.start()], Ref(f, match[0])]
+            found += [text[at : match.start()], Ref(f, match[0].strip("`"))]
             at = match.end()
     return tuple(part for part in (*found, text[at:]) if part)
 
 
 def _named(match: re.Match[str], model: m.Model) -> m.Field | None:
-    if match["name"] is not None:
-        return model.field(match["name"])
+    name = match["code"] if match["code"] is not None else match["name"]
+    if name is not None:
+        return model.field(name)
     candidates = model.candidates(int(match["set"], 16), int(match["descriptor"], 16))
     return candidates[0] if candidates else None
 

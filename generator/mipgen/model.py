@@ -420,11 +420,12 @@ class Call:
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """A parameter of the command has this value."""
+    """A parameter of the command has this value, or that of another command was last set to it."""
 
     parameter: str
     value: int
     label: str  # the value as the specification writes it
+    command: str | None = None  # "aiding.echo_control": another command, whose setting it is
 
 
 @dataclass(frozen=True)
@@ -449,6 +450,7 @@ class Field:
     responses: tuple[str, ...] = ()  # of a command: names of its responses, in the same set
     silent_when: tuple[Condition, ...] = ()  # of a command: it is not acknowledged then
     sent_by: Literal["host", "device"] = "host"  # of a command: who asks
+    silenced_by: tuple[Condition, ...] = ()  # nor then: settings of other commands
     definition: str | None = None  # "gnss_1.dop": the field of another set that this one repeats
     max_rate: float | None = None
     timeout: float | None = None
@@ -580,6 +582,11 @@ class Support:
         """Does the device take other functions than the definition says?"""
         return self.functions != self.field.functions
 
+    @property
+    def responds(self) -> bool:
+        """Does the device take a function that is answered by a response, or has the command no functions?"""
+        return not self.field.functions or any(f.responds for f in self.functions)
+
 
 @dataclass(frozen=True, slots=True)
 class Rate:
@@ -645,6 +652,7 @@ class Example:
     packet: bytes  # right, always
     fields: tuple[ExampleField, ...]
     note: str
+    device: Device | None = None  # what sends or takes it; None if its manual is for several and it names none
     synthetic: bool = False  # not printed as bytes: given by its parameters only
     position: Position | None = field(default=None, compare=False)
 
@@ -767,12 +775,16 @@ class Model:
         return self._repeats.get(f.full_name, ())
 
     def supports(self, f: Field) -> tuple[tuple[Device, Support], ...]:
-        """The devices that support a field; a response is supported with its commands."""
+        """The devices that support a command or data field."""
         return self._supports.get(f.full_name, ())
 
     def devices_of(self, f: Field) -> tuple[Device, ...]:
-        owners = self.commands(f) if f.role == RESPONSE else (f,)
-        names = {d.id for owner in owners for d, _ in self.supports(owner)}
+        """The devices that support a field; a response where one of its commands asks for it."""
+        if f.role == RESPONSE:
+            found = [(d, s) for c in self.commands(f) for d, s in self.supports(c) if s.responds]
+        else:
+            found = list(self.supports(f))
+        names = {d.id for d, _ in found}
         return tuple(d for d in self.devices if d.id in names)
 
     def device(self, id: str) -> Device | None:

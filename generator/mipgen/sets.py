@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from . import model as m
@@ -24,6 +24,7 @@ DATA_KEYS = ("max_rate",)
 class Sets:
     types: Types
     problems: Problems
+    silences: dict[str, Node] = field(default_factory=dict)  # `silent_when` of a command, by its full name
 
     def resolve(self, nodes: list[Node]) -> tuple[m.Set, ...]:
         found: dict[str, m.Set] = {}
@@ -34,7 +35,7 @@ class Sets:
                 self.problems.add(node["name"].position, f"two sets are called '{name}'; rename one")
                 continue
             found[name] = self.set(node, found)
-        return tuple(sorted(found.values(), key=lambda s: s.number))
+        return self.silenced(sorted(found.values(), key=lambda s: s.number))
 
     def set(self, node: Node, others: dict[str, m.Set]) -> m.Set:
         number, name = node["set"].value, node["name"].value
@@ -83,7 +84,8 @@ class Sets:
             sent_by=node.scalar("sent_by", "host"), also=sentences(node, "also"),
             notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"), position=node.position,
         )  # fmt: skip
-        silent = self.conditions(node.get("silent_when") if role == m.COMMAND else None, command)
+        if role == m.COMMAND and "silent_when" in node:
+            self.silences[command.full_name] = node["silent_when"]
         responses, names = [], []
         for entry in node.get("responses") or ():
             made = self.response(entry, node, command)
@@ -91,7 +93,7 @@ class Sets:
                 responses.append(made)
             if made is not None or "same_as" in entry:
                 names.append(made.name if made else entry["same_as"].value)
-        return [replace(command, responses=tuple(names), silent_when=silent), *responses]
+        return [replace(command, responses=tuple(names)), *responses]
 
     def response(self, node: Node, owner: Node, command: m.Field) -> m.Field | None:
         if "same_as" in node:
@@ -138,29 +140,49 @@ class Sets:
             notes=sentences(node, "notes"), uncertain=sentences(node, "uncertain"), position=node.position,
         )  # fmt: skip
 
+    # ----------------------------------------------------------------------- conditions
+
     def conditions(self, node: Node | None, command: m.Field) -> tuple[m.Condition, ...]:
-        found = []
-        for name, entry in node.items() if node else ():
-            assert node is not None
-            parameter = next((p for p in command.parameters if p.name == name), None)
-            if parameter is None:
-                near = nearest(name, [p.name for p in command.parameters])
-                self.problems.add(node.keys[name], f"the command has no parameter '{name}'{near}")
-                continue
-            value = entry.value
-            if isinstance(value, str) and isinstance(parameter.element, m.Enum):
-                known = parameter.element.by_name(value)
-                if known is None:
-                    near = nearest(value, [v.name for v in parameter.element.values])
-                    self.problems.add(entry.position, f"'{parameter.element.name}' has no value '{value}'{near}")
-                    continue
-                found.append(m.Condition(name, known.value, value))
-            elif isinstance(value, (bool, int)):
-                found.append(m.Condition(name, int(value), str(value).lower()))
-            else:
-                wanted = "a whole number, true, false, or the name of a value of its enumeration"
-                self.problems.add(entry.position, f"'{name}' must be {wanted}")
-        return tuple(found)
+        """Parameters of a command, and the values that they must have."""
+        found = [self.condition(name, node.keys[name], entry, command) for name, entry in node.items()] if node else []
+        return tuple(c for c in found if c is not None)
+
+    def condition(self, name: str, place: m.Position, entry: Node, command: m.Field) -> m.Condition | None:
+        parameter = next((p for p in command.parameters if p.name == name), None)
+        if parameter is None:
+            near = nearest(name, [p.name for p in command.parameters])
+            self.problems.add(place, f"the command has no parameter '{name}'{near}")
+            return None
+        value = entry.value
+        if isinstance(value, str) and isinstance(parameter.element, m.Enum):
+            known = parameter.element.by_name(value)
+            if known is not None:
+                return m.Condition(name, known.value, value)
+            near = nearest(value, [v.name for v in parameter.element.values])
+            self.problems.add(entry.position, f"'{parameter.element.name}' has no value '{value}'{near}")
+        elif isinstance(value, (bool, int)):
+            return m.Condition(name, int(value), str(value).lower())
+        else:
+            wanted = "a whole number, true, false, or the name of a value of its enumeration"
+            self.problems.add(entry.position, f"'{name}' must be {wanted}")
+        return None
+
+    def silenced(self, sets: list[m.Set]) -> tuple[m.Set, ...]:
+        """The same sets, with what keeps commands from being acknowledged: it may be a setting of any command."""
+        commands = {f.full_name: f for s in sets for f in s.fields if f.role == m.COMMAND}
+        found: dict[str, m.Field] = {}
+        for name, node in self.silences.items():
+            own: list[m.Condition] = []
+            others: list[m.Condition] = []
+            for path, entry in node.items():
+                place = node.keys[path]
+                other, _, parameter = path.rpartition(".")
+                if other and other not in commands:
+                    self.problems.add(place, f"no command '{other}'{nearest(other, commands)}")
+                elif c := self.condition(parameter, place, entry, commands[other or name]):
+                    (others if other else own).append(replace(c, command=other or None))
+            found[name] = replace(commands[name], silent_when=tuple(own), silenced_by=tuple(others))
+        return tuple(replace(s, fields=tuple(found.get(f.full_name, f) for f in s.fields)) for s in sets)
 
     def shared(self, node: Node, fields: list[m.Field]) -> list[m.Field]:
         """Every same_as names a response of this set; what does not is dropped once it is reported."""
