@@ -89,6 +89,8 @@ def field(f: m.Field, model: m.Model) -> list[Fact]:
     if f.silent_when:
         found.append(_fact("silent", conditions(f.silent_when, f), "Not acknowledged if {}."))
     found += [_fact("silent", _setting(c, model), "Not acknowledged if {}.") for c in f.silenced_by]
+    if f.sent_by == "device":
+        found.append(_fact("sent_by", (), "The device sends it, and the host answers."))
     if f.timeout:
         found.append(_fact("timeout", (f"{number(f.timeout)} s",), "The device may take {} to answer."))
     if f.max_rate:
@@ -97,7 +99,18 @@ def field(f: m.Field, model: m.Model) -> list[Fact]:
     if devices:
         found.append(_fact("devices", joined([(_device(d),) for d in devices]), "Supported by {}."))
     found += [_support(d, s) for d, s in model.supports(f) if s.differs]
-    return found + [_fact("note", prose(note, model), "{}") for note in f.notes]
+    return [*found, *_remarks(f, model)]
+
+
+def _remarks(of: m.Field | m.Parameter, model: m.Model) -> Iterator[Fact]:
+    """What has no form of its own: notes, and what is not sure."""
+    yield from (_fact("note", prose(note, model), "{}") for note in of.notes)
+    yield from uncertain(of, model)
+
+
+def uncertain(of: m.Field | m.Set | m.Parameter | m.Type | m.EnumValue | m.Bits, model: m.Model) -> list[Fact]:
+    """What is not sure, each with what is known and what is inferred."""
+    return [_fact("uncertain", prose(text.rstrip("."), model), "Uncertain: {}.") for text in of.uncertain]
 
 
 def _support(d: m.Device, s: m.Support) -> Fact:
@@ -152,7 +165,7 @@ def parameter(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
         found.append(_valid(p, beside, record))
     found += _presence(p, record)
     found += [variant(v, p, record, model) for v in p.variants]
-    return found + [_fact("note", prose(note, model), "{}") for note in p.notes]
+    return [*found, *_remarks(p, model)]
 
 
 def _measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> Iterator[Fact]:
@@ -162,20 +175,28 @@ def _measures(of: m.Parameter | m.Variant, p: m.Parameter, model: m.Model) -> It
     if of.frame:
         word = next(w for w in model.protocol.frames if w.symbol == of.frame)
         yield _fact("frame", (Ref(word, word.symbol),), "Frame: {}.")
-    if of.minimum is not None or of.maximum is not None:
-        yield _fact("range", (limits(of.minimum, of.maximum),), "Range: {}.")
+    above, below = (of.above, of.below) if isinstance(of, m.Parameter) else (None, None)
+    if any(bound is not None for bound in (of.minimum, of.maximum, above, below)):
+        yield _fact("range", (limits(of.minimum, of.maximum, above, below),), "Range: {}.")
     if of.default is not None:
         yield _fact("default", default(of.default, p), "Default: {}.")
 
 
-def limits(low: float | int | None, high: float | int | None) -> str:
-    """
+Bound = float | int | None
+
+
+def limits(low: Bound, high: Bound, above: Bound = None, below: Bound = None) -> str:
+    """Bounds in words; a value may be `low` and `high` themselves, but neither `above` nor `below`.
+
     >>> limits(1, 2.5), limits(0, None), limits(None, 10)
     ('1 to 2.5', 'at least 0', 'at most 10')
+    >>> limits(None, 10, above=0), limits(None, None, below=1)
+    ('greater than 0, at most 10', 'less than 1')
     """
-    if low is None:
-        return f"at most {number(high)}"
-    return f"at least {number(low)}" if high is None else f"{number(low)} to {number(high)}"
+    if low is not None and high is not None:
+        return f"{number(low)} to {number(high)}"
+    words = (("at least", low), ("greater than", above), ("at most", high), ("less than", below))
+    return ", ".join(f"{word} {number(bound)}" for word, bound in words if bound is not None)
 
 
 def default(value: object, p: m.Parameter) -> Text:
@@ -197,7 +218,7 @@ def _valid(p: m.Parameter, beside: dict[str, m.Parameter], record: Record) -> Fa
     """The bit that vouches for a value, or one for each element."""
     refs = [_bit(path, beside, record) for path in dict.fromkeys(p.valid)]
     if len(refs) == 1:
-        return _fact("valid", (refs[0],), "Valid if {} is set.")
+        return _fact("valid", (refs[0],), "Valid if {} is set." if "." in refs[0].words else "Valid if {} is true.")
     names = p.element.elements if isinstance(p.element, m.Vector) else tuple(map(str, range(len(p.valid))))
     each = [(f"{name} by ", _bit(path, beside, record)) for name, path in zip(names, p.valid, strict=False)]
     return _fact("valid", _interleaved(each, ", "), "Each element is valid by its bit: {}.")
@@ -262,6 +283,11 @@ def bits_place(b: m.Bits) -> str:
     return f"bit {b.first}" if b.width == 1 else f"bits {b.first} to {b.last}"
 
 
+def type(t: m.Type, model: m.Model) -> list[Fact]:
+    """What there is to say of a type beside its description."""
+    return uncertain(t, model)
+
+
 def bits(b: m.Bits, model: m.Model) -> list[Fact]:
     place = bits_place(b)
     found = [Fact("place", (place,), (f"{place.capitalize()}.",))]
@@ -269,11 +295,11 @@ def bits(b: m.Bits, model: m.Model) -> list[Fact]:
         found.append(_fact("values", (Ref(b.enum, b.enum.name),), "A value of {}."))
     if b.alias:
         found.append(_fact("alias", (), "Overlaps other bits."))
-    return found
+    return found + uncertain(b, model)
 
 
-def value(v: m.EnumValue) -> list[Fact]:
-    return [_fact("deprecated", (), "Deprecated.")] if v.deprecated else []
+def value(v: m.EnumValue, model: m.Model) -> list[Fact]:
+    return [*([_fact("deprecated", (), "Deprecated.")] if v.deprecated else []), *uncertain(v, model)]
 
 
 def sources(thing: m.Field | m.Set | m.Enum | m.Bitfield | m.Struct) -> list[str]:

@@ -87,11 +87,11 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
             yield from of_record(f, of)
     for t in (of.protocol.function_selector, *of.all_types):
         if not isinstance(t, m.Vector):
-            yield names.type_name(t), [t.description, *describe.sources(t)]
+            yield names.type_name(t), [t.description, *said(describe.type(t, of)), *describe.sources(t)]
         if isinstance(t, m.Struct):
             yield from of_record(t, of)
         elif isinstance(t, m.Enum):
-            yield from ((names.constant(t, v), [v.description, *said(describe.value(v))]) for v in t.values)
+            yield from ((names.constant(t, v), [v.description, *said(describe.value(v, of))]) for v in t.values)
         elif isinstance(t, m.Bitfield):
             for b in t.bits:
                 told = [b.description, *said(describe.bits(b, of))]

@@ -133,7 +133,7 @@ def test_every_fact_of_a_value_and_a_bit(manual: Manual) -> None:
         wanted = []
         if isinstance(t, m.Enum):
             for v in t.values:
-                text = " ".join([*told(v.description, manual), *sentences(describe.value(v))])
+                text = " ".join([*told(v.description, manual), *sentences(describe.value(v, manual.model))])
                 wanted.append([str(v.value), f"0x{v.value:0{2 * t.scalar.size}X}", v.name, text])
         elif isinstance(t, m.Bitfield):
             for b in t.bits:

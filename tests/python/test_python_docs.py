@@ -55,12 +55,12 @@ def texts(of: m.Model) -> Iterator[tuple[str, str, str]]:
         yield from _about(f, describe.sources(f))
         yield from _parameters(f, of)
     for t in (*of.all_types, of.protocol.function_selector):
-        yield from _about(t, _prose(t.description, t, of))
+        yield from _about(t, [*_prose(t.description, t, of), *_sentences(describe.type(t, of), t)])
         match t:
             case m.Enum():
                 for v in t.values:
                     yield from _about(
-                        t, [*_prose(v.description, t, of), *_sentences(describe.value(v), t)], f".{v.name}"
+                        t, [*_prose(v.description, t, of), *_sentences(describe.value(v, of), t)], f".{v.name}"
                     )
             case m.Bitfield():
                 for b in t.bits:

@@ -9,10 +9,10 @@ set(MIP_GENERATED_SOURCES
   src/filter_data.c
   src/gnss.c
   src/gnss_1.c
-  src/gnss_corrections.c
   src/protocol.c
   src/reflection.c
   src/registry.c
+  src/rtk.c
   src/sensor.c
   src/shared.c
   src/system.c

@@ -102,11 +102,11 @@ static bool silent_poll_imu_data(const void *value) {
 }
 
 const struct mip_codec mip_3dm_poll_imu_data_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_POLL_IMU_DATA_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_poll_imu_data),
-    0,
+    0, /* time-out */
     read_poll_imu_data,
     write_poll_imu_data,
     silent_poll_imu_data,
@@ -158,11 +158,11 @@ static bool silent_poll_gnss_data(const void *value) {
 }
 
 const struct mip_codec mip_3dm_poll_gnss_data_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_POLL_GNSS_DATA_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_poll_gnss_data),
-    0,
+    0, /* time-out */
     read_poll_gnss_data,
     write_poll_gnss_data,
     silent_poll_gnss_data,
@@ -217,11 +217,11 @@ static bool silent_poll_estimation_filter_data(const void *value) {
 }
 
 const struct mip_codec mip_3dm_poll_estimation_filter_data_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_POLL_ESTIMATION_FILTER_DATA_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_poll_estimation_filter_data),
-    0,
+    0, /* time-out */
     read_poll_estimation_filter_data,
     write_poll_estimation_filter_data,
     silent_poll_estimation_filter_data,
@@ -273,11 +273,11 @@ static bool silent_poll_nmea_data(const void *value) {
 }
 
 const struct mip_codec mip_3dm_poll_nmea_data_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_POLL_NMEA_DATA_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_poll_nmea_data),
-    0,
+    0, /* time-out */
     read_poll_nmea_data,
     write_poll_nmea_data,
     silent_poll_nmea_data,
@@ -306,11 +306,11 @@ struct mip_3dm_poll_nmea_data mip_3dm_poll_nmea_data_make(
 }
 
 const struct mip_codec mip_3dm_get_imu_data_base_rate_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_IMU_DATA_BASE_RATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_imu_data_base_rate),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -340,11 +340,11 @@ static void write_get_imu_data_base_rate_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_3dm_get_imu_data_base_rate_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_IMU_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_imu_data_base_rate_response),
-    0,
+    0, /* time-out */
     read_get_imu_data_base_rate_response,
     write_get_imu_data_base_rate_response,
     NULL,
@@ -363,11 +363,11 @@ mip_error mip_3dm_get_imu_data_base_rate_response_encode(
 }
 
 const struct mip_codec mip_3dm_get_gnss_data_base_rate_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_GNSS_DATA_BASE_RATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_gnss_data_base_rate),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -397,11 +397,11 @@ static void write_get_gnss_data_base_rate_response(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_3dm_get_gnss_data_base_rate_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_GNSS_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_gnss_data_base_rate_response),
-    0,
+    0, /* time-out */
     read_get_gnss_data_base_rate_response,
     write_get_gnss_data_base_rate_response,
     NULL,
@@ -448,11 +448,11 @@ static void write_imu_message_format(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_imu_message_format_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_IMU_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_imu_message_format),
-    0,
+    0, /* time-out */
     read_imu_message_format,
     write_imu_message_format,
     NULL,
@@ -527,11 +527,11 @@ static void write_imu_message_format_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_imu_message_format_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_imu_message_format_response),
-    0,
+    0, /* time-out */
     read_imu_message_format_response,
     write_imu_message_format_response,
     NULL,
@@ -577,11 +577,11 @@ static void write_gnss_message_format(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_gnss_message_format_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gnss_message_format),
-    0,
+    0, /* time-out */
     read_gnss_message_format,
     write_gnss_message_format,
     NULL,
@@ -656,11 +656,11 @@ static void write_gnss_message_format_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_3dm_gnss_message_format_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gnss_message_format_response),
-    0,
+    0, /* time-out */
     read_gnss_message_format_response,
     write_gnss_message_format_response,
     NULL,
@@ -708,11 +708,11 @@ static void write_estimation_filter_message_format(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_3dm_estimation_filter_message_format_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_estimation_filter_message_format),
-    0,
+    0, /* time-out */
     read_estimation_filter_message_format,
     write_estimation_filter_message_format,
     NULL,
@@ -793,11 +793,11 @@ static void write_estimation_filter_message_format_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_3dm_estimation_filter_message_format_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_estimation_filter_message_format_response),
-    0,
+    0, /* time-out */
     read_estimation_filter_message_format_response,
     write_estimation_filter_message_format_response,
     NULL,
@@ -819,11 +819,11 @@ mip_error mip_3dm_estimation_filter_message_format_response_encode(
 }
 
 const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_estimation_filter_data_base_rate),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -854,11 +854,11 @@ static void write_get_estimation_filter_data_base_rate_response(struct mip_write
 }
 
 const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_estimation_filter_data_base_rate_response),
-    0,
+    0, /* time-out */
     read_get_estimation_filter_data_base_rate_response,
     write_get_estimation_filter_data_base_rate_response,
     NULL,
@@ -908,11 +908,11 @@ static void write_nmea_message_format(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_nmea_message_format_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_NMEA_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_nmea_message_format),
-    0,
+    0, /* time-out */
     read_nmea_message_format,
     write_nmea_message_format,
     NULL,
@@ -929,8 +929,8 @@ mip_error mip_3dm_nmea_message_format_encode(const struct mip_3dm_nmea_message_f
                             write_nmea_message_format, value);
 }
 
-struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_write(
-    uint8_t count, const struct mip_nmea_message format_entries[]) {
+struct mip_3dm_nmea_message_format
+mip_3dm_nmea_message_format_write(uint8_t count, const struct mip_nmea_message format_entries[]) {
     struct mip_3dm_nmea_message_format v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -987,11 +987,11 @@ static void write_nmea_message_format_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_3dm_nmea_message_format_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_nmea_message_format_response),
-    0,
+    0, /* time-out */
     read_nmea_message_format_response,
     write_nmea_message_format_response,
     NULL,
@@ -1030,11 +1030,11 @@ static bool silent_poll_data(const void *value) {
 }
 
 const struct mip_codec mip_3dm_poll_data_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_POLL_DATA_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_poll_data),
-    0,
+    0, /* time-out */
     read_poll_data,
     write_poll_data,
     silent_poll_data,
@@ -1073,11 +1073,11 @@ static void write_get_data_base_rate(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_get_data_base_rate_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_DATA_BASE_RATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_data_base_rate),
-    0,
+    0, /* time-out */
     read_get_data_base_rate,
     write_get_data_base_rate,
     NULL,
@@ -1116,11 +1116,11 @@ static void write_get_data_base_rate_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_get_data_base_rate_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_data_base_rate_response),
-    0,
+    0, /* time-out */
     read_get_data_base_rate_response,
     write_get_data_base_rate_response,
     NULL,
@@ -1169,11 +1169,11 @@ static void write_message_format(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_message_format_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_message_format),
-    0,
+    0, /* time-out */
     read_message_format,
     write_message_format,
     NULL,
@@ -1254,11 +1254,11 @@ static void write_message_format_response(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_3dm_message_format_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_message_format_response),
-    0,
+    0, /* time-out */
     read_message_format_response,
     write_message_format_response,
     NULL,
@@ -1288,11 +1288,11 @@ static void write_factory_streaming(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_factory_streaming_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_FACTORY_STREAMING_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_factory_streaming),
-    0,
+    0, /* time-out */
     read_factory_streaming,
     write_factory_streaming,
     NULL,
@@ -1309,8 +1309,8 @@ mip_error mip_3dm_factory_streaming_encode(const struct mip_3dm_factory_streamin
                             write_factory_streaming, value);
 }
 
-struct mip_3dm_factory_streaming mip_3dm_factory_streaming_make(
-    mip_3dm_factory_streaming_action action) {
+struct mip_3dm_factory_streaming
+mip_3dm_factory_streaming_make(mip_3dm_factory_streaming_action action) {
     struct mip_3dm_factory_streaming v;
     memset(&v, 0, sizeof(v));
     v.action = action;
@@ -1344,11 +1344,11 @@ static void write_data_stream_control(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_data_stream_control_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_data_stream_control),
-    0,
+    0, /* time-out */
     read_data_stream_control,
     write_data_stream_control,
     NULL,
@@ -1422,11 +1422,11 @@ static void write_data_stream_control_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_3dm_data_stream_control_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_data_stream_control_response),
-    0,
+    0, /* time-out */
     read_data_stream_control_response,
     write_data_stream_control_response,
     NULL,
@@ -1477,11 +1477,11 @@ static void write_constellation_settings(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_3dm_constellation_settings_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_CONSTELLATION_SETTINGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_constellation_settings),
-    0,
+    0, /* time-out */
     read_constellation_settings,
     write_constellation_settings,
     NULL,
@@ -1498,9 +1498,9 @@ mip_error mip_3dm_constellation_settings_encode(const struct mip_3dm_constellati
                             write_constellation_settings, value);
 }
 
-struct mip_3dm_constellation_settings mip_3dm_constellation_settings_write(
-    uint16_t max_channels, uint8_t config_count,
-    const struct mip_3dm_constellation_settings_entry settings[]) {
+struct mip_3dm_constellation_settings
+mip_3dm_constellation_settings_write(uint16_t max_channels, uint8_t config_count,
+                                     const struct mip_3dm_constellation_settings_entry settings[]) {
     struct mip_3dm_constellation_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -1561,11 +1561,11 @@ static void write_constellation_settings_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_3dm_constellation_settings_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_constellation_settings_response),
-    0,
+    0, /* time-out */
     read_constellation_settings_response,
     write_constellation_settings_response,
     NULL,
@@ -1616,11 +1616,11 @@ static void write_gnss_sbas_settings(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_SBAS_SETTINGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gnss_sbas_settings),
-    0,
+    0, /* time-out */
     read_gnss_sbas_settings,
     write_gnss_sbas_settings,
     NULL,
@@ -1637,9 +1637,9 @@ mip_error mip_3dm_gnss_sbas_settings_encode(const struct mip_3dm_gnss_sbas_setti
                             write_gnss_sbas_settings, value);
 }
 
-struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_write(
-    uint8_t enable_sbas, mip_3dm_sbas_options sbas_options, uint8_t num_included_prns,
-    const uint16_t included_prns[]) {
+struct mip_3dm_gnss_sbas_settings
+mip_3dm_gnss_sbas_settings_write(uint8_t enable_sbas, mip_3dm_sbas_options sbas_options,
+                                 uint8_t num_included_prns, const uint16_t included_prns[]) {
     struct mip_3dm_gnss_sbas_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -1698,11 +1698,11 @@ static void write_gnss_sbas_settings_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gnss_sbas_settings_response),
-    0,
+    0, /* time-out */
     read_gnss_sbas_settings_response,
     write_gnss_sbas_settings_response,
     NULL,
@@ -1746,11 +1746,11 @@ static void write_gnss_assisted_fix(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_ASSISTED_FIX_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gnss_assisted_fix),
-    0,
+    0, /* time-out */
     read_gnss_assisted_fix,
     write_gnss_assisted_fix,
     NULL,
@@ -1767,8 +1767,8 @@ mip_error mip_3dm_gnss_assisted_fix_encode(const struct mip_3dm_gnss_assisted_fi
                             write_gnss_assisted_fix, value);
 }
 
-struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_write(
-    mip_3dm_assisted_fix_option option) {
+struct mip_3dm_gnss_assisted_fix
+mip_3dm_gnss_assisted_fix_write(mip_3dm_assisted_fix_option option) {
     struct mip_3dm_gnss_assisted_fix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -1781,6 +1781,7 @@ struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_read(void) {
     struct mip_3dm_gnss_assisted_fix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
+    v.flags = 255;
     return v;
 }
 
@@ -1788,6 +1789,7 @@ struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_save(void) {
     struct mip_3dm_gnss_assisted_fix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    v.flags = 255;
     return v;
 }
 
@@ -1795,6 +1797,7 @@ struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_load(void) {
     struct mip_3dm_gnss_assisted_fix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    v.flags = 255;
     return v;
 }
 
@@ -1802,6 +1805,7 @@ struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_default(void) {
     struct mip_3dm_gnss_assisted_fix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    v.flags = 255;
     return v;
 }
 
@@ -1820,11 +1824,11 @@ static void write_gnss_assisted_fix_response(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gnss_assisted_fix_response),
-    0,
+    0, /* time-out */
     read_gnss_assisted_fix_response,
     write_gnss_assisted_fix_response,
     NULL,
@@ -1873,11 +1877,11 @@ static void write_gnss_time_assistance(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_3dm_gnss_time_assistance_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_TIME_ASSISTANCE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gnss_time_assistance),
-    0,
+    0, /* time-out */
     read_gnss_time_assistance,
     write_gnss_time_assistance,
     NULL,
@@ -1930,11 +1934,11 @@ static void write_gnss_time_assistance_response(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_3dm_gnss_time_assistance_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gnss_time_assistance_response),
-    0,
+    0, /* time-out */
     read_gnss_time_assistance_response,
     write_gnss_time_assistance_response,
     NULL,
@@ -1974,11 +1978,11 @@ static void write_pps_source_control(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_pps_source_control_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_pps_source_control),
-    0,
+    0, /* time-out */
     read_pps_source_control,
     write_pps_source_control,
     NULL,
@@ -2044,11 +2048,11 @@ static void write_pps_source_control_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_pps_source_control_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_pps_source_control_response),
-    0,
+    0, /* time-out */
     read_pps_source_control_response,
     write_pps_source_control_response,
     NULL,
@@ -2077,11 +2081,11 @@ static void write_get_supported_events(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_3dm_get_supported_events_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_SUPPORTED_EVENTS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_supported_events),
-    0,
+    0, /* time-out */
     read_get_supported_events,
     write_get_supported_events,
     NULL,
@@ -2098,8 +2102,8 @@ mip_error mip_3dm_get_supported_events_encode(const struct mip_3dm_get_supported
                             write_get_supported_events, value);
 }
 
-struct mip_3dm_get_supported_events mip_3dm_get_supported_events_make(
-    mip_3dm_supported_events_query query) {
+struct mip_3dm_get_supported_events
+mip_3dm_get_supported_events_make(mip_3dm_supported_events_query query) {
     struct mip_3dm_get_supported_events v;
     memset(&v, 0, sizeof(v));
     v.query = query;
@@ -2129,11 +2133,11 @@ static void write_get_supported_events_response(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_3dm_get_supported_events_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_SUPPORTED_EVENTS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_supported_events_response),
-    0,
+    0, /* time-out */
     read_get_supported_events_response,
     write_get_supported_events_response,
     NULL,
@@ -2176,11 +2180,11 @@ static void write_event_control(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_event_control_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_event_control),
-    0,
+    0, /* time-out */
     read_event_control,
     write_event_control,
     NULL,
@@ -2253,11 +2257,11 @@ static void write_event_control_response(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_3dm_event_control_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_event_control_response),
-    0,
+    0, /* time-out */
     read_event_control_response,
     write_event_control_response,
     NULL,
@@ -2288,11 +2292,11 @@ static void write_get_event_trigger_status(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_TRIGGER_STATUS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_event_trigger_status),
-    0,
+    0, /* time-out */
     read_get_event_trigger_status,
     write_get_event_trigger_status,
     NULL,
@@ -2338,11 +2342,11 @@ static void write_get_event_trigger_status_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_3dm_get_event_trigger_status_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_event_trigger_status_response),
-    0,
+    0, /* time-out */
     read_get_event_trigger_status_response,
     write_get_event_trigger_status_response,
     NULL,
@@ -2374,11 +2378,11 @@ static void write_get_event_action_status(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_3dm_get_event_action_status_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_ACTION_STATUS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_event_action_status),
-    0,
+    0, /* time-out */
     read_get_event_action_status,
     write_get_event_action_status,
     NULL,
@@ -2395,8 +2399,8 @@ mip_error mip_3dm_get_event_action_status_encode(
                             write_get_event_action_status, value);
 }
 
-struct mip_3dm_get_event_action_status mip_3dm_get_event_action_status_make(
-    uint8_t requested_count, const uint8_t requested_instances[]) {
+struct mip_3dm_get_event_action_status
+mip_3dm_get_event_action_status_make(uint8_t requested_count, const uint8_t requested_instances[]) {
     struct mip_3dm_get_event_action_status v;
     memset(&v, 0, sizeof(v));
     v.requested_count = requested_count;
@@ -2424,11 +2428,11 @@ static void write_get_event_action_status_response(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_3dm_get_event_action_status_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_event_action_status_response),
-    0,
+    0, /* time-out */
     read_get_event_action_status_response,
     write_get_event_action_status_response,
     NULL,
@@ -2503,11 +2507,11 @@ static void write_event_trigger_configuration(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_event_trigger_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_TRIGGER_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_event_trigger_configuration),
-    0,
+    0, /* time-out */
     read_event_trigger_configuration,
     write_event_trigger_configuration,
     NULL,
@@ -2538,8 +2542,8 @@ struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_w
     return v;
 }
 
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_read(
-    uint8_t instance) {
+struct mip_3dm_event_trigger_configuration
+mip_3dm_event_trigger_configuration_read(uint8_t instance) {
     struct mip_3dm_event_trigger_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -2547,8 +2551,8 @@ struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_r
     return v;
 }
 
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_save(
-    uint8_t instance) {
+struct mip_3dm_event_trigger_configuration
+mip_3dm_event_trigger_configuration_save(uint8_t instance) {
     struct mip_3dm_event_trigger_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -2556,8 +2560,8 @@ struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_s
     return v;
 }
 
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_load(
-    uint8_t instance) {
+struct mip_3dm_event_trigger_configuration
+mip_3dm_event_trigger_configuration_load(uint8_t instance) {
     struct mip_3dm_event_trigger_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
@@ -2565,8 +2569,8 @@ struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_l
     return v;
 }
 
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_default(
-    uint8_t instance) {
+struct mip_3dm_event_trigger_configuration
+mip_3dm_event_trigger_configuration_default(uint8_t instance) {
     struct mip_3dm_event_trigger_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -2615,11 +2619,11 @@ static void write_event_trigger_configuration_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_3dm_event_trigger_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_TRIGGER_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_event_trigger_configuration_response),
-    0,
+    0, /* time-out */
     read_event_trigger_configuration_response,
     write_event_trigger_configuration_response,
     NULL,
@@ -2692,11 +2696,11 @@ static void write_event_action_configuration(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_3dm_event_action_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_ACTION_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_event_action_configuration),
-    0,
+    0, /* time-out */
     read_event_action_configuration,
     write_event_action_configuration,
     NULL,
@@ -2728,8 +2732,8 @@ struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_wri
     return v;
 }
 
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_read(
-    uint8_t instance) {
+struct mip_3dm_event_action_configuration
+mip_3dm_event_action_configuration_read(uint8_t instance) {
     struct mip_3dm_event_action_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -2737,8 +2741,8 @@ struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_rea
     return v;
 }
 
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_save(
-    uint8_t instance) {
+struct mip_3dm_event_action_configuration
+mip_3dm_event_action_configuration_save(uint8_t instance) {
     struct mip_3dm_event_action_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -2746,8 +2750,8 @@ struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_sav
     return v;
 }
 
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_load(
-    uint8_t instance) {
+struct mip_3dm_event_action_configuration
+mip_3dm_event_action_configuration_load(uint8_t instance) {
     struct mip_3dm_event_action_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
@@ -2755,8 +2759,8 @@ struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_loa
     return v;
 }
 
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_default(
-    uint8_t instance) {
+struct mip_3dm_event_action_configuration
+mip_3dm_event_action_configuration_default(uint8_t instance) {
     struct mip_3dm_event_action_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -2801,11 +2805,11 @@ static void write_event_action_configuration_response(struct mip_writer *w, cons
 }
 
 const struct mip_codec mip_3dm_event_action_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_ACTION_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_event_action_configuration_response),
-    0,
+    0, /* time-out */
     read_event_action_configuration_response,
     write_event_action_configuration_response,
     NULL,
@@ -2835,11 +2839,11 @@ static void write_device_start_up_settings(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_3dm_device_start_up_settings_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DEVICE_START_UP_SETTINGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_device_start_up_settings),
-    1000,
+    1000, /* time-out */
     read_device_start_up_settings,
     write_device_start_up_settings,
     NULL,
@@ -2911,11 +2915,11 @@ static void write_sensor_to_vehicle_frame_transformation_euler(struct mip_writer
 }
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_frame_transformation_euler,
     write_sensor_to_vehicle_frame_transformation_euler,
     NULL,
@@ -2998,11 +3002,11 @@ static void write_sensor_to_vehicle_frame_transformation_euler_response(struct m
 }
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_frame_transformation_euler_response,
     write_sensor_to_vehicle_frame_transformation_euler_response,
     NULL,
@@ -3024,8 +3028,8 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_sensor_to_vehicle_frame_transformation_quaternion[] = {
-    0, 1, 0, 0, 0, 0};
+static const uint8_t required_sensor_to_vehicle_frame_transformation_quaternion[] = {0, 1, 0,
+                                                                                     0, 0, 0};
 
 static void read_sensor_to_vehicle_frame_transformation_quaternion(struct mip_reader *r,
                                                                    void *value) {
@@ -3052,11 +3056,11 @@ static void write_sensor_to_vehicle_frame_transformation_quaternion(struct mip_w
 }
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_frame_transformation_quaternion,
     write_sensor_to_vehicle_frame_transformation_quaternion,
     NULL,
@@ -3133,11 +3137,11 @@ static void write_sensor_to_vehicle_frame_transformation_quaternion_response(str
 }
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_frame_transformation_quaternion_response,
     write_sensor_to_vehicle_frame_transformation_quaternion_response,
     NULL,
@@ -3179,7 +3183,8 @@ static void read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix(
 static void write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix(
     struct mip_writer *w, const void *value) {
     const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *v =
-        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *)value;
+        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *)
+            value;
     mip_write_u8(w, &v->function, 1);
     mip_write_required(
         w, v->function, required_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
@@ -3189,15 +3194,16 @@ static void write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
     mip_write_float(w, v->dcm, 9);
 }
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_codec = {
-    0x0C,
-    MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix),
-    0,
-    read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
-    write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
-    NULL,
+const struct mip_codec
+    mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_codec = {
+        0x0C, /* descriptor set */
+        MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_DESCRIPTOR,
+        MIP_COMMAND,
+        sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix),
+        0, /* time-out */
+        read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
+        write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
+        NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_decode(
@@ -3261,26 +3267,31 @@ mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_default(v
 static void read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response(
     struct mip_reader *r, void *value) {
     struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *v =
-        (struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *)value;
+        (struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *)
+            value;
     mip_read_float(r, v->dcm, 9);
 }
 
 static void write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response(
     struct mip_writer *w, const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *v =
-        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *)value;
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response
+        *v = (const struct
+              mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *)
+            value;
     mip_write_float(w, v->dcm, 9);
 }
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_codec = {
-    0x0C,
-    MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response),
-    0,
-    read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
-    write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
-    NULL,
+const struct mip_codec
+    mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_codec = {
+        0x0C, /* descriptor set */
+        MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_DESCRIPTOR,
+        MIP_RESPONSE,
+        sizeof(
+            struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response),
+        0, /* time-out */
+        read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
+        write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
+        NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_decode(
@@ -3291,9 +3302,9 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
         sizeof(*value), NULL);
 }
 
-mip_error
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *value,
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response
+        *value,
     struct mip_builder *builder) {
     return mip_encode_field(
         builder, 0x0C,
@@ -3332,11 +3343,11 @@ static bool silent_accelerometer_bias_configuration(const void *value) {
 }
 
 const struct mip_codec mip_3dm_accelerometer_bias_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_accelerometer_bias_configuration),
-    0,
+    0, /* time-out */
     read_accelerometer_bias_configuration,
     write_accelerometer_bias_configuration,
     silent_accelerometer_bias_configuration,
@@ -3354,8 +3365,8 @@ mip_error mip_3dm_accelerometer_bias_configuration_encode(
                             write_accelerometer_bias_configuration, value);
 }
 
-struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_write(
-    const float bias[3]) {
+struct mip_3dm_accelerometer_bias_configuration
+mip_3dm_accelerometer_bias_configuration_write(const float bias[3]) {
     struct mip_3dm_accelerometer_bias_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3395,8 +3406,8 @@ mip_3dm_accelerometer_bias_configuration_default(void) {
     return v;
 }
 
-struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_apply(
-    const float bias[3]) {
+struct mip_3dm_accelerometer_bias_configuration
+mip_3dm_accelerometer_bias_configuration_apply(const float bias[3]) {
     struct mip_3dm_accelerometer_bias_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_APPLY;
@@ -3418,11 +3429,11 @@ static void write_accelerometer_bias_configuration_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_3dm_accelerometer_bias_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_accelerometer_bias_configuration_response),
-    0,
+    0, /* time-out */
     read_accelerometer_bias_configuration_response,
     write_accelerometer_bias_configuration_response,
     NULL,
@@ -3474,11 +3485,11 @@ static bool silent_gyroscope_bias_configuration(const void *value) {
 }
 
 const struct mip_codec mip_3dm_gyroscope_bias_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gyroscope_bias_configuration),
-    0,
+    0, /* time-out */
     read_gyroscope_bias_configuration,
     write_gyroscope_bias_configuration,
     silent_gyroscope_bias_configuration,
@@ -3495,8 +3506,8 @@ mip_error mip_3dm_gyroscope_bias_configuration_encode(
                             write_gyroscope_bias_configuration, value);
 }
 
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_write(
-    const float bias[3]) {
+struct mip_3dm_gyroscope_bias_configuration
+mip_3dm_gyroscope_bias_configuration_write(const float bias[3]) {
     struct mip_3dm_gyroscope_bias_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3532,8 +3543,8 @@ struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration
     return v;
 }
 
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_apply(
-    const float bias[3]) {
+struct mip_3dm_gyroscope_bias_configuration
+mip_3dm_gyroscope_bias_configuration_apply(const float bias[3]) {
     struct mip_3dm_gyroscope_bias_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_APPLY;
@@ -3554,11 +3565,11 @@ static void write_gyroscope_bias_configuration_response(struct mip_writer *w, co
 }
 
 const struct mip_codec mip_3dm_gyroscope_bias_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gyroscope_bias_configuration_response),
-    0,
+    0, /* time-out */
     read_gyroscope_bias_configuration_response,
     write_gyroscope_bias_configuration_response,
     NULL,
@@ -3589,11 +3600,11 @@ static void write_capture_gyroscope_bias(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_3dm_capture_gyroscope_bias_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_CAPTURE_GYROSCOPE_BIAS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_capture_gyroscope_bias),
-    31000,
+    31000, /* time-out */
     read_capture_gyroscope_bias,
     write_capture_gyroscope_bias,
     NULL,
@@ -3610,8 +3621,8 @@ mip_error mip_3dm_capture_gyroscope_bias_encode(const struct mip_3dm_capture_gyr
                             write_capture_gyroscope_bias, value);
 }
 
-struct mip_3dm_capture_gyroscope_bias mip_3dm_capture_gyroscope_bias_make(
-    uint16_t averaging_time_ms) {
+struct mip_3dm_capture_gyroscope_bias
+mip_3dm_capture_gyroscope_bias_make(uint16_t averaging_time_ms) {
     struct mip_3dm_capture_gyroscope_bias v;
     memset(&v, 0, sizeof(v));
     v.averaging_time_ms = averaging_time_ms;
@@ -3643,11 +3654,11 @@ static void write_magnetometer_hard_iron_offset(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_magnetometer_hard_iron_offset),
-    0,
+    0, /* time-out */
     read_magnetometer_hard_iron_offset,
     write_magnetometer_hard_iron_offset,
     NULL,
@@ -3664,8 +3675,8 @@ mip_error mip_3dm_magnetometer_hard_iron_offset_encode(
                             write_magnetometer_hard_iron_offset, value);
 }
 
-struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_write(
-    const float offset[3]) {
+struct mip_3dm_magnetometer_hard_iron_offset
+mip_3dm_magnetometer_hard_iron_offset_write(const float offset[3]) {
     struct mip_3dm_magnetometer_hard_iron_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3714,11 +3725,11 @@ static void write_magnetometer_hard_iron_offset_response(struct mip_writer *w, c
 }
 
 const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_magnetometer_hard_iron_offset_response),
-    0,
+    0, /* time-out */
     read_magnetometer_hard_iron_offset_response,
     write_magnetometer_hard_iron_offset_response,
     NULL,
@@ -3763,11 +3774,11 @@ static void write_magnetometer_soft_iron_matrix(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_magnetometer_soft_iron_matrix),
-    0,
+    0, /* time-out */
     read_magnetometer_soft_iron_matrix,
     write_magnetometer_soft_iron_matrix,
     NULL,
@@ -3784,8 +3795,8 @@ mip_error mip_3dm_magnetometer_soft_iron_matrix_encode(
                             write_magnetometer_soft_iron_matrix, value);
 }
 
-struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_write(
-    const float offset[9]) {
+struct mip_3dm_magnetometer_soft_iron_matrix
+mip_3dm_magnetometer_soft_iron_matrix_write(const float offset[9]) {
     struct mip_3dm_magnetometer_soft_iron_matrix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3834,11 +3845,11 @@ static void write_magnetometer_soft_iron_matrix_response(struct mip_writer *w, c
 }
 
 const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_magnetometer_soft_iron_matrix_response),
-    0,
+    0, /* time-out */
     read_magnetometer_soft_iron_matrix_response,
     write_magnetometer_soft_iron_matrix_response,
     NULL,
@@ -3883,11 +3894,11 @@ static void write_coning_and_sculling_enable(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_3dm_coning_and_sculling_enable_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_CONING_AND_SCULLING_ENABLE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_coning_and_sculling_enable),
-    0,
+    0, /* time-out */
     read_coning_and_sculling_enable,
     write_coning_and_sculling_enable,
     NULL,
@@ -3904,8 +3915,8 @@ mip_error mip_3dm_coning_and_sculling_enable_encode(
                             write_coning_and_sculling_enable, value);
 }
 
-struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_write(
-    mip_bool enable) {
+struct mip_3dm_coning_and_sculling_enable
+mip_3dm_coning_and_sculling_enable_write(mip_bool enable) {
     struct mip_3dm_coning_and_sculling_enable v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3954,11 +3965,11 @@ static void write_coning_and_sculling_enable_response(struct mip_writer *w, cons
 }
 
 const struct mip_codec mip_3dm_coning_and_sculling_enable_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_CONING_AND_SCULLING_ENABLE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_coning_and_sculling_enable_response),
-    0,
+    0, /* time-out */
     read_coning_and_sculling_enable_response,
     write_coning_and_sculling_enable_response,
     NULL,
@@ -3998,11 +4009,11 @@ static void write_uart_baud_rate(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_uart_baud_rate_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_UART_BAUD_RATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_uart_baud_rate),
-    0,
+    0, /* time-out */
     read_uart_baud_rate,
     write_uart_baud_rate,
     NULL,
@@ -4067,11 +4078,11 @@ static void write_uart_baud_rate_response(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_3dm_uart_baud_rate_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_UART_BAUD_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_uart_baud_rate_response),
-    0,
+    0, /* time-out */
     read_uart_baud_rate_response,
     write_uart_baud_rate_response,
     NULL,
@@ -4123,11 +4134,11 @@ static void write_gpio_configuration(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_gpio_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GPIO_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gpio_configuration),
-    0,
+    0, /* time-out */
     read_gpio_configuration,
     write_gpio_configuration,
     NULL,
@@ -4209,11 +4220,11 @@ static void write_gpio_configuration_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_gpio_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GPIO_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gpio_configuration_response),
-    0,
+    0, /* time-out */
     read_gpio_configuration_response,
     write_gpio_configuration_response,
     NULL,
@@ -4256,11 +4267,11 @@ static void write_gpio_state(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_gpio_state_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GPIO_STATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gpio_state),
-    0,
+    0, /* time-out */
     read_gpio_state,
     write_gpio_state,
     NULL,
@@ -4306,11 +4317,11 @@ static void write_gpio_state_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_gpio_state_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GPIO_STATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gpio_state_response),
-    0,
+    0, /* time-out */
     read_gpio_state_response,
     write_gpio_state_response,
     NULL,
@@ -4359,11 +4370,11 @@ static void write_odometer_configuration(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_3dm_odometer_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ODOMETER_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_odometer_configuration),
-    0,
+    0, /* time-out */
     read_odometer_configuration,
     write_odometer_configuration,
     NULL,
@@ -4380,8 +4391,8 @@ mip_error mip_3dm_odometer_configuration_encode(const struct mip_3dm_odometer_co
                             write_odometer_configuration, value);
 }
 
-struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_write(
-    mip_3dm_odometer_mode mode, float scaling, float uncertainty) {
+struct mip_3dm_odometer_configuration
+mip_3dm_odometer_configuration_write(mip_3dm_odometer_mode mode, float scaling, float uncertainty) {
     struct mip_3dm_odometer_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -4436,11 +4447,11 @@ static void write_odometer_configuration_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_3dm_odometer_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ODOMETER_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_odometer_configuration_response),
-    0,
+    0, /* time-out */
     read_odometer_configuration_response,
     write_odometer_configuration_response,
     NULL,
@@ -4499,11 +4510,11 @@ static void write_advanced_low_pass_filter_settings(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_advanced_low_pass_filter_settings),
-    0,
+    0, /* time-out */
     read_advanced_low_pass_filter_settings,
     write_advanced_low_pass_filter_settings,
     NULL,
@@ -4533,8 +4544,8 @@ struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filte
     return v;
 }
 
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_read(
-    uint8_t target_descriptor) {
+struct mip_3dm_advanced_low_pass_filter_settings
+mip_3dm_advanced_low_pass_filter_settings_read(uint8_t target_descriptor) {
     struct mip_3dm_advanced_low_pass_filter_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -4542,8 +4553,8 @@ struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filte
     return v;
 }
 
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_save(
-    uint8_t target_descriptor) {
+struct mip_3dm_advanced_low_pass_filter_settings
+mip_3dm_advanced_low_pass_filter_settings_save(uint8_t target_descriptor) {
     struct mip_3dm_advanced_low_pass_filter_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -4551,8 +4562,8 @@ struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filte
     return v;
 }
 
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_load(
-    uint8_t target_descriptor) {
+struct mip_3dm_advanced_low_pass_filter_settings
+mip_3dm_advanced_low_pass_filter_settings_load(uint8_t target_descriptor) {
     struct mip_3dm_advanced_low_pass_filter_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
@@ -4560,8 +4571,8 @@ struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filte
     return v;
 }
 
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_default(
-    uint8_t target_descriptor) {
+struct mip_3dm_advanced_low_pass_filter_settings
+mip_3dm_advanced_low_pass_filter_settings_default(uint8_t target_descriptor) {
     struct mip_3dm_advanced_low_pass_filter_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -4591,11 +4602,11 @@ static void write_advanced_low_pass_filter_settings_response(struct mip_writer *
 }
 
 const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_advanced_low_pass_filter_settings_response),
-    0,
+    0, /* time-out */
     read_advanced_low_pass_filter_settings_response,
     write_advanced_low_pass_filter_settings_response,
     NULL,
@@ -4653,11 +4664,11 @@ static void write_complementary_filter_configuration(struct mip_writer *w, const
 }
 
 const struct mip_codec mip_3dm_complementary_filter_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_complementary_filter_configuration),
-    0,
+    0, /* time-out */
     read_complementary_filter_configuration,
     write_complementary_filter_configuration,
     NULL,
@@ -4740,11 +4751,11 @@ static void write_complementary_filter_configuration_response(struct mip_writer 
 }
 
 const struct mip_codec mip_3dm_complementary_filter_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_complementary_filter_configuration_response),
-    0,
+    0, /* time-out */
     read_complementary_filter_configuration_response,
     write_complementary_filter_configuration_response,
     NULL,
@@ -4791,11 +4802,11 @@ static void write_sensor_range(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_sensor_range_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_RANGE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_sensor_range),
-    0,
+    0, /* time-out */
     read_sensor_range,
     write_sensor_range,
     NULL,
@@ -4868,11 +4879,11 @@ static void write_sensor_range_response(struct mip_writer *w, const void *value)
 }
 
 const struct mip_codec mip_3dm_sensor_range_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_RANGE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_sensor_range_response),
-    0,
+    0, /* time-out */
     read_sensor_range_response,
     write_sensor_range_response,
     NULL,
@@ -4902,11 +4913,11 @@ static void write_get_calibrated_sensor_ranges(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_calibrated_sensor_ranges),
-    0,
+    0, /* time-out */
     read_get_calibrated_sensor_ranges,
     write_get_calibrated_sensor_ranges,
     NULL,
@@ -4923,8 +4934,8 @@ mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
                             write_get_calibrated_sensor_ranges, value);
 }
 
-struct mip_3dm_get_calibrated_sensor_ranges mip_3dm_get_calibrated_sensor_ranges_make(
-    mip_3dm_sensor_range_type sensor) {
+struct mip_3dm_get_calibrated_sensor_ranges
+mip_3dm_get_calibrated_sensor_ranges_make(mip_3dm_sensor_range_type sensor) {
     struct mip_3dm_get_calibrated_sensor_ranges v;
     memset(&v, 0, sizeof(v));
     v.sensor = sensor;
@@ -4952,11 +4963,11 @@ static void write_get_calibrated_sensor_ranges_response(struct mip_writer *w, co
 }
 
 const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response),
-    0,
+    0, /* time-out */
     read_get_calibrated_sensor_ranges_response,
     write_get_calibrated_sensor_ranges_response,
     NULL,
@@ -5016,11 +5027,11 @@ static void write_low_pass_anti_aliasing_filter(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_low_pass_anti_aliasing_filter),
-    0,
+    0, /* time-out */
     read_low_pass_anti_aliasing_filter,
     write_low_pass_anti_aliasing_filter,
     NULL,
@@ -5050,8 +5061,8 @@ struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filt
     return v;
 }
 
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_read(
-    uint8_t desc_set, uint8_t field_desc) {
+struct mip_3dm_low_pass_anti_aliasing_filter
+mip_3dm_low_pass_anti_aliasing_filter_read(uint8_t desc_set, uint8_t field_desc) {
     struct mip_3dm_low_pass_anti_aliasing_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -5060,8 +5071,8 @@ struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filt
     return v;
 }
 
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_save(
-    uint8_t desc_set, uint8_t field_desc) {
+struct mip_3dm_low_pass_anti_aliasing_filter
+mip_3dm_low_pass_anti_aliasing_filter_save(uint8_t desc_set, uint8_t field_desc) {
     struct mip_3dm_low_pass_anti_aliasing_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -5070,8 +5081,8 @@ struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filt
     return v;
 }
 
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_load(
-    uint8_t desc_set, uint8_t field_desc) {
+struct mip_3dm_low_pass_anti_aliasing_filter
+mip_3dm_low_pass_anti_aliasing_filter_load(uint8_t desc_set, uint8_t field_desc) {
     struct mip_3dm_low_pass_anti_aliasing_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
@@ -5080,8 +5091,8 @@ struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filt
     return v;
 }
 
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_default(
-    uint8_t desc_set, uint8_t field_desc) {
+struct mip_3dm_low_pass_anti_aliasing_filter
+mip_3dm_low_pass_anti_aliasing_filter_default(uint8_t desc_set, uint8_t field_desc) {
     struct mip_3dm_low_pass_anti_aliasing_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -5111,11 +5122,11 @@ static void write_low_pass_anti_aliasing_filter_response(struct mip_writer *w, c
 }
 
 const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_low_pass_anti_aliasing_filter_response),
-    0,
+    0, /* time-out */
     read_low_pass_anti_aliasing_filter_response,
     write_low_pass_anti_aliasing_filter_response,
     NULL,
@@ -5148,11 +5159,11 @@ static void write_device_status(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_device_status_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DEVICE_STATUS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_device_status),
-    0,
+    0, /* time-out */
     read_device_status,
     write_device_status,
     NULL,
@@ -5169,8 +5180,8 @@ mip_error mip_3dm_device_status_encode(const struct mip_3dm_device_status *value
                             value);
 }
 
-struct mip_3dm_device_status mip_3dm_device_status_make(
-    mip_3dm_device_status_selector status_selector) {
+struct mip_3dm_device_status
+mip_3dm_device_status_make(mip_3dm_device_status_selector status_selector) {
     struct mip_3dm_device_status v;
     memset(&v, 0, sizeof(v));
     v.status_selector = status_selector;
@@ -5198,11 +5209,11 @@ static void write_device_status_basic_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_3dm_device_status_basic_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_device_status_basic_response),
-    0,
+    0, /* time-out */
     read_device_status_basic_response,
     write_device_status_basic_response,
     NULL,
@@ -5262,11 +5273,11 @@ static void write_device_status_diagnostic_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_3dm_device_status_diagnostic_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_device_status_diagnostic_response),
-    0,
+    0, /* time-out */
     read_device_status_diagnostic_response,
     write_device_status_diagnostic_response,
     NULL,

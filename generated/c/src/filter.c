@@ -4,11 +4,11 @@
 #include <string.h>
 
 const struct mip_codec mip_filter_reset_navigation_filter_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_RESET_NAVIGATION_FILTER_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_reset_navigation_filter),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -41,11 +41,11 @@ static void write_set_initial_attitude(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_filter_set_initial_attitude_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SET_INITIAL_ATTITUDE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_set_initial_attitude),
-    0,
+    0, /* time-out */
     read_set_initial_attitude,
     write_set_initial_attitude,
     NULL,
@@ -85,11 +85,11 @@ static void write_set_initial_heading_control(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_set_initial_heading_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SET_INITIAL_HEADING_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_set_initial_heading_control),
-    0,
+    0, /* time-out */
     read_set_initial_heading_control,
     write_set_initial_heading_control,
     NULL,
@@ -106,8 +106,8 @@ mip_error mip_filter_set_initial_heading_control_encode(
                             write_set_initial_heading_control, value);
 }
 
-struct mip_filter_set_initial_heading_control mip_filter_set_initial_heading_control_make(
-    float heading) {
+struct mip_filter_set_initial_heading_control
+mip_filter_set_initial_heading_control_make(float heading) {
     struct mip_filter_set_initial_heading_control v;
     memset(&v, 0, sizeof(v));
     v.heading = heading;
@@ -115,11 +115,11 @@ struct mip_filter_set_initial_heading_control mip_filter_set_initial_heading_con
 }
 
 const struct mip_codec mip_filter_run_navigation_filter_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_RUN_NAVIGATION_FILTER_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_run_navigation_filter),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -160,11 +160,11 @@ static void write_vehicle_dynamics_mode(struct mip_writer *w, const void *value)
 }
 
 const struct mip_codec mip_filter_vehicle_dynamics_mode_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_VEHICLE_DYNAMICS_MODE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_vehicle_dynamics_mode),
-    0,
+    0, /* time-out */
     read_vehicle_dynamics_mode,
     write_vehicle_dynamics_mode,
     NULL,
@@ -181,8 +181,8 @@ mip_error mip_filter_vehicle_dynamics_mode_encode(
                             write_vehicle_dynamics_mode, value);
 }
 
-struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_write(
-    mip_filter_dynamics_mode mode) {
+struct mip_filter_vehicle_dynamics_mode
+mip_filter_vehicle_dynamics_mode_write(mip_filter_dynamics_mode mode) {
     struct mip_filter_vehicle_dynamics_mode v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -231,11 +231,11 @@ static void write_vehicle_dynamics_mode_response(struct mip_writer *w, const voi
 }
 
 const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_vehicle_dynamics_mode_response),
-    0,
+    0, /* time-out */
     read_vehicle_dynamics_mode_response,
     write_vehicle_dynamics_mode_response,
     NULL,
@@ -286,11 +286,11 @@ static void write_sensor_to_vehicle_frame_transformation(struct mip_writer *w, c
 }
 
 const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_frame_transformation,
     write_sensor_to_vehicle_frame_transformation,
     NULL,
@@ -373,11 +373,11 @@ static void write_sensor_to_vehicle_frame_transformation_response(struct mip_wri
 }
 
 const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_frame_transformation_response,
     write_sensor_to_vehicle_frame_transformation_response,
     NULL,
@@ -423,11 +423,11 @@ static void write_sensor_to_vehicle_offset(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_sensor_to_vehicle_offset),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_offset,
     write_sensor_to_vehicle_offset,
     NULL,
@@ -444,8 +444,8 @@ mip_error mip_filter_sensor_to_vehicle_offset_encode(
                             write_sensor_to_vehicle_offset, value);
 }
 
-struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_write(
-    const float offset[3]) {
+struct mip_filter_sensor_to_vehicle_offset
+mip_filter_sensor_to_vehicle_offset_write(const float offset[3]) {
     struct mip_filter_sensor_to_vehicle_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -494,11 +494,11 @@ static void write_sensor_to_vehicle_offset_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_sensor_to_vehicle_offset_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_offset_response,
     write_sensor_to_vehicle_offset_response,
     NULL,
@@ -541,11 +541,11 @@ static void write_gnss_antenna_offset_control(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_gnss_antenna_offset_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gnss_antenna_offset_control),
-    0,
+    0, /* time-out */
     read_gnss_antenna_offset_control,
     write_gnss_antenna_offset_control,
     NULL,
@@ -562,8 +562,8 @@ mip_error mip_filter_gnss_antenna_offset_control_encode(
                             write_gnss_antenna_offset_control, value);
 }
 
-struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_write(
-    const float offset[3]) {
+struct mip_filter_gnss_antenna_offset_control
+mip_filter_gnss_antenna_offset_control_write(const float offset[3]) {
     struct mip_filter_gnss_antenna_offset_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -612,11 +612,11 @@ static void write_gnss_antenna_offset_control_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_filter_gnss_antenna_offset_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gnss_antenna_offset_control_response),
-    0,
+    0, /* time-out */
     read_gnss_antenna_offset_control_response,
     write_gnss_antenna_offset_control_response,
     NULL,
@@ -661,11 +661,11 @@ static void write_estimation_control_flags(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_estimation_control_flags_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ESTIMATION_CONTROL_FLAGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_estimation_control_flags),
-    0,
+    0, /* time-out */
     read_estimation_control_flags,
     write_estimation_control_flags,
     NULL,
@@ -682,8 +682,8 @@ mip_error mip_filter_estimation_control_flags_encode(
                             write_estimation_control_flags, value);
 }
 
-struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_write(
-    mip_filter_estimated_states flags) {
+struct mip_filter_estimation_control_flags
+mip_filter_estimation_control_flags_write(mip_filter_estimated_states flags) {
     struct mip_filter_estimation_control_flags v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -732,11 +732,11 @@ static void write_estimation_control_flags_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_filter_estimation_control_flags_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ESTIMATION_CONTROL_FLAGS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_estimation_control_flags_response),
-    0,
+    0, /* time-out */
     read_estimation_control_flags_response,
     write_estimation_control_flags_response,
     NULL,
@@ -779,11 +779,11 @@ static void write_gnss_aiding_source_control(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_filter_gnss_aiding_source_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gnss_aiding_source_control),
-    0,
+    0, /* time-out */
     read_gnss_aiding_source_control,
     write_gnss_aiding_source_control,
     NULL,
@@ -800,8 +800,8 @@ mip_error mip_filter_gnss_aiding_source_control_encode(
                             write_gnss_aiding_source_control, value);
 }
 
-struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_write(
-    mip_filter_gnss_aiding_source source) {
+struct mip_filter_gnss_aiding_source_control
+mip_filter_gnss_aiding_source_control_write(mip_filter_gnss_aiding_source source) {
     struct mip_filter_gnss_aiding_source_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -850,11 +850,11 @@ static void write_gnss_aiding_source_control_response(struct mip_writer *w, cons
 }
 
 const struct mip_codec mip_filter_gnss_aiding_source_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gnss_aiding_source_control_response),
-    0,
+    0, /* time-out */
     read_gnss_aiding_source_control_response,
     write_gnss_aiding_source_control_response,
     NULL,
@@ -900,11 +900,11 @@ static void write_external_gnss_update(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_filter_external_gnss_update_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_EXTERNAL_GNSS_UPDATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_external_gnss_update),
-    0,
+    0, /* time-out */
     read_external_gnss_update,
     write_external_gnss_update,
     NULL,
@@ -955,11 +955,11 @@ static void write_external_heading_update(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_filter_external_heading_update_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_EXTERNAL_HEADING_UPDATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_external_heading_update),
-    0,
+    0, /* time-out */
     read_external_heading_update,
     write_external_heading_update,
     NULL,
@@ -1010,11 +1010,11 @@ static void write_heading_update_control(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_filter_heading_update_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_HEADING_UPDATE_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_heading_update_control),
-    0,
+    0, /* time-out */
     read_heading_update_control,
     write_heading_update_control,
     NULL,
@@ -1031,8 +1031,8 @@ mip_error mip_filter_heading_update_control_encode(
                             write_heading_update_control, value);
 }
 
-struct mip_filter_heading_update_control mip_filter_heading_update_control_write(
-    mip_filter_heading_update_source enable) {
+struct mip_filter_heading_update_control
+mip_filter_heading_update_control_write(mip_filter_heading_update_source enable) {
     struct mip_filter_heading_update_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -1081,11 +1081,11 @@ static void write_heading_update_control_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_heading_update_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_HEADING_UPDATE_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_heading_update_control_response),
-    0,
+    0, /* time-out */
     read_heading_update_control_response,
     write_heading_update_control_response,
     NULL,
@@ -1128,11 +1128,11 @@ static void write_auto_initialization_control(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_auto_initialization_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AUTO_INITIALIZATION_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_auto_initialization_control),
-    0,
+    0, /* time-out */
     read_auto_initialization_control,
     write_auto_initialization_control,
     NULL,
@@ -1149,8 +1149,8 @@ mip_error mip_filter_auto_initialization_control_encode(
                             write_auto_initialization_control, value);
 }
 
-struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_write(
-    uint8_t enable) {
+struct mip_filter_auto_initialization_control
+mip_filter_auto_initialization_control_write(uint8_t enable) {
     struct mip_filter_auto_initialization_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -1199,11 +1199,11 @@ static void write_auto_initialization_control_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_filter_auto_initialization_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_auto_initialization_control_response),
-    0,
+    0, /* time-out */
     read_auto_initialization_control_response,
     write_auto_initialization_control_response,
     NULL,
@@ -1248,11 +1248,11 @@ static void write_accelerometer_noise_standard_deviation(struct mip_writer *w, c
 }
 
 const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_accelerometer_noise_standard_deviation),
-    0,
+    0, /* time-out */
     read_accelerometer_noise_standard_deviation,
     write_accelerometer_noise_standard_deviation,
     NULL,
@@ -1329,11 +1329,11 @@ static void write_accelerometer_noise_standard_deviation_response(struct mip_wri
 }
 
 const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_accelerometer_noise_standard_deviation_response),
-    0,
+    0, /* time-out */
     read_accelerometer_noise_standard_deviation_response,
     write_accelerometer_noise_standard_deviation_response,
     NULL,
@@ -1379,11 +1379,11 @@ static void write_gyroscope_noise_standard_deviation(struct mip_writer *w, const
 }
 
 const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gyroscope_noise_standard_deviation),
-    0,
+    0, /* time-out */
     read_gyroscope_noise_standard_deviation,
     write_gyroscope_noise_standard_deviation,
     NULL,
@@ -1457,11 +1457,11 @@ static void write_gyroscope_noise_standard_deviation_response(struct mip_writer 
 }
 
 const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gyroscope_noise_standard_deviation_response),
-    0,
+    0, /* time-out */
     read_gyroscope_noise_standard_deviation_response,
     write_gyroscope_noise_standard_deviation_response,
     NULL,
@@ -1511,11 +1511,11 @@ static void write_accelerometer_bias_model_parameters(struct mip_writer *w, cons
 }
 
 const struct mip_codec mip_filter_accelerometer_bias_model_parameters_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_accelerometer_bias_model_parameters),
-    0,
+    0, /* time-out */
     read_accelerometer_bias_model_parameters,
     write_accelerometer_bias_model_parameters,
     NULL,
@@ -1593,11 +1593,11 @@ static void write_accelerometer_bias_model_parameters_response(struct mip_writer
 }
 
 const struct mip_codec mip_filter_accelerometer_bias_model_parameters_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_accelerometer_bias_model_parameters_response),
-    0,
+    0, /* time-out */
     read_accelerometer_bias_model_parameters_response,
     write_accelerometer_bias_model_parameters_response,
     NULL,
@@ -1647,11 +1647,11 @@ static void write_gyroscope_bias_model_parameters(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_gyroscope_bias_model_parameters_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gyroscope_bias_model_parameters),
-    0,
+    0, /* time-out */
     read_gyroscope_bias_model_parameters,
     write_gyroscope_bias_model_parameters,
     NULL,
@@ -1669,8 +1669,8 @@ mip_error mip_filter_gyroscope_bias_model_parameters_encode(
                             write_gyroscope_bias_model_parameters, value);
 }
 
-struct mip_filter_gyroscope_bias_model_parameters mip_filter_gyroscope_bias_model_parameters_write(
-    const float beta[3], const float noise[3]) {
+struct mip_filter_gyroscope_bias_model_parameters
+mip_filter_gyroscope_bias_model_parameters_write(const float beta[3], const float noise[3]) {
     struct mip_filter_gyroscope_bias_model_parameters v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -1727,11 +1727,11 @@ static void write_gyroscope_bias_model_parameters_response(struct mip_writer *w,
 }
 
 const struct mip_codec mip_filter_gyroscope_bias_model_parameters_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gyroscope_bias_model_parameters_response),
-    0,
+    0, /* time-out */
     read_gyroscope_bias_model_parameters_response,
     write_gyroscope_bias_model_parameters_response,
     NULL,
@@ -1777,11 +1777,11 @@ static void write_auto_zupt(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_auto_zupt_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AUTO_ZUPT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_auto_zupt),
-    0,
+    0, /* time-out */
     read_auto_zupt,
     write_auto_zupt,
     NULL,
@@ -1848,11 +1848,11 @@ static void write_auto_zupt_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_auto_zupt_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AUTO_ZUPT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_auto_zupt_response),
-    0,
+    0, /* time-out */
     read_auto_zupt_response,
     write_auto_zupt_response,
     NULL,
@@ -1890,11 +1890,11 @@ static void write_external_heading_update_with_time(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_filter_external_heading_update_with_time_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_external_heading_update_with_time),
-    0,
+    0, /* time-out */
     read_external_heading_update_with_time,
     write_external_heading_update_with_time,
     NULL,
@@ -1955,11 +1955,11 @@ static void write_zero_angular_rate_update_control(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_filter_zero_angular_rate_update_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_zero_angular_rate_update_control),
-    0,
+    0, /* time-out */
     read_zero_angular_rate_update_control,
     write_zero_angular_rate_update_control,
     NULL,
@@ -2035,11 +2035,11 @@ static void write_zero_angular_rate_update_control_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_filter_zero_angular_rate_update_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_zero_angular_rate_update_control_response),
-    0,
+    0, /* time-out */
     read_zero_angular_rate_update_control_response,
     write_zero_angular_rate_update_control_response,
     NULL,
@@ -2082,11 +2082,11 @@ static void write_tare_orientation(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_tare_orientation_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_TARE_ORIENTATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_tare_orientation),
-    0,
+    0, /* time-out */
     read_tare_orientation,
     write_tare_orientation,
     NULL,
@@ -2152,11 +2152,11 @@ static void write_tare_orientation_response(struct mip_writer *w, const void *va
 }
 
 const struct mip_codec mip_filter_tare_orientation_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_TARE_ORIENTATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_tare_orientation_response),
-    0,
+    0, /* time-out */
     read_tare_orientation_response,
     write_tare_orientation_response,
     NULL,
@@ -2174,11 +2174,11 @@ mip_error mip_filter_tare_orientation_response_encode(
 }
 
 const struct mip_codec mip_filter_commanded_zupt_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_COMMANDED_ZUPT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_commanded_zupt),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -2196,11 +2196,11 @@ mip_error mip_filter_commanded_zupt_encode(const struct mip_filter_commanded_zup
 }
 
 const struct mip_codec mip_filter_commanded_zero_angular_rate_update_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_COMMANDED_ZERO_ANGULAR_RATE_UPDATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_commanded_zero_angular_rate_update),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -2254,11 +2254,11 @@ static void write_set_reference_position(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_filter_set_reference_position_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SET_REFERENCE_POSITION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_set_reference_position),
-    0,
+    0, /* time-out */
     read_set_reference_position,
     write_set_reference_position,
     NULL,
@@ -2336,11 +2336,11 @@ static void write_set_reference_position_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_set_reference_position_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SET_REFERENCE_POSITION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_set_reference_position_response),
-    0,
+    0, /* time-out */
     read_set_reference_position_response,
     write_set_reference_position_response,
     NULL,
@@ -2370,11 +2370,11 @@ static void write_mag_capture_auto_cal(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_filter_mag_capture_auto_cal_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAG_CAPTURE_AUTO_CAL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_mag_capture_auto_cal),
-    0,
+    0, /* time-out */
     read_mag_capture_auto_cal,
     write_mag_capture_auto_cal,
     NULL,
@@ -2430,11 +2430,11 @@ static void write_gravity_noise_standard_deviation(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_filter_gravity_noise_standard_deviation_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gravity_noise_standard_deviation),
-    0,
+    0, /* time-out */
     read_gravity_noise_standard_deviation,
     write_gravity_noise_standard_deviation,
     NULL,
@@ -2507,11 +2507,11 @@ static void write_gravity_noise_standard_deviation_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_filter_gravity_noise_standard_deviation_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gravity_noise_standard_deviation_response),
-    0,
+    0, /* time-out */
     read_gravity_noise_standard_deviation_response,
     write_gravity_noise_standard_deviation_response,
     NULL,
@@ -2557,11 +2557,11 @@ static void write_pressure_altitude_noise(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_filter_pressure_altitude_noise_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_PRESSURE_ALTITUDE_NOISE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_pressure_altitude_noise),
-    0,
+    0, /* time-out */
     read_pressure_altitude_noise,
     write_pressure_altitude_noise,
     NULL,
@@ -2627,11 +2627,11 @@ static void write_pressure_altitude_noise_response(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_filter_pressure_altitude_noise_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_pressure_altitude_noise_response),
-    0,
+    0, /* time-out */
     read_pressure_altitude_noise_response,
     write_pressure_altitude_noise_response,
     NULL,
@@ -2673,11 +2673,11 @@ static void write_hard_iron_offset_noise(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_filter_hard_iron_offset_noise_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_HARD_IRON_OFFSET_NOISE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_hard_iron_offset_noise),
-    0,
+    0, /* time-out */
     read_hard_iron_offset_noise,
     write_hard_iron_offset_noise,
     NULL,
@@ -2694,8 +2694,8 @@ mip_error mip_filter_hard_iron_offset_noise_encode(
                             write_hard_iron_offset_noise, value);
 }
 
-struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_write(
-    const float noise[3]) {
+struct mip_filter_hard_iron_offset_noise
+mip_filter_hard_iron_offset_noise_write(const float noise[3]) {
     struct mip_filter_hard_iron_offset_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -2744,11 +2744,11 @@ static void write_hard_iron_offset_noise_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_hard_iron_offset_noise_response),
-    0,
+    0, /* time-out */
     read_hard_iron_offset_noise_response,
     write_hard_iron_offset_noise_response,
     NULL,
@@ -2790,11 +2790,11 @@ static void write_soft_iron_matrix_noise(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_filter_soft_iron_matrix_noise_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SOFT_IRON_MATRIX_NOISE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_soft_iron_matrix_noise),
-    0,
+    0, /* time-out */
     read_soft_iron_matrix_noise,
     write_soft_iron_matrix_noise,
     NULL,
@@ -2811,8 +2811,8 @@ mip_error mip_filter_soft_iron_matrix_noise_encode(
                             write_soft_iron_matrix_noise, value);
 }
 
-struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_write(
-    const float noise[9]) {
+struct mip_filter_soft_iron_matrix_noise
+mip_filter_soft_iron_matrix_noise_write(const float noise[9]) {
     struct mip_filter_soft_iron_matrix_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -2861,11 +2861,11 @@ static void write_soft_iron_matrix_noise_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_soft_iron_matrix_noise_response),
-    0,
+    0, /* time-out */
     read_soft_iron_matrix_noise_response,
     write_soft_iron_matrix_noise_response,
     NULL,
@@ -2908,11 +2908,11 @@ static void write_enable_disable_measurements(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_enable_disable_measurements_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_enable_disable_measurements),
-    0,
+    0, /* time-out */
     read_enable_disable_measurements,
     write_enable_disable_measurements,
     NULL,
@@ -2929,8 +2929,8 @@ mip_error mip_filter_enable_disable_measurements_encode(
                             write_enable_disable_measurements, value);
 }
 
-struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_write(
-    mip_filter_measurement_flags control) {
+struct mip_filter_enable_disable_measurements
+mip_filter_enable_disable_measurements_write(mip_filter_measurement_flags control) {
     struct mip_filter_enable_disable_measurements v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -2979,11 +2979,11 @@ static void write_enable_disable_measurements_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_filter_enable_disable_measurements_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_enable_disable_measurements_response),
-    0,
+    0, /* time-out */
     read_enable_disable_measurements_response,
     write_enable_disable_measurements_response,
     NULL,
@@ -3024,11 +3024,11 @@ static void write_mag_noise(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_mag_noise_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAG_NOISE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_mag_noise),
-    0,
+    0, /* time-out */
     read_mag_noise,
     write_mag_noise,
     NULL,
@@ -3092,11 +3092,11 @@ static void write_mag_noise_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_mag_noise_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAG_NOISE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_mag_noise_response),
-    0,
+    0, /* time-out */
     read_mag_noise_response,
     write_mag_noise_response,
     NULL,
@@ -3143,11 +3143,11 @@ static void write_magnetic_field_declination_source_control(struct mip_writer *w
 }
 
 const struct mip_codec mip_filter_magnetic_field_declination_source_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_magnetic_field_declination_source_control),
-    0,
+    0, /* time-out */
     read_magnetic_field_declination_source_control,
     write_magnetic_field_declination_source_control,
     NULL,
@@ -3228,11 +3228,11 @@ static void write_magnetic_field_declination_source_control_response(struct mip_
 }
 
 const struct mip_codec mip_filter_magnetic_field_declination_source_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_magnetic_field_declination_source_control_response),
-    0,
+    0, /* time-out */
     read_magnetic_field_declination_source_control_response,
     write_magnetic_field_declination_source_control_response,
     NULL,
@@ -3303,11 +3303,11 @@ static void write_gravity_magnitude_error_adaptive_measurement(struct mip_writer
 }
 
 const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement),
-    0,
+    0, /* time-out */
     read_gravity_magnitude_error_adaptive_measurement,
     write_gravity_magnitude_error_adaptive_measurement,
     NULL,
@@ -3397,11 +3397,11 @@ static void write_gravity_magnitude_error_adaptive_measurement_response(struct m
 }
 
 const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response),
-    0,
+    0, /* time-out */
     read_gravity_magnitude_error_adaptive_measurement_response,
     write_gravity_magnitude_error_adaptive_measurement_response,
     NULL,
@@ -3472,11 +3472,11 @@ static void write_mag_magnitude_error_adaptive_measurement(struct mip_writer *w,
 }
 
 const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement),
-    0,
+    0, /* time-out */
     read_mag_magnitude_error_adaptive_measurement,
     write_mag_magnitude_error_adaptive_measurement,
     NULL,
@@ -3574,11 +3574,11 @@ static void write_mag_magnitude_error_adaptive_measurement_response(struct mip_w
 }
 
 const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement_response),
-    0,
+    0, /* time-out */
     read_mag_magnitude_error_adaptive_measurement_response,
     write_mag_magnitude_error_adaptive_measurement_response,
     NULL,
@@ -3641,11 +3641,11 @@ static void write_mag_dip_angle_error_adaptive_measurement(struct mip_writer *w,
 }
 
 const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement),
-    0,
+    0, /* time-out */
     read_mag_dip_angle_error_adaptive_measurement,
     write_mag_dip_angle_error_adaptive_measurement,
     NULL,
@@ -3737,11 +3737,11 @@ static void write_mag_dip_angle_error_adaptive_measurement_response(struct mip_w
 }
 
 const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response),
-    0,
+    0, /* time-out */
     read_mag_dip_angle_error_adaptive_measurement_response,
     write_mag_dip_angle_error_adaptive_measurement_response,
     NULL,
@@ -3784,11 +3784,11 @@ static void write_altitude_aiding(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_altitude_aiding_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ALTITUDE_AIDING_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_altitude_aiding),
-    0,
+    0, /* time-out */
     read_altitude_aiding,
     write_altitude_aiding,
     NULL,
@@ -3805,8 +3805,8 @@ mip_error mip_filter_altitude_aiding_encode(const struct mip_filter_altitude_aid
                             write_altitude_aiding, value);
 }
 
-struct mip_filter_altitude_aiding mip_filter_altitude_aiding_write(
-    mip_filter_altitude_aiding_source selector) {
+struct mip_filter_altitude_aiding
+mip_filter_altitude_aiding_write(mip_filter_altitude_aiding_source selector) {
     struct mip_filter_altitude_aiding v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3855,11 +3855,11 @@ static void write_altitude_aiding_response(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_altitude_aiding_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ALTITUDE_AIDING_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_altitude_aiding_response),
-    0,
+    0, /* time-out */
     read_altitude_aiding_response,
     write_altitude_aiding_response,
     NULL,
@@ -3901,11 +3901,11 @@ static void write_pitch_roll_aiding_control(struct mip_writer *w, const void *va
 }
 
 const struct mip_codec mip_filter_pitch_roll_aiding_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_pitch_roll_aiding_control),
-    0,
+    0, /* time-out */
     read_pitch_roll_aiding_control,
     write_pitch_roll_aiding_control,
     NULL,
@@ -3922,8 +3922,8 @@ mip_error mip_filter_pitch_roll_aiding_control_encode(
                             write_pitch_roll_aiding_control, value);
 }
 
-struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_write(
-    mip_filter_pitch_roll_aiding_source aiding) {
+struct mip_filter_pitch_roll_aiding_control
+mip_filter_pitch_roll_aiding_control_write(mip_filter_pitch_roll_aiding_source aiding) {
     struct mip_filter_pitch_roll_aiding_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3972,11 +3972,11 @@ static void write_pitch_roll_aiding_control_response(struct mip_writer *w, const
 }
 
 const struct mip_codec mip_filter_pitch_roll_aiding_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_pitch_roll_aiding_control_response),
-    0,
+    0, /* time-out */
     read_pitch_roll_aiding_control_response,
     write_pitch_roll_aiding_control_response,
     NULL,
@@ -4023,11 +4023,11 @@ static void write_inclination_source(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_inclination_source_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_INCLINATION_SOURCE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_inclination_source),
-    0,
+    0, /* time-out */
     read_inclination_source,
     write_inclination_source,
     NULL,
@@ -4044,8 +4044,8 @@ mip_error mip_filter_inclination_source_encode(const struct mip_filter_inclinati
                             write_inclination_source, value);
 }
 
-struct mip_filter_inclination_source mip_filter_inclination_source_write(
-    mip_filter_mag_parameter_source source, float inclination) {
+struct mip_filter_inclination_source
+mip_filter_inclination_source_write(mip_filter_mag_parameter_source source, float inclination) {
     struct mip_filter_inclination_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -4097,11 +4097,11 @@ static void write_inclination_source_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_inclination_source_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_inclination_source_response),
-    0,
+    0, /* time-out */
     read_inclination_source_response,
     write_inclination_source_response,
     NULL,
@@ -4147,11 +4147,11 @@ static void write_mag_field_magnitude_source(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_filter_mag_field_magnitude_source_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_mag_field_magnitude_source),
-    0,
+    0, /* time-out */
     read_mag_field_magnitude_source,
     write_mag_field_magnitude_source,
     NULL,
@@ -4221,11 +4221,11 @@ static void write_mag_field_magnitude_source_response(struct mip_writer *w, cons
 }
 
 const struct mip_codec mip_filter_mag_field_magnitude_source_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_mag_field_magnitude_source_response),
-    0,
+    0, /* time-out */
     read_mag_field_magnitude_source_response,
     write_mag_field_magnitude_source_response,
     NULL,
@@ -4270,11 +4270,11 @@ static void write_sensor_to_vehicle_rotation_dcm(struct mip_writer *w, const voi
 }
 
 const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_rotation_dcm,
     write_sensor_to_vehicle_rotation_dcm,
     NULL,
@@ -4292,8 +4292,8 @@ mip_error mip_filter_sensor_to_vehicle_rotation_dcm_encode(
                             write_sensor_to_vehicle_rotation_dcm, value);
 }
 
-struct mip_filter_sensor_to_vehicle_rotation_dcm mip_filter_sensor_to_vehicle_rotation_dcm_write(
-    const float dcm[9]) {
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_write(const float dcm[9]) {
     struct mip_filter_sensor_to_vehicle_rotation_dcm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -4346,11 +4346,11 @@ static void write_sensor_to_vehicle_rotation_dcm_response(struct mip_writer *w, 
 }
 
 const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_rotation_dcm_response,
     write_sensor_to_vehicle_rotation_dcm_response,
     NULL,
@@ -4396,11 +4396,11 @@ static void write_sensor_to_vehicle_rotation_quaternion(struct mip_writer *w, co
 }
 
 const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_rotation_quaternion,
     write_sensor_to_vehicle_rotation_quaternion,
     NULL,
@@ -4475,11 +4475,11 @@ static void write_sensor_to_vehicle_rotation_quaternion_response(struct mip_writ
 }
 
 const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_rotation_quaternion_response,
     write_sensor_to_vehicle_rotation_quaternion_response,
     NULL,
@@ -4529,11 +4529,11 @@ static void write_aiding_measurement_control(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_filter_aiding_measurement_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AIDING_MEASUREMENT_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_aiding_measurement_control),
-    0,
+    0, /* time-out */
     read_aiding_measurement_control,
     write_aiding_measurement_control,
     NULL,
@@ -4560,8 +4560,8 @@ struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_contr
     return v;
 }
 
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_read(
-    mip_filter_aiding_source aiding_source) {
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_read(mip_filter_aiding_source aiding_source) {
     struct mip_filter_aiding_measurement_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -4569,8 +4569,8 @@ struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_contr
     return v;
 }
 
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_save(
-    mip_filter_aiding_source aiding_source) {
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_save(mip_filter_aiding_source aiding_source) {
     struct mip_filter_aiding_measurement_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -4578,8 +4578,8 @@ struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_contr
     return v;
 }
 
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_load(
-    mip_filter_aiding_source aiding_source) {
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_load(mip_filter_aiding_source aiding_source) {
     struct mip_filter_aiding_measurement_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
@@ -4587,8 +4587,8 @@ struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_contr
     return v;
 }
 
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_default(
-    mip_filter_aiding_source aiding_source) {
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_default(mip_filter_aiding_source aiding_source) {
     struct mip_filter_aiding_measurement_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -4611,11 +4611,11 @@ static void write_aiding_measurement_control_response(struct mip_writer *w, cons
 }
 
 const struct mip_codec mip_filter_aiding_measurement_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AIDING_MEASUREMENT_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_aiding_measurement_control_response),
-    0,
+    0, /* time-out */
     read_aiding_measurement_control_response,
     write_aiding_measurement_control_response,
     NULL,
@@ -4667,11 +4667,11 @@ static void write_kinematic_constraint(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_filter_kinematic_constraint_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_KINEMATIC_CONSTRAINT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_kinematic_constraint),
-    0,
+    0, /* time-out */
     read_kinematic_constraint,
     write_kinematic_constraint,
     NULL,
@@ -4688,10 +4688,10 @@ mip_error mip_filter_kinematic_constraint_encode(
                             write_kinematic_constraint, value);
 }
 
-struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_write(
-    mip_filter_accel_constraint accel_constraint,
-    mip_filter_velocity_constraint velocity_constraint,
-    mip_filter_angular_constraint angular_constraint) {
+struct mip_filter_kinematic_constraint
+mip_filter_kinematic_constraint_write(mip_filter_accel_constraint accel_constraint,
+                                      mip_filter_velocity_constraint velocity_constraint,
+                                      mip_filter_angular_constraint angular_constraint) {
     struct mip_filter_kinematic_constraint v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -4746,11 +4746,11 @@ static void write_kinematic_constraint_response(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_filter_kinematic_constraint_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_kinematic_constraint_response),
-    0,
+    0, /* time-out */
     read_kinematic_constraint_response,
     write_kinematic_constraint_response,
     NULL,
@@ -4824,11 +4824,11 @@ static void write_navigation_filter_initialization(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_filter_navigation_filter_initialization_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_navigation_filter_initialization),
-    0,
+    0, /* time-out */
     read_navigation_filter_initialization,
     write_navigation_filter_initialization,
     NULL,
@@ -4929,11 +4929,11 @@ static void write_navigation_filter_initialization_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_filter_navigation_filter_initialization_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_navigation_filter_initialization_response),
-    0,
+    0, /* time-out */
     read_navigation_filter_initialization_response,
     write_navigation_filter_initialization_response,
     NULL,
@@ -4983,11 +4983,11 @@ static void write_adaptive_filter_control(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_filter_adaptive_filter_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ADAPTIVE_FILTER_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_adaptive_filter_control),
-    0,
+    0, /* time-out */
     read_adaptive_filter_control,
     write_adaptive_filter_control,
     NULL,
@@ -5004,8 +5004,8 @@ mip_error mip_filter_adaptive_filter_control_encode(
                             write_adaptive_filter_control, value);
 }
 
-struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_write(
-    mip_filter_adaptive_level level, uint16_t time_limit) {
+struct mip_filter_adaptive_filter_control
+mip_filter_adaptive_filter_control_write(mip_filter_adaptive_level level, uint16_t time_limit) {
     struct mip_filter_adaptive_filter_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -5057,11 +5057,11 @@ static void write_adaptive_filter_control_response(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_filter_adaptive_filter_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ADAPTIVE_FILTER_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_adaptive_filter_control_response),
-    0,
+    0, /* time-out */
     read_adaptive_filter_control_response,
     write_adaptive_filter_control_response,
     NULL,
@@ -5108,11 +5108,11 @@ static void write_gnss_multi_antenna_offset_control(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gnss_multi_antenna_offset_control),
-    0,
+    0, /* time-out */
     read_gnss_multi_antenna_offset_control,
     write_gnss_multi_antenna_offset_control,
     NULL,
@@ -5193,11 +5193,11 @@ static void write_gnss_multi_antenna_offset_control_response(struct mip_writer *
 }
 
 const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gnss_multi_antenna_offset_control_response),
-    0,
+    0, /* time-out */
     read_gnss_multi_antenna_offset_control_response,
     write_gnss_multi_antenna_offset_control_response,
     NULL,
@@ -5251,11 +5251,11 @@ static void write_relative_position_configuration(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_relative_position_configuration_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_relative_position_configuration),
-    0,
+    0, /* time-out */
     read_relative_position_configuration,
     write_relative_position_configuration,
     NULL,
@@ -5335,11 +5335,11 @@ static void write_relative_position_configuration_response(struct mip_writer *w,
 }
 
 const struct mip_codec mip_filter_relative_position_configuration_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_relative_position_configuration_response),
-    0,
+    0, /* time-out */
     read_relative_position_configuration_response,
     write_relative_position_configuration_response,
     NULL,
@@ -5389,11 +5389,11 @@ static void write_reference_point_lever_arm(struct mip_writer *w, const void *va
 }
 
 const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_REFERENCE_POINT_LEVER_ARM_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_reference_point_lever_arm),
-    0,
+    0, /* time-out */
     read_reference_point_lever_arm,
     write_reference_point_lever_arm,
     NULL,
@@ -5463,11 +5463,11 @@ static void write_reference_point_lever_arm_response(struct mip_writer *w, const
 }
 
 const struct mip_codec mip_filter_reference_point_lever_arm_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_reference_point_lever_arm_response),
-    0,
+    0, /* time-out */
     read_reference_point_lever_arm_response,
     write_reference_point_lever_arm_response,
     NULL,
@@ -5504,11 +5504,11 @@ static void write_speed_measurement(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_speed_measurement_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SPEED_MEASUREMENT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_speed_measurement),
-    0,
+    0, /* time-out */
     read_speed_measurement,
     write_speed_measurement,
     NULL,
@@ -5565,11 +5565,11 @@ static void write_measurement_speed_lever_arm(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_measurement_speed_lever_arm_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_measurement_speed_lever_arm),
-    0,
+    0, /* time-out */
     read_measurement_speed_lever_arm,
     write_measurement_speed_lever_arm,
     NULL,
@@ -5586,8 +5586,8 @@ mip_error mip_filter_measurement_speed_lever_arm_encode(
                             write_measurement_speed_lever_arm, value);
 }
 
-struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_write(
-    const float lever_arm_offset[3]) {
+struct mip_filter_measurement_speed_lever_arm
+mip_filter_measurement_speed_lever_arm_write(const float lever_arm_offset[3]) {
     struct mip_filter_measurement_speed_lever_arm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -5643,11 +5643,11 @@ static void write_measurement_speed_lever_arm_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_filter_measurement_speed_lever_arm_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_measurement_speed_lever_arm_response),
-    0,
+    0, /* time-out */
     read_measurement_speed_lever_arm_response,
     write_measurement_speed_lever_arm_response,
     NULL,
@@ -5692,11 +5692,11 @@ static void write_vertical_gyro_constraint_control(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_vertical_gyro_constraint_control),
-    0,
+    0, /* time-out */
     read_vertical_gyro_constraint_control,
     write_vertical_gyro_constraint_control,
     NULL,
@@ -5769,11 +5769,11 @@ static void write_vertical_gyro_constraint_control_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_vertical_gyro_constraint_control_response),
-    0,
+    0, /* time-out */
     read_vertical_gyro_constraint_control_response,
     write_vertical_gyro_constraint_control_response,
     NULL,
@@ -5819,11 +5819,11 @@ static void write_wheeled_vehicle_constraint_control(struct mip_writer *w, const
 }
 
 const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_wheeled_vehicle_constraint_control),
-    0,
+    0, /* time-out */
     read_wheeled_vehicle_constraint_control,
     write_wheeled_vehicle_constraint_control,
     NULL,
@@ -5897,11 +5897,11 @@ static void write_wheeled_vehicle_constraint_control_response(struct mip_writer 
 }
 
 const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_wheeled_vehicle_constraint_control_response),
-    0,
+    0, /* time-out */
     read_wheeled_vehicle_constraint_control_response,
     write_wheeled_vehicle_constraint_control_response,
     NULL,
@@ -5951,11 +5951,11 @@ static void write_gnss_antenna_offset_calibration_control(struct mip_writer *w, 
 }
 
 const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gnss_antenna_offset_calibration_control),
-    0,
+    0, /* time-out */
     read_gnss_antenna_offset_calibration_control,
     write_gnss_antenna_offset_calibration_control,
     NULL,
@@ -6035,11 +6035,11 @@ static void write_gnss_antenna_offset_calibration_control_response(struct mip_wr
 }
 
 const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gnss_antenna_offset_calibration_control_response),
-    0,
+    0, /* time-out */
     read_gnss_antenna_offset_calibration_control_response,
     write_gnss_antenna_offset_calibration_control_response,
     NULL,

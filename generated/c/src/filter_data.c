@@ -21,11 +21,11 @@ static void write_llh_position(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_llh_position_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_LLH_POSITION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_llh_position),
-    0,
+    0, /* time-out */
     read_llh_position,
     write_llh_position,
     NULL,
@@ -60,11 +60,11 @@ static void write_velocity_ned(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_velocity_ned_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_VELOCITY_NED_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_velocity_ned),
-    0,
+    0, /* time-out */
     read_velocity_ned,
     write_velocity_ned,
     NULL,
@@ -96,11 +96,11 @@ static void write_attitude_quaternion(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_attitude_quaternion_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ATTITUDE_QUATERNION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_attitude_quaternion),
-    0,
+    0, /* time-out */
     read_attitude_quaternion,
     write_attitude_quaternion,
     NULL,
@@ -131,11 +131,11 @@ static void write_attitude_dcm(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_attitude_dcm_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ATTITUDE_DCM_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_attitude_dcm),
-    0,
+    0, /* time-out */
     read_attitude_dcm,
     write_attitude_dcm,
     NULL,
@@ -170,11 +170,11 @@ static void write_euler_angles(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_euler_angles_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_EULER_ANGLES_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_euler_angles),
-    0,
+    0, /* time-out */
     read_euler_angles,
     write_euler_angles,
     NULL,
@@ -204,11 +204,11 @@ static void write_gyro_bias(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_gyro_bias_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GYRO_BIAS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gyro_bias),
-    0,
+    0, /* time-out */
     read_gyro_bias,
     write_gyro_bias,
     NULL,
@@ -238,11 +238,11 @@ static void write_accel_bias(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_accel_bias_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ACCEL_BIAS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_accel_bias),
-    0,
+    0, /* time-out */
     read_accel_bias,
     write_accel_bias,
     NULL,
@@ -278,11 +278,11 @@ static void write_llh_position_uncertainty(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_data_llh_position_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_llh_position_uncertainty),
-    0,
+    0, /* time-out */
     read_llh_position_uncertainty,
     write_llh_position_uncertainty,
     NULL,
@@ -318,11 +318,11 @@ static void write_ned_velocity_uncertainty(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_data_ned_velocity_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ned_velocity_uncertainty),
-    0,
+    0, /* time-out */
     read_ned_velocity_uncertainty,
     write_ned_velocity_uncertainty,
     NULL,
@@ -358,11 +358,11 @@ static void write_euler_angles_uncertainty(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_data_euler_angles_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_euler_angles_uncertainty),
-    0,
+    0, /* time-out */
     read_euler_angles_uncertainty,
     write_euler_angles_uncertainty,
     NULL,
@@ -394,11 +394,11 @@ static void write_gyro_bias_uncertainty(struct mip_writer *w, const void *value)
 }
 
 const struct mip_codec mip_filter_data_gyro_bias_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gyro_bias_uncertainty),
-    0,
+    0, /* time-out */
     read_gyro_bias_uncertainty,
     write_gyro_bias_uncertainty,
     NULL,
@@ -430,11 +430,11 @@ static void write_accel_bias_uncertainty(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_filter_data_accel_bias_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_accel_bias_uncertainty),
-    0,
+    0, /* time-out */
     read_accel_bias_uncertainty,
     write_accel_bias_uncertainty,
     NULL,
@@ -465,11 +465,11 @@ static void write_linear_accel(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_linear_accel_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_LINEAR_ACCEL_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_linear_accel),
-    0,
+    0, /* time-out */
     read_linear_accel,
     write_linear_accel,
     NULL,
@@ -500,11 +500,11 @@ static void write_comp_angular_rate(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_comp_angular_rate_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_COMP_ANGULAR_RATE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_comp_angular_rate),
-    0,
+    0, /* time-out */
     read_comp_angular_rate,
     write_comp_angular_rate,
     NULL,
@@ -536,11 +536,11 @@ static void write_wgs84_local_gravity_magnitude(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_filter_data_wgs84_local_gravity_magnitude_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_WGS84_LOCAL_GRAVITY_MAGNITUDE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_wgs84_local_gravity_magnitude),
-    0,
+    0, /* time-out */
     read_wgs84_local_gravity_magnitude,
     write_wgs84_local_gravity_magnitude,
     NULL,
@@ -573,11 +573,11 @@ static void write_status(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_status_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_status),
-    0,
+    0, /* time-out */
     read_status,
     write_status,
     NULL,
@@ -608,11 +608,11 @@ static void write_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_timestamp_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_timestamp),
-    0,
+    0, /* time-out */
     read_timestamp,
     write_timestamp,
     NULL,
@@ -644,11 +644,11 @@ static void write_quaternion_attitude_uncertainty(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_data_quaternion_attitude_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_quaternion_attitude_uncertainty),
-    0,
+    0, /* time-out */
     read_quaternion_attitude_uncertainty,
     write_quaternion_attitude_uncertainty,
     NULL,
@@ -682,11 +682,11 @@ static void write_gravity_vector(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_gravity_vector_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GRAVITY_VECTOR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gravity_vector),
-    0,
+    0, /* time-out */
     read_gravity_vector,
     write_gravity_vector,
     NULL,
@@ -722,11 +722,11 @@ static void write_heading_update_source_state(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_data_heading_update_source_state_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_HEADING_UPDATE_SOURCE_STATE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_heading_update_source_state),
-    0,
+    0, /* time-out */
     read_heading_update_source_state,
     write_heading_update_source_state,
     NULL,
@@ -765,11 +765,11 @@ static void write_magnetic_model(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_magnetic_model_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAGNETIC_MODEL_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_magnetic_model),
-    0,
+    0, /* time-out */
     read_magnetic_model,
     write_magnetic_model,
     NULL,
@@ -800,11 +800,11 @@ static void write_gyro_scale_factor(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_gyro_scale_factor_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GYRO_SCALE_FACTOR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gyro_scale_factor),
-    0,
+    0, /* time-out */
     read_gyro_scale_factor,
     write_gyro_scale_factor,
     NULL,
@@ -836,11 +836,11 @@ static void write_accel_scale_factor(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_accel_scale_factor_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_accel_scale_factor),
-    0,
+    0, /* time-out */
     read_accel_scale_factor,
     write_accel_scale_factor,
     NULL,
@@ -872,11 +872,11 @@ static void write_gyro_scale_factor_uncertainty(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_filter_data_gyro_scale_factor_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gyro_scale_factor_uncertainty),
-    0,
+    0, /* time-out */
     read_gyro_scale_factor_uncertainty,
     write_gyro_scale_factor_uncertainty,
     NULL,
@@ -909,11 +909,11 @@ static void write_accel_scale_factor_uncertainty(struct mip_writer *w, const voi
 }
 
 const struct mip_codec mip_filter_data_accel_scale_factor_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_accel_scale_factor_uncertainty),
-    0,
+    0, /* time-out */
     read_accel_scale_factor_uncertainty,
     write_accel_scale_factor_uncertainty,
     NULL,
@@ -946,11 +946,11 @@ static void write_mag_bias(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_mag_bias_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAG_BIAS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_mag_bias),
-    0,
+    0, /* time-out */
     read_mag_bias,
     write_mag_bias,
     NULL,
@@ -982,11 +982,11 @@ static void write_mag_bias_uncertainty(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_mag_bias_uncertainty),
-    0,
+    0, /* time-out */
     read_mag_bias_uncertainty,
     write_mag_bias_uncertainty,
     NULL,
@@ -1018,11 +1018,11 @@ static void write_compensated_acceleration(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_data_compensated_acceleration_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_COMPENSATED_ACCELERATION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_compensated_acceleration),
-    0,
+    0, /* time-out */
     read_compensated_acceleration,
     write_compensated_acceleration,
     NULL,
@@ -1062,11 +1062,11 @@ static void write_standard_atmosphere(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_standard_atmosphere_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_STANDARD_ATMOSPHERE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_standard_atmosphere),
-    0,
+    0, /* time-out */
     read_standard_atmosphere,
     write_standard_atmosphere,
     NULL,
@@ -1097,11 +1097,11 @@ static void write_pressure_altitude(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_pressure_altitude_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_PRESSURE_ALTITUDE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_pressure_altitude),
-    0,
+    0, /* time-out */
     read_pressure_altitude,
     write_pressure_altitude,
     NULL,
@@ -1132,11 +1132,11 @@ static void write_density_altitude(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_density_altitude_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_DENSITY_ALTITUDE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_density_altitude),
-    0,
+    0, /* time-out */
     read_density_altitude,
     write_density_altitude,
     NULL,
@@ -1166,11 +1166,11 @@ static void write_mag_offset(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_mag_offset_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAG_OFFSET_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_mag_offset),
-    0,
+    0, /* time-out */
     read_mag_offset,
     write_mag_offset,
     NULL,
@@ -1200,11 +1200,11 @@ static void write_mag_matrix(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_mag_matrix_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAG_MATRIX_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_mag_matrix),
-    0,
+    0, /* time-out */
     read_mag_matrix,
     write_mag_matrix,
     NULL,
@@ -1236,11 +1236,11 @@ static void write_mag_offset_uncertainty(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_filter_data_mag_offset_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_mag_offset_uncertainty),
-    0,
+    0, /* time-out */
     read_mag_offset_uncertainty,
     write_mag_offset_uncertainty,
     NULL,
@@ -1272,11 +1272,11 @@ static void write_mag_matrix_uncertainty(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_filter_data_mag_matrix_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_mag_matrix_uncertainty),
-    0,
+    0, /* time-out */
     read_mag_matrix_uncertainty,
     write_mag_matrix_uncertainty,
     NULL,
@@ -1308,11 +1308,11 @@ static void write_mag_covariance_matrix(struct mip_writer *w, const void *value)
 }
 
 const struct mip_codec mip_filter_data_mag_covariance_matrix_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_mag_covariance_matrix),
-    0,
+    0, /* time-out */
     read_mag_covariance_matrix,
     write_mag_covariance_matrix,
     NULL,
@@ -1344,11 +1344,11 @@ static void write_mag_residual_vector(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_mag_residual_vector_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_mag_residual_vector),
-    0,
+    0, /* time-out */
     read_mag_residual_vector,
     write_mag_residual_vector,
     NULL,
@@ -1380,11 +1380,11 @@ static void write_antenna_offset_correction(struct mip_writer *w, const void *va
 }
 
 const struct mip_codec mip_filter_data_antenna_offset_correction_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_antenna_offset_correction),
-    0,
+    0, /* time-out */
     read_antenna_offset_correction,
     write_antenna_offset_correction,
     NULL,
@@ -1416,11 +1416,11 @@ static void write_antenna_offset_correction_uncertainty(struct mip_writer *w, co
 }
 
 const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_antenna_offset_correction_uncertainty),
-    0,
+    0, /* time-out */
     read_antenna_offset_correction_uncertainty,
     write_antenna_offset_correction_uncertainty,
     NULL,
@@ -1459,11 +1459,11 @@ static void write_clock_correction(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_clock_correction_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_CLOCK_CORRECTION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_clock_correction),
-    0,
+    0, /* time-out */
     read_clock_correction,
     write_clock_correction,
     NULL,
@@ -1499,11 +1499,11 @@ static void write_clock_correction_uncertainty(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_filter_data_clock_correction_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_clock_correction_uncertainty),
-    0,
+    0, /* time-out */
     read_clock_correction_uncertainty,
     write_clock_correction_uncertainty,
     NULL,
@@ -1537,11 +1537,11 @@ static void write_multi_antenna_offset_correction(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_data_multi_antenna_offset_correction_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_multi_antenna_offset_correction),
-    0,
+    0, /* time-out */
     read_multi_antenna_offset_correction,
     write_multi_antenna_offset_correction,
     NULL,
@@ -1579,11 +1579,11 @@ static void write_multi_antenna_offset_correction_uncertainty(struct mip_writer 
 }
 
 const struct mip_codec mip_filter_data_multi_antenna_offset_correction_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_multi_antenna_offset_correction_uncertainty),
-    0,
+    0, /* time-out */
     read_multi_antenna_offset_correction_uncertainty,
     write_multi_antenna_offset_correction_uncertainty,
     NULL,
@@ -1619,11 +1619,11 @@ static void write_ecef_position_uncertainty(struct mip_writer *w, const void *va
 }
 
 const struct mip_codec mip_filter_data_ecef_position_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ecef_position_uncertainty),
-    0,
+    0, /* time-out */
     read_ecef_position_uncertainty,
     write_ecef_position_uncertainty,
     NULL,
@@ -1655,11 +1655,11 @@ static void write_ecef_velocity_uncertainty(struct mip_writer *w, const void *va
 }
 
 const struct mip_codec mip_filter_data_ecef_velocity_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ecef_velocity_uncertainty),
-    0,
+    0, /* time-out */
     read_ecef_velocity_uncertainty,
     write_ecef_velocity_uncertainty,
     NULL,
@@ -1690,11 +1690,11 @@ static void write_ecef_position(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_ecef_position_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ECEF_POSITION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ecef_position),
-    0,
+    0, /* time-out */
     read_ecef_position,
     write_ecef_position,
     NULL,
@@ -1725,11 +1725,11 @@ static void write_ecef_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_ecef_velocity_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ECEF_VELOCITY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ecef_velocity),
-    0,
+    0, /* time-out */
     read_ecef_velocity,
     write_ecef_velocity,
     NULL,
@@ -1761,11 +1761,11 @@ static void write_ned_relative_position(struct mip_writer *w, const void *value)
 }
 
 const struct mip_codec mip_filter_data_ned_relative_position_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_NED_RELATIVE_POSITION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ned_relative_position),
-    0,
+    0, /* time-out */
     read_ned_relative_position,
     write_ned_relative_position,
     NULL,
@@ -1801,11 +1801,11 @@ static void write_gnss_position_aiding_status(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_data_gnss_position_aiding_status_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gnss_position_aiding_status),
-    0,
+    0, /* time-out */
     read_gnss_position_aiding_status,
     write_gnss_position_aiding_status,
     NULL,
@@ -1839,11 +1839,11 @@ static void write_gnss_attitude_aiding_status(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_data_gnss_attitude_aiding_status_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gnss_attitude_aiding_status),
-    0,
+    0, /* time-out */
     read_gnss_attitude_aiding_status,
     write_gnss_attitude_aiding_status,
     NULL,
@@ -1877,11 +1877,11 @@ static void write_heading_aiding_status(struct mip_writer *w, const void *value)
 }
 
 const struct mip_codec mip_filter_data_heading_aiding_status_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_HEADING_AIDING_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_heading_aiding_status),
-    0,
+    0, /* time-out */
     read_heading_aiding_status,
     write_heading_aiding_status,
     NULL,
@@ -1917,11 +1917,11 @@ static void write_aiding_measurement_summary(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_filter_data_aiding_measurement_summary_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_aiding_measurement_summary),
-    0,
+    0, /* time-out */
     read_aiding_measurement_summary,
     write_aiding_measurement_summary,
     NULL,
@@ -1953,11 +1953,11 @@ static void write_odometer_scale_factor_error(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_data_odometer_scale_factor_error_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_odometer_scale_factor_error),
-    0,
+    0, /* time-out */
     read_odometer_scale_factor_error,
     write_odometer_scale_factor_error,
     NULL,
@@ -1989,11 +1989,11 @@ static void write_odometer_scale_factor_error_uncertainty(struct mip_writer *w, 
 }
 
 const struct mip_codec mip_filter_data_odometer_scale_factor_error_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_odometer_scale_factor_error_uncertainty),
-    0,
+    0, /* time-out */
     read_odometer_scale_factor_error_uncertainty,
     write_odometer_scale_factor_error_uncertainty,
     NULL,
@@ -2037,11 +2037,11 @@ static void write_gnss_dual_antenna_status(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_data_gnss_dual_antenna_status_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gnss_dual_antenna_status),
-    0,
+    0, /* time-out */
     read_gnss_dual_antenna_status,
     write_gnss_dual_antenna_status,
     NULL,
@@ -2075,11 +2075,11 @@ static void write_aiding_frame_configuration_error(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_filter_data_aiding_frame_configuration_error_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_aiding_frame_configuration_error),
-    0,
+    0, /* time-out */
     read_aiding_frame_configuration_error,
     write_aiding_frame_configuration_error,
     NULL,
@@ -2117,11 +2117,11 @@ static void write_aiding_frame_configuration_error_uncertainty(struct mip_writer
 }
 
 const struct mip_codec mip_filter_data_aiding_frame_configuration_error_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_aiding_frame_configuration_error_uncertainty),
-    0,
+    0, /* time-out */
     read_aiding_frame_configuration_error_uncertainty,
     write_aiding_frame_configuration_error_uncertainty,
     NULL,

@@ -18,11 +18,11 @@ void mip_gnss_receiver_info_entry_write(struct mip_writer *w,
 }
 
 const struct mip_codec mip_gnss_receiver_info_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_RECEIVER_INFO_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_gnss_receiver_info),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -57,11 +57,11 @@ static void write_receiver_info_response(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_gnss_receiver_info_response_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_RECEIVER_INFO_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_gnss_receiver_info_response),
-    0,
+    0, /* time-out */
     read_receiver_info_response,
     write_receiver_info_response,
     NULL,
@@ -118,11 +118,11 @@ static void write_signal_configuration(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_gnss_signal_configuration_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_SIGNAL_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_gnss_signal_configuration),
-    0,
+    0, /* time-out */
     read_signal_configuration,
     write_signal_configuration,
     NULL,
@@ -201,11 +201,11 @@ static void write_signal_configuration_response(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_gnss_signal_configuration_response_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_SIGNAL_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_gnss_signal_configuration_response),
-    0,
+    0, /* time-out */
     read_signal_configuration_response,
     write_signal_configuration_response,
     NULL,
@@ -250,11 +250,11 @@ static void write_rtk_dongle_configuration(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_gnss_rtk_dongle_configuration_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_RTK_DONGLE_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_gnss_rtk_dongle_configuration),
-    0,
+    0, /* time-out */
     read_rtk_dongle_configuration,
     write_rtk_dongle_configuration,
     NULL,
@@ -322,11 +322,11 @@ static void write_rtk_dongle_configuration_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_gnss_rtk_dongle_configuration_response_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_RTK_DONGLE_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_gnss_rtk_dongle_configuration_response),
-    0,
+    0, /* time-out */
     read_rtk_dongle_configuration_response,
     write_rtk_dongle_configuration_response,
     NULL,
@@ -396,11 +396,11 @@ static void write_spartn_configuration(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_gnss_spartn_configuration_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_SPARTN_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_gnss_spartn_configuration),
-    0,
+    0, /* time-out */
     read_spartn_configuration,
     write_spartn_configuration,
     NULL,
@@ -490,11 +490,11 @@ static void write_spartn_configuration_response(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_gnss_spartn_configuration_response_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_SPARTN_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_gnss_spartn_configuration_response),
-    0,
+    0, /* time-out */
     read_spartn_configuration_response,
     write_spartn_configuration_response,
     NULL,

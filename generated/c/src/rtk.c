@@ -4,11 +4,11 @@
 #include <string.h>
 
 const struct mip_codec mip_rtk_get_status_flags_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_STATUS_FLAGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_get_status_flags),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -37,11 +37,11 @@ static void write_get_status_flags_response(struct mip_writer *w, const void *va
 }
 
 const struct mip_codec mip_rtk_get_status_flags_response_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_STATUS_FLAGS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_rtk_get_status_flags_response),
-    0,
+    0, /* time-out */
     read_get_status_flags_response,
     write_get_status_flags_response,
     NULL,
@@ -59,11 +59,11 @@ mip_error mip_rtk_get_status_flags_response_encode(
 }
 
 const struct mip_codec mip_rtk_get_imei_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_IMEI_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_get_imei),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -89,11 +89,11 @@ static void write_get_imei_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_rtk_get_imei_response_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_IMEI_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_rtk_get_imei_response),
-    0,
+    0, /* time-out */
     read_get_imei_response,
     write_get_imei_response,
     NULL,
@@ -111,11 +111,11 @@ mip_error mip_rtk_get_imei_response_encode(const struct mip_rtk_get_imei_respons
 }
 
 const struct mip_codec mip_rtk_get_imsi_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_IMSI_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_get_imsi),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -141,11 +141,11 @@ static void write_get_imsi_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_rtk_get_imsi_response_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_IMSI_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_rtk_get_imsi_response),
-    0,
+    0, /* time-out */
     read_get_imsi_response,
     write_get_imsi_response,
     NULL,
@@ -163,11 +163,11 @@ mip_error mip_rtk_get_imsi_response_encode(const struct mip_rtk_get_imsi_respons
 }
 
 const struct mip_codec mip_rtk_get_iccid_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_ICCID_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_get_iccid),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -193,11 +193,11 @@ static void write_get_iccid_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_rtk_get_iccid_response_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_ICCID_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_rtk_get_iccid_response),
-    0,
+    0, /* time-out */
     read_get_iccid_response,
     write_get_iccid_response,
     NULL,
@@ -215,11 +215,11 @@ mip_error mip_rtk_get_iccid_response_encode(const struct mip_rtk_get_iccid_respo
 }
 
 const struct mip_codec mip_rtk_get_rssi_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_RSSI_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_get_rssi),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -249,11 +249,11 @@ static void write_get_rssi_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_rtk_get_rssi_response_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_RSSI_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_rtk_get_rssi_response),
-    0,
+    0, /* time-out */
     read_get_rssi_response,
     write_get_rssi_response,
     NULL,
@@ -294,11 +294,11 @@ static void write_connected_device_type(struct mip_writer *w, const void *value)
 }
 
 const struct mip_codec mip_rtk_connected_device_type_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_CONNECTED_DEVICE_TYPE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_connected_device_type),
-    0,
+    0, /* time-out */
     read_connected_device_type,
     write_connected_device_type,
     NULL,
@@ -315,8 +315,8 @@ mip_error mip_rtk_connected_device_type_encode(const struct mip_rtk_connected_de
                             write_connected_device_type, value);
 }
 
-struct mip_rtk_connected_device_type mip_rtk_connected_device_type_write(
-    mip_rtk_connected_device device_type) {
+struct mip_rtk_connected_device_type
+mip_rtk_connected_device_type_write(mip_rtk_connected_device device_type) {
     struct mip_rtk_connected_device_type v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -365,11 +365,11 @@ static void write_connected_device_type_response(struct mip_writer *w, const voi
 }
 
 const struct mip_codec mip_rtk_connected_device_type_response_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_rtk_connected_device_type_response),
-    0,
+    0, /* time-out */
     read_connected_device_type_response,
     write_connected_device_type_response,
     NULL,
@@ -388,11 +388,11 @@ mip_error mip_rtk_connected_device_type_response_encode(
 }
 
 const struct mip_codec mip_rtk_get_activation_code_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_ACTIVATION_CODE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_get_activation_code),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -422,11 +422,11 @@ static void write_get_activation_code_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_rtk_get_activation_code_response_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_ACTIVATION_CODE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_rtk_get_activation_code_response),
-    0,
+    0, /* time-out */
     read_get_activation_code_response,
     write_get_activation_code_response,
     NULL,
@@ -444,11 +444,11 @@ mip_error mip_rtk_get_activation_code_response_encode(
 }
 
 const struct mip_codec mip_rtk_get_modem_firmware_version_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_MODEM_FIRMWARE_VERSION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_get_modem_firmware_version),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -478,11 +478,11 @@ static void write_get_modem_firmware_version_response(struct mip_writer *w, cons
 }
 
 const struct mip_codec mip_rtk_get_modem_firmware_version_response_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_rtk_get_modem_firmware_version_response),
-    0,
+    0, /* time-out */
     read_get_modem_firmware_version_response,
     write_get_modem_firmware_version_response,
     NULL,
@@ -513,11 +513,11 @@ static void write_service_status(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_rtk_service_status_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_SERVICE_STATUS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_service_status),
-    0,
+    0, /* time-out */
     read_service_status,
     write_service_status,
     NULL,
@@ -552,11 +552,11 @@ static void write_service_status_response(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_rtk_service_status_response_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_SERVICE_STATUS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_rtk_service_status_response),
-    0,
+    0, /* time-out */
     read_service_status_response,
     write_service_status_response,
     NULL,
@@ -584,11 +584,11 @@ static void write_erase_storage(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_rtk_erase_storage_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_ERASE_STORAGE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_erase_storage),
-    0,
+    0, /* time-out */
     read_erase_storage,
     write_erase_storage,
     NULL,
@@ -629,11 +629,11 @@ static void write_led_control(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_rtk_led_control_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_LED_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_led_control),
-    0,
+    0, /* time-out */
     read_led_control,
     write_led_control,
     NULL,
@@ -663,11 +663,11 @@ struct mip_rtk_led_control mip_rtk_led_control_make(const uint8_t primary_color[
 }
 
 const struct mip_codec mip_rtk_modem_hard_reset_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_MODEM_HARD_RESET_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_modem_hard_reset),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,

@@ -14,11 +14,11 @@ static void write_raw_accel(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_raw_accel_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_RAW_ACCEL_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_raw_accel),
-    0,
+    0, /* time-out */
     read_raw_accel,
     write_raw_accel,
     NULL,
@@ -45,11 +45,11 @@ static void write_raw_gyro(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_raw_gyro_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_RAW_GYRO_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_raw_gyro),
-    0,
+    0, /* time-out */
     read_raw_gyro,
     write_raw_gyro,
     NULL,
@@ -76,11 +76,11 @@ static void write_raw_mag(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_raw_mag_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_RAW_MAG_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_raw_mag),
-    0,
+    0, /* time-out */
     read_raw_mag,
     write_raw_mag,
     NULL,
@@ -107,11 +107,11 @@ static void write_scaled_accel(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_scaled_accel_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_scaled_accel),
-    0,
+    0, /* time-out */
     read_scaled_accel,
     write_scaled_accel,
     NULL,
@@ -139,11 +139,11 @@ static void write_scaled_gyro(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_scaled_gyro_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_SCALED_GYRO_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_scaled_gyro),
-    0,
+    0, /* time-out */
     read_scaled_gyro,
     write_scaled_gyro,
     NULL,
@@ -171,11 +171,11 @@ static void write_scaled_mag(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_scaled_mag_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_SCALED_MAG_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_scaled_mag),
-    0,
+    0, /* time-out */
     read_scaled_mag,
     write_scaled_mag,
     NULL,
@@ -203,11 +203,11 @@ static void write_delta_theta(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_delta_theta_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_DELTA_THETA_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_delta_theta),
-    0,
+    0, /* time-out */
     read_delta_theta,
     write_delta_theta,
     NULL,
@@ -235,11 +235,11 @@ static void write_delta_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_delta_velocity_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_DELTA_VELOCITY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_delta_velocity),
-    0,
+    0, /* time-out */
     read_delta_velocity,
     write_delta_velocity,
     NULL,
@@ -269,11 +269,11 @@ static void write_complementary_filter_orientation_matrix(struct mip_writer *w, 
 }
 
 const struct mip_codec mip_sensor_complementary_filter_orientation_matrix_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_complementary_filter_orientation_matrix),
-    0,
+    0, /* time-out */
     read_complementary_filter_orientation_matrix,
     write_complementary_filter_orientation_matrix,
     NULL,
@@ -307,11 +307,11 @@ static void write_complementary_filter_quaternion(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_sensor_complementary_filter_quaternion_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMPLEMENTARY_FILTER_QUATERNION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_complementary_filter_quaternion),
-    0,
+    0, /* time-out */
     read_complementary_filter_quaternion,
     write_complementary_filter_quaternion,
     NULL,
@@ -342,11 +342,11 @@ static void write_comp_orientation_update_matrix(struct mip_writer *w, const voi
 }
 
 const struct mip_codec mip_sensor_comp_orientation_update_matrix_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_comp_orientation_update_matrix),
-    0,
+    0, /* time-out */
     read_comp_orientation_update_matrix,
     write_comp_orientation_update_matrix,
     NULL,
@@ -381,11 +381,11 @@ static void write_complementary_filter_euler_angles(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_sensor_complementary_filter_euler_angles_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMPLEMENTARY_FILTER_EULER_ANGLES_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_complementary_filter_euler_angles),
-    0,
+    0, /* time-out */
     read_complementary_filter_euler_angles,
     write_complementary_filter_euler_angles,
     NULL,
@@ -415,11 +415,11 @@ static void write_orientation_raw_temp(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_sensor_orientation_raw_temp_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_ORIENTATION_RAW_TEMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_orientation_raw_temp),
-    0,
+    0, /* time-out */
     read_orientation_raw_temp,
     write_orientation_raw_temp,
     NULL,
@@ -448,11 +448,11 @@ static void write_internal_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_internal_timestamp_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_INTERNAL_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_internal_timestamp),
-    0,
+    0, /* time-out */
     read_internal_timestamp,
     write_internal_timestamp,
     NULL,
@@ -482,11 +482,11 @@ static void write_pps_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_pps_timestamp_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_PPS_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_pps_timestamp),
-    0,
+    0, /* time-out */
     read_pps_timestamp,
     write_pps_timestamp,
     NULL,
@@ -517,11 +517,11 @@ static void write_complementary_filter_stabilized_north_vector(struct mip_writer
 }
 
 const struct mip_codec mip_sensor_complementary_filter_stabilized_north_vector_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_complementary_filter_stabilized_north_vector),
-    0,
+    0, /* time-out */
     read_complementary_filter_stabilized_north_vector,
     write_complementary_filter_stabilized_north_vector,
     NULL,
@@ -556,11 +556,11 @@ static void write_complementary_filter_stabilized_up_vector(struct mip_writer *w
 }
 
 const struct mip_codec mip_sensor_complementary_filter_stabilized_up_vector_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_complementary_filter_stabilized_up_vector),
-    0,
+    0, /* time-out */
     read_complementary_filter_stabilized_up_vector,
     write_complementary_filter_stabilized_up_vector,
     NULL,
@@ -596,11 +596,11 @@ static void write_gps_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_gps_timestamp_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_GPS_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_gps_timestamp),
-    0,
+    0, /* time-out */
     read_gps_timestamp,
     write_gps_timestamp,
     NULL,
@@ -633,11 +633,11 @@ static void write_temperature_statistics(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_sensor_temperature_statistics_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_TEMPERATURE_STATISTICS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_temperature_statistics),
-    0,
+    0, /* time-out */
     read_temperature_statistics,
     write_temperature_statistics,
     NULL,
@@ -665,11 +665,11 @@ static void write_raw_pressure(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_raw_pressure_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_RAW_PRESSURE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_raw_pressure),
-    0,
+    0, /* time-out */
     read_raw_pressure,
     write_raw_pressure,
     NULL,
@@ -697,11 +697,11 @@ static void write_scaled_pressure(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_scaled_pressure_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_SCALED_PRESSURE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_scaled_pressure),
-    0,
+    0, /* time-out */
     read_scaled_pressure,
     write_scaled_pressure,
     NULL,
@@ -729,11 +729,11 @@ static void write_overrange_status(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_overrange_status_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_OVERRANGE_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_overrange_status),
-    0,
+    0, /* time-out */
     read_overrange_status,
     write_overrange_status,
     NULL,
@@ -765,11 +765,11 @@ static void write_odometer(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_odometer_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_ODOMETER_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_odometer),
-    0,
+    0, /* time-out */
     read_odometer,
     write_odometer,
     NULL,

@@ -35,11 +35,11 @@ static void write_interface_control(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_system_interface_control_codec = {
-    0x7F,
+    0x7F, /* descriptor set */
     MIP_SYSTEM_INTERFACE_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_system_interface_control),
-    0,
+    0, /* time-out */
     read_interface_control,
     write_interface_control,
     NULL,
@@ -68,8 +68,8 @@ struct mip_system_interface_control mip_system_interface_control_write(
     return v;
 }
 
-struct mip_system_interface_control mip_system_interface_control_read(
-    mip_system_comms_interface port) {
+struct mip_system_interface_control
+mip_system_interface_control_read(mip_system_comms_interface port) {
     struct mip_system_interface_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -77,8 +77,8 @@ struct mip_system_interface_control mip_system_interface_control_read(
     return v;
 }
 
-struct mip_system_interface_control mip_system_interface_control_save(
-    mip_system_comms_interface port) {
+struct mip_system_interface_control
+mip_system_interface_control_save(mip_system_comms_interface port) {
     struct mip_system_interface_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -86,8 +86,8 @@ struct mip_system_interface_control mip_system_interface_control_save(
     return v;
 }
 
-struct mip_system_interface_control mip_system_interface_control_load(
-    mip_system_comms_interface port) {
+struct mip_system_interface_control
+mip_system_interface_control_load(mip_system_comms_interface port) {
     struct mip_system_interface_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
@@ -95,8 +95,8 @@ struct mip_system_interface_control mip_system_interface_control_load(
     return v;
 }
 
-struct mip_system_interface_control mip_system_interface_control_default(
-    mip_system_comms_interface port) {
+struct mip_system_interface_control
+mip_system_interface_control_default(mip_system_comms_interface port) {
     struct mip_system_interface_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -121,11 +121,11 @@ static void write_interface_control_response(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_system_interface_control_response_codec = {
-    0x7F,
+    0x7F, /* descriptor set */
     MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_system_interface_control_response),
-    0,
+    0, /* time-out */
     read_interface_control_response,
     write_interface_control_response,
     NULL,
@@ -166,11 +166,11 @@ static void write_communication_mode(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_system_communication_mode_codec = {
-    0x7F,
+    0x7F, /* descriptor set */
     MIP_SYSTEM_COMMUNICATION_MODE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_system_communication_mode),
-    0,
+    0, /* time-out */
     read_communication_mode,
     write_communication_mode,
     NULL,
@@ -187,8 +187,8 @@ mip_error mip_system_communication_mode_encode(const struct mip_system_communica
                             write_communication_mode, value);
 }
 
-struct mip_system_communication_mode mip_system_communication_mode_write(
-    mip_system_protocol_mode mode) {
+struct mip_system_communication_mode
+mip_system_communication_mode_write(mip_system_protocol_mode mode) {
     struct mip_system_communication_mode v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -237,11 +237,11 @@ static void write_communication_mode_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_system_communication_mode_response_codec = {
-    0x7F,
+    0x7F, /* descriptor set */
     MIP_SYSTEM_COMMUNICATION_MODE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_system_communication_mode_response),
-    0,
+    0, /* time-out */
     read_communication_mode_response,
     write_communication_mode_response,
     NULL,

@@ -499,10 +499,12 @@ class EcefPosition(Command):
 
     A measured position in Earth-fixed coordinates.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+    3DM-CV7-GNSS/INS.
 
     Use only one form of position: ECEF or LLH. The uncertainty of a valid axis must be greater than
-    0. The echo control `EchoControl` (0x13,0x1F) decides how the device answers.
+    0. In mode `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back
+    in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: ECEF Position (0x13,0x21)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Position
@@ -563,10 +565,12 @@ class LlhPosition(Command):
 
     A measured position as latitude, longitude and height.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+    3DM-CV7-GNSS/INS.
 
     Use only one form of position: ECEF or LLH. The uncertainty of a valid axis must be greater than
-    0. The echo control `EchoControl` (0x13,0x1F) decides how the device answers.
+    0. In mode `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back
+    in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: LLH Position (0x13,0x22)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > LLH Position
@@ -633,9 +637,11 @@ class HeightAboveEllipsoid(Command):
 
     A measured height.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+    3DM-CV7-GNSS/INS.
 
-    The echo control `EchoControl` (0x13,0x1F) decides how the device answers.
+    In mode `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back in
+    a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23)
     """
@@ -686,11 +692,13 @@ class EcefVelocity(Command):
 
     A measured velocity in Earth-fixed coordinates.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+    3DM-CV7-GNSS/INS.
 
     Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; that
-    takes body_frame_velocity. The uncertainty of a valid axis must be greater than 0. The echo
-    control `EchoControl` (0x13,0x1F) decides how the device answers.
+    takes body_frame_velocity. The uncertainty of a valid axis must be greater than 0. In mode
+    `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back in a
+    response of unknown layout.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Velocity
@@ -751,11 +759,13 @@ class NedVelocity(Command):
 
     A measured velocity in the local level frame.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+    3DM-CV7-GNSS/INS.
 
     Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; that
-    takes body_frame_velocity. The uncertainty of a valid axis must be greater than 0. The echo
-    control `EchoControl` (0x13,0x1F) decides how the device answers.
+    takes body_frame_velocity. The uncertainty of a valid axis must be greater than 0. In mode
+    `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back in a
+    response of unknown layout.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > NED Velocity
@@ -816,13 +826,14 @@ class BodyFrameVelocity(Command):
 
     A measured velocity of the vehicle in the frame of the sensor.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+    3DM-CV7-GNSS/INS.
 
     An uncertainty of a valid axis that is not greater than 0 is refused as an invalid parameter.
     The device takes up to four sensors of this kind. A wheeled vehicle constraint is a velocity of
     0 with y valid only, sent at least once in a second. A zero velocity update is a velocity of 0,
-    sent while the GNSS speed is below a threshold of the user. The echo control `EchoControl`
-    (0x13,0x1F) decides how the device answers.
+    sent while the GNSS speed is below a threshold of the user. In mode `response` of echo control
+    `EchoControl` (0x13,0x1F), the device sends the data back in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > Body Frame Velocity
@@ -882,10 +893,12 @@ class TrueHeading(Command):
 
     A measured heading relative to true north.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+    3DM-CV7-GNSS/INS.
 
-    The uncertainty of a valid measurement must be greater than 0. The echo control `EchoControl`
-    (0x13,0x1F) decides how the device answers.
+    The uncertainty of a valid measurement must be greater than 0. In mode `response` of echo
+    control `EchoControl` (0x13,0x1F), the device sends the data back in a response of unknown
+    layout.
 
     - 3dm-cv7-gnss-ins: True Heading (0x13,0x31)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > True Heading
@@ -937,10 +950,12 @@ class MagneticField(Command):
 
     A magnetic field measured by an external magnetometer.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+    3DM-CV7-GNSS/INS.
 
-    The magnetometer must be calibrated. The uncertainty of a valid axis must be greater than 0. The
-    echo control `EchoControl` (0x13,0x1F) decides how the device answers.
+    The magnetometer must be calibrated. The uncertainty of a valid axis must be greater than 0. In
+    mode `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back in a
+    response of unknown layout.
 
     - 3dm-cv7-gnss-ins: Magnetic Field (0x13,0x32)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Magnetometer
@@ -999,10 +1014,12 @@ class Pressure(Command):
 
     A static air pressure measured by an external sensor.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+    3DM-CV7-GNSS/INS.
 
-    The uncertainty of a valid measurement must be greater than 0. The echo control `EchoControl`
-    (0x13,0x1F) decides how the device answers.
+    The uncertainty of a valid measurement must be greater than 0. In mode `response` of echo
+    control `EchoControl` (0x13,0x1F), the device sends the data back in a response of unknown
+    layout.
 
     - 3dm-cv7-gnss-ins: Pressure (0x13,0x33)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Pressure

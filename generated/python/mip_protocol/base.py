@@ -197,7 +197,7 @@ class GpsTimeUpdateWeekNumberResponse(Response):
     The current week number.
 
     Answers `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.WEEK_NUMBER`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -233,7 +233,7 @@ class GpsTimeUpdateTimeOfWeekResponse(Response):
     The current time of week.
 
     Answers `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.TIME_OF_WEEK`. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -705,7 +705,8 @@ class GpsTimeUpdate(Command):
     Sets the week number or the time of week of the external (GPS) time.
 
     Functions: `write`, `read` and `apply`. Answered by `GpsTimeUpdateWeekNumberResponse` or
-    `GpsTimeUpdateTimeOfWeekResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    `GpsTimeUpdateTimeOfWeekResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
+    3DM-CV7-GNSS/INS: `write` only.
 
     Send it once for the time of week and once for the week number after the PPS is locked. The PPS
     supplies the fraction of the second; send the whole second that began at its last edge. Send it
@@ -731,8 +732,8 @@ class GpsTimeUpdate(Command):
     value: int | None = None
     """What field_id says. Required for `write` and `apply`.
 
-    - If `field_id` is `GpsTimeField.WEEK_NUMBER`: unit week; GPS week number since 6 January 1980.
-    - If `field_id` is `GpsTimeField.TIME_OF_WEEK`: unit s; Whole seconds of the GPS week.
+    - If `field_id` is `GpsTimeField.WEEK_NUMBER`: unit week. GPS week number since 6 January 1980.
+    - If `field_id` is `GpsTimeField.TIME_OF_WEEK`: unit s. Whole seconds of the GPS week.
     """
 
     @classmethod

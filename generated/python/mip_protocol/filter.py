@@ -1,6 +1,9 @@
 """Filter commands (0x0D).
 
 Commands that set up, start and aid the navigation filter.
+
+- 3dm-gx5-15: 4.3 Estimation Filter Commands
+- 3dm-cv7-gnss-ins: Filter (0x0D)
 """
 
 from __future__ import annotations
@@ -15,7 +18,12 @@ from .protocol import FunctionSelector
 
 
 class DynamicsMode(codec.OpenEnum):
-    """Kind of vehicle that the filter is tuned for."""
+    """Kind of vehicle that the filter is tuned for. Uncertain: The SDK names the modes only; the
+    descriptions follow from the names. Uncertain: The filter status `filter_data.Status`
+    (0x82,0x10) reports a mode too, but is known to have the values 1 to 3 only.
+
+    - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+    """
 
     PORTABLE = 1
     """Carried by hand."""
@@ -32,7 +40,7 @@ class EstimatedStates(IntFlag):
     """States that the filter estimates."""
 
     GYRO_BIAS = 1 << 0
-    """Estimate the gyroscope bias (recommended)."""
+    """Estimate the gyroscope bias (recommended). Bit 0."""
 
 
 class GnssAidingSource(codec.OpenEnum):
@@ -71,11 +79,11 @@ class TareAxes(IntFlag):
     """Axes to tare; 0 resets all axes."""
 
     ROLL = 1 << 0
-    """Tare roll."""
+    """Tare roll. Bit 0."""
     PITCH = 1 << 1
-    """Tare pitch."""
+    """Tare pitch. Bit 1."""
     YAW = 1 << 2
-    """Tare yaw."""
+    """Tare yaw. Bit 2."""
 
 
 @codec.open_flag(16)
@@ -83,16 +91,16 @@ class MeasurementFlags(IntFlag):
     """Measurements that the filter uses."""
 
     ACCELEROMETER = 1 << 0
-    """Accelerometer measurements."""
+    """Accelerometer measurements. Bit 0."""
     MAGNETOMETER = 1 << 1
-    """Magnetometer measurements, on models that have a magnetometer."""
+    """Magnetometer measurements, on models that have a magnetometer. Bit 1."""
 
 
 class MagParameterSource(codec.OpenEnum):
     """Where the declination, the inclination or the magnitude of the magnetic field comes from."""
 
     NONE = 1
-    """No source."""
+    """No source. Uncertain: What the device does without a source."""
     WMM = 2
     """The World Magnetic Model, at the estimated position."""
     MANUAL = 3
@@ -111,7 +119,10 @@ class AdaptiveMeasurementSelector(codec.OpenEnum):
 
 
 class AltitudeAidingSource(codec.OpenEnum):
-    """What aids the altitude."""
+    """What aids the altitude.
+
+    - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+    """
 
     NONE = 0
     """No aiding."""
@@ -154,7 +165,10 @@ class AidingSource(codec.OpenEnum):
 
 
 class AccelConstraint(codec.OpenEnum):
-    """What the filter assumes about the acceleration."""
+    """What the filter assumes about the acceleration.
+
+    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    """
 
     NONE = 0
     """Nothing."""
@@ -163,7 +177,10 @@ class AccelConstraint(codec.OpenEnum):
 
 
 class VelocityConstraint(codec.OpenEnum):
-    """What the filter assumes about the velocity."""
+    """What the filter assumes about the velocity.
+
+    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    """
 
     NONE = 0
     """Nothing."""
@@ -174,7 +191,10 @@ class VelocityConstraint(codec.OpenEnum):
 
 
 class AngularConstraint(codec.OpenEnum):
-    """What the filter assumes about the angular rate."""
+    """What the filter assumes about the angular rate.
+
+    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    """
 
     NONE = 0
     """Nothing."""
@@ -200,13 +220,13 @@ class HeadingAlignment(IntFlag):
     """Ways in which the device may find its initial heading."""
 
     DUAL_ANTENNA = 1 << 0
-    """From the baseline between two GNSS antennas."""
+    """From the baseline between two GNSS antennas. Bit 0."""
     KINEMATIC = 1 << 1
-    """From the GNSS velocity; assumes motion along the positive x axis of the vehicle."""
+    """From the GNSS velocity; assumes motion along the positive x axis of the vehicle. Bit 1."""
     MAGNETOMETER = 1 << 2
-    """From the built-in magnetometer."""
+    """From the built-in magnetometer. Bit 2."""
     EXTERNAL = 1 << 3
-    """From the heading that the user sends."""
+    """From the heading that the user sends. Bit 3."""
 
 
 class ReferenceFrame(codec.OpenEnum):
@@ -254,7 +274,7 @@ _VEHICLE_DYNAMICS_MODE_RESPONSE_0 = codec.Block("B", "mode")
 class VehicleDynamicsModeResponse(Response):
     """Vehicle dynamics mode response (0x0D,0x80).
 
-    Answers Vehicle dynamics mode (0x0D,0x10).
+    Answers `VehicleDynamicsMode`.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -286,8 +306,7 @@ _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_0 = codec.Block("fff", "roll", 
 class SensorToVehicleFrameTransformationResponse(Response):
     """Sensor to vehicle frame transformation response (0x0D,0x81).
 
-    Answers Sensor to vehicle frame transformation (0x0D,0x11).
-    Supported by 3DM-GX5-15.
+    Answers `SensorToVehicleFrameTransformation`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -298,11 +317,11 @@ class SensorToVehicleFrameTransformationResponse(Response):
     ROLE = "response"
 
     roll: float
-    """Roll angle. [rad]"""
+    """Roll angle. Unit: rad."""
     pitch: float
-    """Pitch angle. [rad]"""
+    """Pitch angle. Unit: rad."""
     yaw: float
-    """Yaw angle. [rad]"""
+    """Yaw angle. Unit: rad."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformationResponse, int]:
@@ -320,14 +339,14 @@ class SensorToVehicleFrameTransformationResponse(Response):
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0 = codec.Block("fff", "offset", "offset", "offset")
+_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
 @dataclass(slots=True)
 class SensorToVehicleOffsetResponse(Response):
     """Sensor to vehicle offset response (0x0D,0x82).
 
-    Answers Sensor to vehicle offset (0x0D,0x12).
+    Answers `SensorToVehicleOffset`.
 
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
@@ -338,7 +357,9 @@ class SensorToVehicleOffsetResponse(Response):
     ROLE = "response"
 
     offset: types.Vector3f
-    """From the sensor to the origin of the vehicle frame. [m] Frame: sensor. Range: -10 to 10."""
+    """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+    sensor. Range: -10 to 10.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffsetResponse, int]:
@@ -352,15 +373,14 @@ class SensorToVehicleOffsetResponse(Response):
         return codec.finished(out)
 
 
-_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_0 = codec.Block("fff", "offset", "offset", "offset")
+_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
 @dataclass(slots=True)
 class GnssAntennaOffsetControlResponse(Response):
     """GNSS antenna offset response (0x0D,0x83).
 
-    Answers GNSS antenna offset (0x0D,0x13).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GnssAntennaOffsetControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -371,7 +391,9 @@ class GnssAntennaOffsetControlResponse(Response):
     ROLE = "response"
 
     offset: types.Vector3f
-    """From the sensor origin to the centre of the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
+    vehicle. Range: -10 to 10.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetControlResponse, int]:
@@ -394,8 +416,7 @@ _ESTIMATION_CONTROL_FLAGS_RESPONSE_0 = codec.Block("H", "flags")
 class EstimationControlFlagsResponse(Response):
     """Estimation control flags response (0x0D,0x84).
 
-    Answers Estimation control flags (0x0D,0x14).
-    Supported by 3DM-GX5-15.
+    Answers `EstimationControlFlags`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -427,8 +448,7 @@ _GNSS_AIDING_SOURCE_CONTROL_RESPONSE_0 = codec.Block("B", "source")
 class GnssAidingSourceControlResponse(Response):
     """GNSS aiding source response (0x0D,0x86).
 
-    Answers GNSS aiding source (0x0D,0x15).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GnssAidingSourceControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
@@ -460,8 +480,7 @@ _HEADING_UPDATE_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class HeadingUpdateControlResponse(Response):
     """Heading update control response (0x0D,0x87).
 
-    Answers Heading update control (0x0D,0x18).
-    Supported by 3DM-GX5-15.
+    Answers `HeadingUpdateControl`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -493,8 +512,7 @@ _AUTO_INITIALIZATION_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class AutoInitializationControlResponse(Response):
     """Automatic initialization response (0x0D,0x88).
 
-    Answers Automatic initialization (0x0D,0x19).
-    Supported by 3DM-GX5-15.
+    Answers `AutoInitializationControl`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -519,15 +537,14 @@ class AutoInitializationControlResponse(Response):
         return codec.finished(out)
 
 
-_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class AccelerometerNoiseStandardDeviationResponse(Response):
     """Accelerometer noise response (0x0D,0x89).
 
-    Answers Accelerometer noise (0x0D,0x1A).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `AccelerometerNoiseStandardDeviation`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -539,7 +556,7 @@ class AccelerometerNoiseStandardDeviationResponse(Response):
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [m/s^2]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerNoiseStandardDeviationResponse, int]:
@@ -555,15 +572,14 @@ class AccelerometerNoiseStandardDeviationResponse(Response):
         return codec.finished(out)
 
 
-_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class GyroscopeNoiseStandardDeviationResponse(Response):
     """Gyroscope noise response (0x0D,0x8A).
 
-    Answers Gyroscope noise (0x0D,0x1B).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GyroscopeNoiseStandardDeviation`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -575,7 +591,7 @@ class GyroscopeNoiseStandardDeviationResponse(Response):
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [rad/s]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeNoiseStandardDeviationResponse, int]:
@@ -592,7 +608,7 @@ class GyroscopeNoiseStandardDeviationResponse(Response):
 
 
 _ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_0 = codec.Block(
-    "ffffff", "beta", "beta", "beta", "noise", "noise", "noise"
+    "ffffff", *["beta"] * 3, *["noise"] * 3
 )
 
 
@@ -600,8 +616,7 @@ _ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_0 = codec.Block(
 class AccelerometerBiasModelParametersResponse(Response):
     """Accelerometer bias model response (0x0D,0x8B).
 
-    Answers Accelerometer bias model (0x0D,0x1C).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `AccelerometerBiasModelParameters`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -612,9 +627,11 @@ class AccelerometerBiasModelParametersResponse(Response):
     ROLE = "response"
 
     beta: types.Vector3f
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s."""
     noise: types.Vector3f
-    """Standard deviation of the noise per axis. [m/s^2]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than
+    0.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasModelParametersResponse, int]:
@@ -631,17 +648,14 @@ class AccelerometerBiasModelParametersResponse(Response):
         return codec.finished(out)
 
 
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_0 = codec.Block(
-    "ffffff", "beta", "beta", "beta", "noise", "noise", "noise"
-)
+_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class GyroscopeBiasModelParametersResponse(Response):
     """Gyroscope bias model response (0x0D,0x8C).
 
-    Answers Gyroscope bias model (0x0D,0x1D).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GyroscopeBiasModelParameters`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -653,9 +667,11 @@ class GyroscopeBiasModelParametersResponse(Response):
     ROLE = "response"
 
     beta: types.Vector3f
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s."""
     noise: types.Vector3f
-    """Standard deviation of the noise per axis. [rad/s]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater than
+    0.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasModelParametersResponse, int]:
@@ -679,7 +695,7 @@ _AUTO_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 class AutoZuptResponse(Response):
     """Automatic zero velocity update response (0x0D,0x8D).
 
-    Answers Automatic zero velocity update (0x0D,0x1E).
+    Answers `AutoZupt`.
 
     - mip-sdk-4: Auto Zupt (0x0D,0x1E)
     """
@@ -692,7 +708,7 @@ class AutoZuptResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     threshold: float
-    """Largest speed that is taken as zero. [m/s] Range: 0 to …."""
+    """Largest speed that is taken as zero. Unit: m/s. Range: at least 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoZuptResponse, int]:
@@ -714,8 +730,7 @@ _ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable", "thre
 class ZeroAngularRateUpdateControlResponse(Response):
     """Zero angular rate update response (0x0D,0x8E).
 
-    Answers Zero angular rate update (0x0D,0x20).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `ZeroAngularRateUpdateControl`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -729,7 +744,7 @@ class ZeroAngularRateUpdateControlResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     threshold: float
-    """Largest angular rate that is taken as zero. [rad/s] Range: 0 to …."""
+    """Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ZeroAngularRateUpdateControlResponse, int]:
@@ -753,8 +768,7 @@ _SET_REFERENCE_POSITION_RESPONSE_0 = codec.Block(
 class SetReferencePositionResponse(Response):
     """Set reference position response (0x0D,0x90).
 
-    Answers Set reference position (0x0D,0x26).
-    Supported by 3DM-GX5-15.
+    Answers `SetReferencePosition`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -767,11 +781,11 @@ class SetReferencePositionResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     latitude: float
-    """Latitude. [deg] Frame: llh."""
+    """Latitude. Unit: deg. Frame: llh."""
     longitude: float
-    """Longitude. [deg] Frame: llh."""
+    """Longitude. Unit: deg. Frame: llh."""
     altitude: float
-    """Altitude. [m] Frame: llh."""
+    """Altitude. Unit: m. Frame: llh."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetReferencePositionResponse, int]:
@@ -790,15 +804,14 @@ class SetReferencePositionResponse(Response):
         return codec.finished(out)
 
 
-_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class GravityNoiseStandardDeviationResponse(Response):
     """Gravity noise response (0x0D,0x93).
 
-    Answers Gravity noise (0x0D,0x28).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GravityNoiseStandardDeviation`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -810,7 +823,7 @@ class GravityNoiseStandardDeviationResponse(Response):
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [g]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GravityNoiseStandardDeviationResponse, int]:
@@ -833,7 +846,7 @@ _PRESSURE_ALTITUDE_NOISE_RESPONSE_0 = codec.Block("f", "noise")
 class PressureAltitudeNoiseResponse(Response):
     """Pressure altitude noise response (0x0D,0x94).
 
-    Answers Pressure altitude noise (0x0D,0x29).
+    Answers `PressureAltitudeNoise`.
 
     - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
     """
@@ -844,7 +857,7 @@ class PressureAltitudeNoiseResponse(Response):
     ROLE = "response"
 
     noise: float
-    """Standard deviation. [m]"""
+    """Standard deviation. Unit: m. Range: greater than 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoiseResponse, int]:
@@ -858,14 +871,14 @@ class PressureAltitudeNoiseResponse(Response):
         return codec.finished(out)
 
 
-_HARD_IRON_OFFSET_NOISE_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_HARD_IRON_OFFSET_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class HardIronOffsetNoiseResponse(Response):
     """Hard iron offset noise response (0x0D,0x96).
 
-    Answers Hard iron offset noise (0x0D,0x2B).
+    Answers `HardIronOffsetNoise`.
 
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
@@ -876,7 +889,7 @@ class HardIronOffsetNoiseResponse(Response):
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [gauss]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoiseResponse, int]:
@@ -890,16 +903,14 @@ class HardIronOffsetNoiseResponse(Response):
         return codec.finished(out)
 
 
-_SOFT_IRON_MATRIX_NOISE_RESPONSE_0 = codec.Block(
-    "fffffffff", "noise", "noise", "noise", "noise", "noise", "noise", "noise", "noise", "noise"
-)
+_SOFT_IRON_MATRIX_NOISE_RESPONSE_0 = codec.Block("fffffffff", *["noise"] * 9)
 
 
 @dataclass(slots=True)
 class SoftIronMatrixNoiseResponse(Response):
     """Soft iron matrix noise response (0x0D,0x97).
 
-    Answers Soft iron matrix noise (0x0D,0x2C).
+    Answers `SoftIronMatrixNoise`.
 
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
@@ -910,7 +921,9 @@ class SoftIronMatrixNoiseResponse(Response):
     ROLE = "response"
 
     noise: types.Matrix3f
-    """Standard deviation per element. [1]"""
+    """Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+    1. Range: greater than 0.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoiseResponse, int]:
@@ -931,8 +944,8 @@ _TARE_ORIENTATION_RESPONSE_0 = codec.Block("B", "axes")
 class TareOrientationResponse(Response):
     """Tare orientation response (0x0D,0xA1).
 
-    Answers Tare orientation (0x0D,0x21).
-    Supported by 3DM-GX5-15.
+    Answers `TareOrientation`. Uncertain: Which devices send it. The SDK reads the setting back; the
+    manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the response.
 
     - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
     - mip-sdk-4: Tare Orientation (0x0D,0x21)
@@ -965,8 +978,7 @@ _ENABLE_DISABLE_MEASUREMENTS_RESPONSE_0 = codec.Block("H", "control")
 class EnableDisableMeasurementsResponse(Response):
     """Enable or disable measurements response (0x0D,0xB0).
 
-    Answers Enable or disable measurements (0x0D,0x41).
-    Supported by 3DM-GX5-15.
+    Answers `EnableDisableMeasurements`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -991,14 +1003,14 @@ class EnableDisableMeasurementsResponse(Response):
         return codec.finished(out)
 
 
-_MAG_NOISE_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_MAG_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class MagNoiseResponse(Response):
     """Magnetometer noise response (0x0D,0xB1).
 
-    Answers Magnetometer noise (0x0D,0x42).
+    Answers `MagNoise`.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -1009,7 +1021,7 @@ class MagNoiseResponse(Response):
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [gauss]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagNoiseResponse, int]:
@@ -1030,8 +1042,7 @@ _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_0 = codec.Block("Bf", "sourc
 class MagneticFieldDeclinationSourceControlResponse(Response):
     """Magnetic declination source response (0x0D,0xB2).
 
-    Answers Magnetic declination source (0x0D,0x43).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `MagneticFieldDeclinationSourceControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     """
@@ -1044,7 +1055,7 @@ class MagneticFieldDeclinationSourceControlResponse(Response):
     source: MagParameterSource
     """Source of the declination."""
     declination: float
-    """Declination; used only if `source` is manual. [rad]"""
+    """Declination; used only if `source` is manual. Unit: rad."""
 
     @classmethod
     def _read(
@@ -1079,8 +1090,7 @@ _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class GravityMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Gravity magnitude error adaptive measurement response (0x0D,0xB3).
 
-    Answers Gravity magnitude error adaptive measurement (0x0D,0x44).
-    Supported by 3DM-GX5-15.
+    Answers `GravityMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -1093,17 +1103,17 @@ class GravityMagnitudeErrorAdaptiveMeasurementResponse(Response):
     adaptive_measurement: AdaptiveMeasurementSelector
     """Kind of adaptation."""
     frequency: float
-    """Cut-off frequency of the low-pass filter. [Hz]"""
+    """Cut-off frequency of the low-pass filter. Unit: Hz."""
     low_limit: float
-    """Lower limit of the error. [m/s^2]"""
+    """Lower limit of the error. Unit: m/s^2."""
     high_limit: float
-    """Upper limit of the error. [m/s^2]"""
+    """Upper limit of the error. Unit: m/s^2."""
     low_limit_uncertainty: float
-    """Standard deviation at the lower limit. [m/s^2]"""
+    """Standard deviation at the lower limit. Unit: m/s^2."""
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. [m/s^2]"""
+    """Standard deviation at the upper limit. Unit: m/s^2."""
     minimum_uncertainty: float
-    """Smallest standard deviation. [m/s^2]"""
+    """Smallest standard deviation. Unit: m/s^2."""
 
     @classmethod
     def _read(
@@ -1157,7 +1167,7 @@ _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
 
-    Answers Magnetometer magnitude error adaptive measurement (0x0D,0x45).
+    Answers `MagMagnitudeErrorAdaptiveMeasurement`.
 
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
     """
@@ -1170,17 +1180,27 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     adaptive_measurement: AdaptiveMeasurementSelector
     """Kind of adaptation."""
     frequency: float
-    """Cut-off frequency of the low-pass filter. [Hz]"""
+    """Cut-off frequency of the low-pass filter. Unit: Hz."""
     low_limit: float
-    """Lower limit of the error. [gauss]"""
+    """Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of
+    the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
     high_limit: float
-    """Upper limit of the error. [gauss]"""
+    """Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of
+    the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
     low_limit_uncertainty: float
-    """Standard deviation at the lower limit. [gauss]"""
+    """Standard deviation at the lower limit. Unit: gauss. Uncertain: The unit. The SDK prints
+    m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. [gauss]"""
+    """Standard deviation at the upper limit. Unit: gauss. Uncertain: The unit. The SDK prints
+    m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
     minimum_uncertainty: float
-    """Smallest standard deviation. [gauss]"""
+    """Smallest standard deviation. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual
+    of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurementResponse, int]:
@@ -1225,7 +1245,7 @@ _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
 
-    Answers Magnetometer dip angle error adaptive measurement (0x0D,0x46).
+    Answers `MagDipAngleErrorAdaptiveMeasurement`.
 
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
@@ -1238,13 +1258,19 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     enable: bool
     """Whether the adaptation is on."""
     frequency: float
-    """Cut-off frequency of the low-pass filter. [Hz]"""
+    """Cut-off frequency of the low-pass filter. Unit: Hz."""
     high_limit: float
-    """Upper limit of the error. [rad]"""
+    """Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
+    inferred from the quantity.
+    """
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. [rad]"""
+    """Standard deviation at the upper limit. Unit: rad. Uncertain: The unit. The SDK prints m/s^2;
+    rad is inferred from the quantity.
+    """
     minimum_uncertainty: float
-    """Smallest standard deviation. [rad]"""
+    """Smallest standard deviation. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
+    inferred from the quantity.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurementResponse, int]:
@@ -1275,7 +1301,7 @@ _ALTITUDE_AIDING_RESPONSE_0 = codec.Block("B", "selector")
 class AltitudeAidingResponse(Response):
     """Altitude aiding response (0x0D,0xB7).
 
-    Answers Altitude aiding (0x0D,0x47).
+    Answers `AltitudeAiding`.
 
     - mip-sdk-4: Altitude Aiding (0x0D,0x47)
     """
@@ -1307,8 +1333,7 @@ _PITCH_ROLL_AIDING_CONTROL_RESPONSE_0 = codec.Block("B", "aiding")
 class PitchRollAidingControlResponse(Response):
     """Pitch and roll aiding response (0x0D,0xBB).
 
-    Answers Pitch and roll aiding (0x0D,0x4B).
-    Supported by 3DM-GX5-15.
+    Answers `PitchRollAidingControl`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -1340,7 +1365,7 @@ _INCLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "inclination")
 class InclinationSourceResponse(Response):
     """Magnetic inclination source response (0x0D,0xBC).
 
-    Answers Magnetic inclination source (0x0D,0x4C).
+    Answers `InclinationSource`.
 
     - mip-sdk-4: Inclination Source (0x0D,0x4C)
     """
@@ -1353,7 +1378,9 @@ class InclinationSourceResponse(Response):
     source: MagParameterSource
     """Source of the inclination."""
     inclination: float
-    """Inclination; used only if `source` is manual. [rad]"""
+    """Inclination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
+    out if `source` is not manual. The SDK sends it always.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[InclinationSourceResponse, int]:
@@ -1375,7 +1402,7 @@ _MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "magnitude"
 class MagFieldMagnitudeSourceResponse(Response):
     """Magnetic field magnitude source response (0x0D,0xBD).
 
-    Answers Magnetic field magnitude source (0x0D,0x4D).
+    Answers `MagFieldMagnitudeSource`.
 
     - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
     """
@@ -1388,7 +1415,9 @@ class MagFieldMagnitudeSourceResponse(Response):
     source: MagParameterSource
     """Source of the magnitude."""
     magnitude: float
-    """Magnitude; used only if `source` is manual. [gauss]"""
+    """Magnitude; used only if `source` is manual. Unit: gauss. Uncertain: Whether it may be left
+    out if `source` is not manual. The SDK sends it always.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagFieldMagnitudeSourceResponse, int]:
@@ -1403,16 +1432,14 @@ class MagFieldMagnitudeSourceResponse(Response):
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0 = codec.Block(
-    "fffffffff", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm"
-)
+_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0 = codec.Block("fffffffff", *["dcm"] * 9)
 
 
 @dataclass(slots=True)
 class SensorToVehicleRotationDcmResponse(Response):
     """Sensor to vehicle rotation, matrix response (0x0D,0xBE).
 
-    Answers Sensor to vehicle rotation, matrix (0x0D,0x4E).
+    Answers `SensorToVehicleRotationDcm`.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
     """
@@ -1423,7 +1450,9 @@ class SensorToVehicleRotationDcmResponse(Response):
     ROLE = "response"
 
     dcm: types.Matrix3f
-    """Rotation matrix in row-major order. [1]"""
+    """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcmResponse, int]:
@@ -1437,16 +1466,14 @@ class SensorToVehicleRotationDcmResponse(Response):
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0 = codec.Block(
-    "ffff", "quat", "quat", "quat", "quat"
-)
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["quat"] * 4)
 
 
 @dataclass(slots=True)
 class SensorToVehicleRotationQuaternionResponse(Response):
     """Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
 
-    Answers Sensor to vehicle rotation, quaternion (0x0D,0x4F).
+    Answers `SensorToVehicleRotationQuaternion`.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
@@ -1457,7 +1484,7 @@ class SensorToVehicleRotationQuaternionResponse(Response):
     ROLE = "response"
 
     quat: types.Quatf
-    """Unit quaternion, scalar part first. [1]"""
+    """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternionResponse, int]:
@@ -1480,8 +1507,7 @@ _AIDING_MEASUREMENT_CONTROL_RESPONSE_0 = codec.Block("HB", "aiding_source", "ena
 class AidingMeasurementControlResponse(Response):
     """Aiding measurement control response (0x0D,0xD0).
 
-    Answers Aiding measurement control (0x0D,0x50).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `AidingMeasurementControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -1518,7 +1544,7 @@ _KINEMATIC_CONSTRAINT_RESPONSE_0 = codec.Block(
 class KinematicConstraintResponse(Response):
     """Kinematic constraint response (0x0D,0xD1).
 
-    Answers Kinematic constraint (0x0D,0x51).
+    Answers `KinematicConstraint`.
 
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
@@ -1529,11 +1555,11 @@ class KinematicConstraintResponse(Response):
     ROLE = "response"
 
     accel_constraint: AccelConstraint
-    """Assumption about the acceleration. Factory default: none."""
+    """Assumption about the acceleration. Default: `AccelConstraint.NONE`."""
     velocity_constraint: VelocityConstraint
-    """Assumption about the velocity. Factory default: none."""
+    """Assumption about the velocity. Default: `VelocityConstraint.NONE`."""
     angular_constraint: AngularConstraint
-    """Assumption about the angular rate. Factory default: none."""
+    """Assumption about the angular rate. Default: `AngularConstraint.NONE`."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraintResponse, int]:
@@ -1559,12 +1585,8 @@ _NAVIGATION_FILTER_INITIALIZATION_RESPONSE_0 = codec.Block(
     "initial_heading",
     "initial_pitch",
     "initial_roll",
-    "initial_position",
-    "initial_position",
-    "initial_position",
-    "initial_velocity",
-    "initial_velocity",
-    "initial_velocity",
+    *["initial_position"] * 3,
+    *["initial_velocity"] * 3,
     "reference_frame_selector",
 )
 
@@ -1573,8 +1595,7 @@ _NAVIGATION_FILTER_INITIALIZATION_RESPONSE_0 = codec.Block(
 class NavigationFilterInitializationResponse(Response):
     """Navigation filter initialization response (0x0D,0xD2).
 
-    Answers Navigation filter initialization (0x0D,0x52).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `NavigationFilterInitialization`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
@@ -1585,26 +1606,29 @@ class NavigationFilterInitializationResponse(Response):
     ROLE = "response"
 
     wait_for_run_command: int
-    """1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to
-    1.
+    """1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to 1.
     """
     initial_cond_src: InitialConditionSource
     """Which initial conditions are found and which are given."""
     auto_heading_alignment_selector: HeadingAlignment
     """Ways in which the initial heading may be found."""
     initial_heading: float
-    """Given heading. [deg]"""
+    """Given heading. Unit: deg."""
     initial_pitch: float
-    """Given pitch. [deg]"""
+    """Given pitch. Unit: deg."""
     initial_roll: float
-    """Given roll. [deg]"""
+    """Given roll. Unit: deg."""
     initial_position: types.Vector3f
-    """Given position. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Given position. Elements: x, y, z.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
     initial_velocity: types.Vector3f
-    """Given velocity. [m/s] If reference_frame_selector is ecef: frame ecef. If
-    reference_frame_selector is llh: frame ned.
+    """Given velocity. Elements: x, y, z. Unit: m/s.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: frame ned.
     """
     reference_frame_selector: ReferenceFrame
     """Frame of the given position and velocity."""
@@ -1656,8 +1680,7 @@ _ADAPTIVE_FILTER_CONTROL_RESPONSE_0 = codec.Block("BH", "level", "time_limit")
 class AdaptiveFilterControlResponse(Response):
     """Adaptive filter control response (0x0D,0xD3).
 
-    Answers Adaptive filter control (0x0D,0x53).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `AdaptiveFilterControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -1668,9 +1691,9 @@ class AdaptiveFilterControlResponse(Response):
     ROLE = "response"
 
     level: AdaptiveLevel
-    """Strength of the adaptation. Factory default: 2."""
+    """Strength of the adaptation. Default: 2."""
     time_limit: int
-    """Longest time for which measurements are rejected before the filter recovers. [ms]"""
+    """Longest time for which measurements are rejected before the filter recovers. Unit: ms."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterControlResponse, int]:
@@ -1686,7 +1709,7 @@ class AdaptiveFilterControlResponse(Response):
 
 
 _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_0 = codec.Block(
-    "Bfff", "receiver_id", "antenna_offset", "antenna_offset", "antenna_offset"
+    "Bfff", "receiver_id", *["antenna_offset"] * 3
 )
 
 
@@ -1694,8 +1717,7 @@ _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_0 = codec.Block(
 class GnssMultiAntennaOffsetControlResponse(Response):
     """GNSS multi-antenna offset response (0x0D,0xD4).
 
-    Answers GNSS multi-antenna offset (0x0D,0x54).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GnssMultiAntennaOffsetControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -1706,9 +1728,10 @@ class GnssMultiAntennaOffsetControlResponse(Response):
     ROLE = "response"
 
     receiver_id: int
-    """Number of the receiver, from 1. Range: 1 to …."""
+    """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f
-    """From the sensor to the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssMultiAntennaOffsetControlResponse, int]:
@@ -1726,12 +1749,7 @@ class GnssMultiAntennaOffsetControlResponse(Response):
 
 
 _RELATIVE_POSITION_CONFIGURATION_RESPONSE_0 = codec.Block(
-    "BBddd",
-    "source",
-    "reference_frame_selector",
-    "reference_coordinates",
-    "reference_coordinates",
-    "reference_coordinates",
+    "BBddd", "source", "reference_frame_selector", *["reference_coordinates"] * 3
 )
 
 
@@ -1739,8 +1757,7 @@ _RELATIVE_POSITION_CONFIGURATION_RESPONSE_0 = codec.Block(
 class RelativePositionConfigurationResponse(Response):
     """Relative position configuration response (0x0D,0xD5).
 
-    Answers Relative position configuration (0x0D,0x55).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `RelativePositionConfiguration`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -1755,8 +1772,10 @@ class RelativePositionConfigurationResponse(Response):
     reference_frame_selector: ReferenceFrame
     """Frame of the coordinates."""
     reference_coordinates: types.Vector3d
-    """Reference point. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Reference point. Elements: x, y, z.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
 
     @classmethod
@@ -1778,7 +1797,7 @@ class RelativePositionConfigurationResponse(Response):
 
 
 _REFERENCE_POINT_LEVER_ARM_RESPONSE_0 = codec.Block(
-    "Bfff", "ref_point_sel", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
+    "Bfff", "ref_point_sel", *["lever_arm_offset"] * 3
 )
 
 
@@ -1786,8 +1805,7 @@ _REFERENCE_POINT_LEVER_ARM_RESPONSE_0 = codec.Block(
 class ReferencePointLeverArmResponse(Response):
     """Reference point lever arm response (0x0D,0xD6).
 
-    Answers Reference point lever arm (0x0D,0x56).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `ReferencePointLeverArm`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -1800,7 +1818,8 @@ class ReferencePointLeverArmResponse(Response):
     ref_point_sel: ReferencePoint
     """Point to move; it must be 1."""
     lever_arm_offset: types.Vector3f
-    """From the sensor to the point. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArmResponse, int]:
@@ -1817,17 +1836,14 @@ class ReferencePointLeverArmResponse(Response):
         return codec.finished(out)
 
 
-_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_0 = codec.Block(
-    "Bfff", "source", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
-)
+_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_0 = codec.Block("Bfff", "source", *["lever_arm_offset"] * 3)
 
 
 @dataclass(slots=True)
 class MeasurementSpeedLeverArmResponse(Response):
     """Speed measurement lever arm response (0x0D,0xE1).
 
-    Answers Speed measurement lever arm (0x0D,0x61).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `MeasurementSpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
@@ -1838,9 +1854,9 @@ class MeasurementSpeedLeverArmResponse(Response):
     ROLE = "response"
 
     source: int = field(default=1, kw_only=True)
-    """Send 1."""
+    """Reserved."""
     lever_arm_offset: types.Vector3f
-    """From the sensor to the point of measurement. [m] Frame: vehicle."""
+    """From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MeasurementSpeedLeverArmResponse, int]:
@@ -1864,7 +1880,7 @@ _VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class VerticalGyroConstraintControlResponse(Response):
     """Vertical gyro constraint response (0x0D,0xE2).
 
-    Answers Vertical gyro constraint (0x0D,0x62).
+    Answers `VerticalGyroConstraintControl`.
 
     - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
     """
@@ -1896,8 +1912,7 @@ _WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class WheeledVehicleConstraintControlResponse(Response):
     """Wheeled vehicle constraint response (0x0D,0xE3).
 
-    Answers Wheeled vehicle constraint (0x0D,0x63).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
@@ -1929,8 +1944,7 @@ _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable"
 class GnssAntennaOffsetCalibrationControlResponse(Response):
     """GNSS antenna offset calibration response (0x0D,0xE4).
 
-    Answers GNSS antenna offset calibration (0x0D,0x64).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GnssAntennaOffsetCalibrationControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
@@ -1944,8 +1958,8 @@ class GnssAntennaOffsetCalibrationControlResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     max_offset: float
-    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. [m] Frame:
-    vehicle. Range: 0 to 0.5. Factory default: 0.1.
+    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
+    vehicle. Range: 0 to 0.5. Default: 0.1.
     """
 
     @classmethod
@@ -1968,10 +1982,12 @@ class ResetNavigationFilter(Command):
     """Reset navigation filter (0x0D,0x01).
 
     Puts the filter back into its initialization state.
-    If automatic initialization is off, the attitude or heading must be set before the filter runs
-    again.
-    3DM-CV7: send it after a large jump of the system time, for example when the PPS is first found.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    If automatic initialization is off, the attitude or heading must be set before the filter runs
+    again. 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
+    found.
 
     - 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01)
     - 3dm-gx5-15: 4.3.1 Reset Filter (0x0D, 0x01)
@@ -1998,8 +2014,10 @@ class SetInitialAttitude(Command):
     """Set initial attitude (0x0D,0x02).
 
     Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
-    Accepted only in the initialization state.
+
     Supported by 3DM-GX5-15.
+
+    Accepted only in the initialization state.
 
     - 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02)
     """
@@ -2010,11 +2028,12 @@ class SetInitialAttitude(Command):
     ROLE = "command"
 
     roll: float
-    """Roll angle. [rad] Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
     pitch: float
-    """Pitch angle. [rad] Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."""
+    """Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."""
     heading: float
-    """Heading (yaw) angle. [rad] Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetInitialAttitude, int]:
@@ -2038,10 +2057,11 @@ class SetInitialHeadingControl(Command):
     """Set initial heading (0x0D,0x03).
 
     Gives the filter its initial heading; pitch and roll come from the accelerometers.
-    3DM-GX5: accepted only in the initialization state.
-    3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
-    ignored.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if
+    magnetometer aiding is on, the given heading is ignored.
 
     - 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03)
     - 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
@@ -2053,7 +2073,7 @@ class SetInitialHeadingControl(Command):
     ROLE = "command"
 
     heading: float
-    """Initial heading. [rad] Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetInitialHeadingControl, int]:
@@ -2072,9 +2092,11 @@ class RunNavigationFilter(Command):
     """Run navigation filter (0x0D,0x05).
 
     Starts a filter that was set up to wait for this command.
+
+    Supported by 3DM-CV7-GNSS/INS.
+
     The filter waits in its initialization state if `wait_for_run_command` of
     `navigation_filter_initialization` is set.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
     """
@@ -2103,6 +2125,9 @@ class VehicleDynamicsMode(Command):
 
     Kind of vehicle that the filter is tuned for.
 
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `VehicleDynamicsModeResponse`.
+
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
 
@@ -2116,7 +2141,7 @@ class VehicleDynamicsMode(Command):
     function: FunctionSelector
     """What to do with the setting."""
     mode: DynamicsMode | None = None
-    """Kind of vehicle."""
+    """Kind of vehicle. Required for `write`."""
 
     @classmethod
     def write(cls, mode: DynamicsMode) -> VehicleDynamicsMode:
@@ -2189,11 +2214,14 @@ class SensorToVehicleFrameTransformation(Command):
     """Sensor to vehicle frame transformation (0x0D,0x11).
 
     Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleFrameTransformationResponse`. Supported by 3DM-GX5-15.
+
     It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
     velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
-    vector of the filter.
-    The 3DM-CV7 takes the inverse instead: `3dm.sensor_to_vehicle_frame_transformation_euler`.
-    Supported by 3DM-GX5-15.
+    vector of the filter. The 3DM-CV7 takes the inverse instead:
+    `mip_3dm.SensorToVehicleFrameTransformationEuler`.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -2208,11 +2236,11 @@ class SensorToVehicleFrameTransformation(Command):
     function: FunctionSelector
     """What to do with the setting."""
     roll: float | None = None
-    """Roll angle. [rad]"""
+    """Roll angle. Unit: rad. Required for `write`."""
     pitch: float | None = None
-    """Pitch angle. [rad]"""
+    """Pitch angle. Unit: rad. Required for `write`."""
     yaw: float | None = None
-    """Yaw angle. [rad]"""
+    """Yaw angle. Unit: rad. Required for `write`."""
 
     @classmethod
     def write(cls, roll: float, pitch: float, yaw: float) -> SensorToVehicleFrameTransformation:
@@ -2288,7 +2316,7 @@ class SensorToVehicleFrameTransformation(Command):
 
 
 _SENSOR_TO_VEHICLE_OFFSET_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_OFFSET_1 = codec.Block("fff", "offset", "offset", "offset")
+_SENSOR_TO_VEHICLE_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
 _SENSOR_TO_VEHICLE_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
@@ -2297,9 +2325,14 @@ class SensorToVehicleOffset(Command):
     """Sensor to vehicle offset (0x0D,0x12).
 
     Origin of the vehicle frame, as seen from the sensor.
-    It shifts the estimated position (0x82,0x01) and nothing else.
-    The shift is constant. It does not follow the attitude, as a lever arm would.
-    The magnitude of the vector is limited to 10 m.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleOffsetResponse`. Uncertain: The direction, from the sensor to the origin of the
+    vehicle frame, is inferred from the name.
+
+    It shifts the estimated position `filter_data.LlhPosition` (0x82,0x01) and nothing else. The
+    shift is constant. It does not follow the attitude, as a lever arm would. The magnitude of the
+    vector is limited to 10 m.
 
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
@@ -2314,7 +2347,9 @@ class SensorToVehicleOffset(Command):
     function: FunctionSelector
     """What to do with the setting."""
     offset: types.Vector3f | None = None
-    """From the sensor to the origin of the vehicle frame. [m] Frame: sensor. Range: -10 to 10."""
+    """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+    sensor. Range: -10 to 10. Required for `write`.
+    """
 
     @classmethod
     def write(cls, offset: types.Vector3f) -> SensorToVehicleOffset:
@@ -2372,7 +2407,7 @@ class SensorToVehicleOffset(Command):
 
 
 _GNSS_ANTENNA_OFFSET_CONTROL_0 = codec.Block("B", "function")
-_GNSS_ANTENNA_OFFSET_CONTROL_1 = codec.Block("fff", "offset", "offset", "offset")
+_GNSS_ANTENNA_OFFSET_CONTROL_1 = codec.Block("fff", *["offset"] * 3)
 _GNSS_ANTENNA_OFFSET_CONTROL_GROUPS = ((1, ("offset",), False),)
 
 
@@ -2381,11 +2416,13 @@ class GnssAntennaOffsetControl(Command):
     """GNSS antenna offset (0x0D,0x13).
 
     Position of the GNSS antenna relative to the origin of the sensor.
-    The magnitude of the vector is limited to 10.
-    7-series devices expect the vehicle frame, 5-series devices the sensor frame.
-    On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding commands use
-    `aiding.frame_configuration`.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GnssAntennaOffsetControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    The magnitude of the vector is limited to 10. 7-series devices expect the vehicle frame,
+    5-series devices the sensor frame. On the 3DM-CV7 it is for GNSS data that come as NMEA; data
+    that come by the aiding commands use `aiding.FrameConfiguration`.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -2400,7 +2437,9 @@ class GnssAntennaOffsetControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     offset: types.Vector3f | None = None
-    """From the sensor origin to the centre of the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
+    vehicle. Range: -10 to 10. Required for `write`.
+    """
 
     @classmethod
     def write(cls, offset: types.Vector3f) -> GnssAntennaOffsetControl:
@@ -2467,7 +2506,9 @@ class EstimationControlFlags(Command):
     """Estimation control flags (0x0D,0x14).
 
     Which states the filter estimates.
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `EstimationControlFlagsResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -2482,7 +2523,7 @@ class EstimationControlFlags(Command):
     function: FunctionSelector
     """What to do with the setting."""
     flags: EstimatedStates | None = None
-    """States to estimate."""
+    """States to estimate. Required for `write`."""
 
     @classmethod
     def write(cls, flags: EstimatedStates) -> EstimationControlFlags:
@@ -2549,9 +2590,12 @@ class GnssAidingSourceControl(Command):
     """GNSS aiding source (0x0D,0x15).
 
     Which GNSS receiver aids the filter.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GnssAidingSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     A change while the filter runs may put it back into initialization until the new source gives
     data.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
@@ -2566,7 +2610,7 @@ class GnssAidingSourceControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: GnssAidingSource | None = None
-    """Source of the GNSS data."""
+    """Source of the GNSS data. Required for `write`."""
 
     @classmethod
     def write(cls, source: GnssAidingSource) -> GnssAidingSourceControl:
@@ -2630,15 +2674,9 @@ _EXTERNAL_GNSS_UPDATE_0 = codec.Block(
     "latitude",
     "longitude",
     "height",
-    "velocity",
-    "velocity",
-    "velocity",
-    "position_uncertainty",
-    "position_uncertainty",
-    "position_uncertainty",
-    "velocity_uncertainty",
-    "velocity_uncertainty",
-    "velocity_uncertainty",
+    *["velocity"] * 3,
+    *["position_uncertainty"] * 3,
+    *["velocity_uncertainty"] * 3,
 )
 
 
@@ -2647,7 +2685,8 @@ class ExternalGnssUpdate(Command):
     """External GNSS update (0x0D,0x16).
 
     Gives the filter one position and velocity of a GNSS receiver that the user provides.
-    Refused unless the GNSS aiding source (0x0D,0x15) is the external one.
+
+    Refused unless the GNSS aiding source `GnssAidingSourceControl` (0x0D,0x15) is the external one.
     The highest rate depends on the device.
 
     - mip-sdk-4: External Gnss Update (0x0D,0x16)
@@ -2659,21 +2698,21 @@ class ExternalGnssUpdate(Command):
     ROLE = "command"
 
     tow: float
-    """GPS time of week. [s]"""
+    """GPS time of week. Unit: s."""
     week_number: int
-    """GPS week, counted without rollover. [week]"""
+    """GPS week, counted without rollover. Unit: week."""
     latitude: float
-    """Latitude. [deg] Frame: llh."""
+    """Latitude. Unit: deg. Frame: llh."""
     longitude: float
-    """Longitude. [deg] Frame: llh."""
+    """Longitude. Unit: deg. Frame: llh."""
     height: float
-    """Height above the ellipsoid. [m] Frame: llh."""
+    """Height above the ellipsoid. Unit: m. Frame: llh."""
     velocity: types.Vector3f
-    """Velocity. [m/s] Frame: ned."""
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned."""
     position_uncertainty: types.Vector3f
-    """Standard deviation of the position. [m] Frame: ned."""
+    """Standard deviation of the position. Elements: x, y, z. Unit: m. Frame: ned."""
     velocity_uncertainty: types.Vector3f
-    """Standard deviation of the velocity. [m/s] Frame: ned."""
+    """Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ExternalGnssUpdate, int]:
@@ -2720,12 +2759,13 @@ class ExternalHeadingUpdate(Command):
     """External heading update (0x0D,0x17).
 
     Gives the filter one measurement of the heading of the sensor frame in the NED frame.
-    Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
-    and by `aiding_measurement_control` on the 3DM-CV7.
-    The 3DM-GX5-15 takes at most 20 updates per second.
-    If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
-    ones.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
+    and by `aiding_measurement_control` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per
+    second. If the declination source is not valid, -25 models refuse true headings and -45 models
+    magnetic ones.
 
     - 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17)
     - 3dm-gx5-15: 4.3.7 External Heading Update (0x0D, 0x17)
@@ -2737,11 +2777,13 @@ class ExternalHeadingUpdate(Command):
     ROLE = "command"
 
     heading: float
-    """Heading relative to the north that `type` names. [rad] Frame: ned. Range:
+    """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
     -3.141592653589793 to 3.141592653589793.
     """
     heading_uncertainty: float
-    """Standard deviation; the device refuses a value out of bounds. [rad]"""
+    """Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
+    0.
+    """
     type: HeadingType
     """North that the heading refers to."""
 
@@ -2769,7 +2811,9 @@ class HeadingUpdateControl(Command):
     """Heading update control (0x0D,0x18).
 
     Source of the heading that aids the filter.
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `HeadingUpdateControlResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -2784,7 +2828,7 @@ class HeadingUpdateControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: HeadingUpdateSource | None = None
-    """Source of the heading."""
+    """Source of the heading. Required for `write`."""
 
     @classmethod
     def write(cls, enable: HeadingUpdateSource) -> HeadingUpdateControl:
@@ -2851,8 +2895,11 @@ class AutoInitializationControl(Command):
     """Automatic initialization (0x0D,0x19).
 
     Whether the filter initializes by itself when the device starts.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AutoInitializationControlResponse`. Supported by 3DM-GX5-15.
+
     It needs a valid heading source.
-    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -2867,7 +2914,7 @@ class AutoInitializationControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
 
     @classmethod
     def write(cls, enable: int) -> AutoInitializationControl:
@@ -2925,7 +2972,7 @@ class AutoInitializationControl(Command):
 
 
 _ACCELEROMETER_NOISE_STANDARD_DEVIATION_0 = codec.Block("B", "function")
-_ACCELEROMETER_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", "noise", "noise", "noise")
+_ACCELEROMETER_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", *["noise"] * 3)
 _ACCELEROMETER_NOISE_STANDARD_DEVIATION_GROUPS = ((1, ("noise",), False),)
 
 
@@ -2934,8 +2981,11 @@ class AccelerometerNoiseStandardDeviation(Command):
     """Accelerometer noise (0x0D,0x1A).
 
     Standard deviation of the accelerometer noise that the filter assumes (process noise).
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AccelerometerNoiseStandardDeviationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     The factory values suit most laboratory conditions.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -2951,7 +3001,9 @@ class AccelerometerNoiseStandardDeviation(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [m/s^2]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0. Required
+    for `write`.
+    """
 
     @classmethod
     def write(cls, noise: types.Vector3f) -> AccelerometerNoiseStandardDeviation:
@@ -3011,7 +3063,7 @@ class AccelerometerNoiseStandardDeviation(Command):
 
 
 _GYROSCOPE_NOISE_STANDARD_DEVIATION_0 = codec.Block("B", "function")
-_GYROSCOPE_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", "noise", "noise", "noise")
+_GYROSCOPE_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", *["noise"] * 3)
 _GYROSCOPE_NOISE_STANDARD_DEVIATION_GROUPS = ((1, ("noise",), False),)
 
 
@@ -3020,8 +3072,11 @@ class GyroscopeNoiseStandardDeviation(Command):
     """Gyroscope noise (0x0D,0x1B).
 
     Standard deviation of the gyroscope noise that the filter assumes (process noise).
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GyroscopeNoiseStandardDeviationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     The factory values suit most laboratory conditions.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -3037,7 +3092,9 @@ class GyroscopeNoiseStandardDeviation(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [rad/s]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0. Required
+    for `write`.
+    """
 
     @classmethod
     def write(cls, noise: types.Vector3f) -> GyroscopeNoiseStandardDeviation:
@@ -3097,8 +3154,8 @@ class GyroscopeNoiseStandardDeviation(Command):
 
 
 _ACCELEROMETER_BIAS_MODEL_PARAMETERS_0 = codec.Block("B", "function")
-_ACCELEROMETER_BIAS_MODEL_PARAMETERS_1 = codec.Block("fff", "beta", "beta", "beta")
-_ACCELEROMETER_BIAS_MODEL_PARAMETERS_2 = codec.Block("fff", "noise", "noise", "noise")
+_ACCELEROMETER_BIAS_MODEL_PARAMETERS_1 = codec.Block("fff", *["beta"] * 3)
+_ACCELEROMETER_BIAS_MODEL_PARAMETERS_2 = codec.Block("fff", *["noise"] * 3)
 _ACCELEROMETER_BIAS_MODEL_PARAMETERS_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 
 
@@ -3107,7 +3164,9 @@ class AccelerometerBiasModelParameters(Command):
     """Accelerometer bias model (0x0D,0x1C).
 
     Parameters of the model by which the accelerometer bias drifts.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AccelerometerBiasModelParametersResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -3122,9 +3181,13 @@ class AccelerometerBiasModelParameters(Command):
     function: FunctionSelector
     """What to do with the setting."""
     beta: types.Vector3f | None = None
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+    `write`.
+    """
     noise: types.Vector3f | None = None
-    """Standard deviation of the noise per axis. [m/s^2]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than
+    0. Required for `write`.
+    """
 
     @classmethod
     def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> AccelerometerBiasModelParameters:
@@ -3195,8 +3258,8 @@ class AccelerometerBiasModelParameters(Command):
 
 
 _GYROSCOPE_BIAS_MODEL_PARAMETERS_0 = codec.Block("B", "function")
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_1 = codec.Block("fff", "beta", "beta", "beta")
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_2 = codec.Block("fff", "noise", "noise", "noise")
+_GYROSCOPE_BIAS_MODEL_PARAMETERS_1 = codec.Block("fff", *["beta"] * 3)
+_GYROSCOPE_BIAS_MODEL_PARAMETERS_2 = codec.Block("fff", *["noise"] * 3)
 _GYROSCOPE_BIAS_MODEL_PARAMETERS_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 
 
@@ -3205,7 +3268,9 @@ class GyroscopeBiasModelParameters(Command):
     """Gyroscope bias model (0x0D,0x1D).
 
     Parameters of the model by which the gyroscope bias drifts.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GyroscopeBiasModelParametersResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -3221,9 +3286,13 @@ class GyroscopeBiasModelParameters(Command):
     function: FunctionSelector
     """What to do with the setting."""
     beta: types.Vector3f | None = None
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+    `write`.
+    """
     noise: types.Vector3f | None = None
-    """Standard deviation of the noise per axis. [rad/s]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater than
+    0. Required for `write`.
+    """
 
     @classmethod
     def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> GyroscopeBiasModelParameters:
@@ -3300,6 +3369,9 @@ class AutoZupt(Command):
     """Automatic zero velocity update (0x0D,0x1E).
 
     Lets the filter take the device as standing still while its GNSS speed is small.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`.
+
     The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
     The device refuses a negative threshold.
 
@@ -3316,9 +3388,9 @@ class AutoZupt(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     threshold: float | None = None
-    """Largest speed that is taken as zero. [m/s] Range: 0 to …."""
+    """Largest speed that is taken as zero. Unit: m/s. Range: at least 0. Required for `write`."""
 
     @classmethod
     def write(cls, enable: int, threshold: float) -> AutoZupt:
@@ -3394,14 +3466,14 @@ class ExternalHeadingUpdateWithTime(Command):
     """External heading update with time (0x0D,0x1F).
 
     Gives the filter one measurement of the heading of the sensor frame with its GPS time.
-    Better than `external_heading_update` where the heading changes quickly; the time must be
-    accurate.
-    Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
-    and by `aiding_measurement_control` on the 3DM-CV7.
-    The 3DM-GX5-15 takes at most 20 updates per second.
-    If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
-    ones.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Better than `external_heading_update` where the heading changes quickly; the time must be
+    accurate. Refused unless external heading updates are enabled, by `heading_update_control` on
+    the 3DM-GX5 and by `aiding_measurement_control` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20
+    updates per second. If the declination source is not valid, -25 models refuse true headings and
+    -45 models magnetic ones.
 
     - 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
     - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
@@ -3413,15 +3485,17 @@ class ExternalHeadingUpdateWithTime(Command):
     ROLE = "command"
 
     gps_time: float
-    """GPS time of week of the measurement. [s]"""
+    """GPS time of week of the measurement. Unit: s."""
     gps_week: int
-    """GPS week, counted without rollover. [week]"""
+    """GPS week, counted without rollover. Unit: week."""
     heading: float
-    """Heading relative to the north that `type` names. [rad] Frame: ned. Range:
+    """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
     -3.141592653589793 to 3.141592653589793.
     """
     heading_uncertainty: float
-    """Standard deviation; the device refuses a value out of bounds. [rad]"""
+    """Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
+    0.
+    """
     type: HeadingType
     """North that the heading refers to."""
 
@@ -3454,8 +3528,11 @@ class ZeroAngularRateUpdateControl(Command):
     """Zero angular rate update (0x0D,0x20).
 
     Lets the filter take the device as not rotating while its angular rate is small.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ZeroAngularRateUpdateControlResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     The update applies while the magnitude of the angular rate vector is at or below the threshold.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -3471,9 +3548,11 @@ class ZeroAngularRateUpdateControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     threshold: float | None = None
-    """Largest angular rate that is taken as zero. [rad/s] Range: 0 to …."""
+    """Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. Required for
+    `write`.
+    """
 
     @classmethod
     def write(cls, enable: int, threshold: float) -> ZeroAngularRateUpdateControl:
@@ -3549,8 +3628,11 @@ class TareOrientation(Command):
     """Tare orientation (0x0D,0x21).
 
     Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `TareOrientationResponse`.
+    Supported by 3DM-GX5-15. On the 3DM-GX5-15: `write`, `save`, `load` and `default` only.
+
     Refused while the filter has no valid attitude.
-    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
     - mip-sdk-4: Tare Orientation (0x0D,0x21)
@@ -3566,7 +3648,7 @@ class TareOrientation(Command):
     function: FunctionSelector
     """What to do with the setting."""
     axes: TareAxes | None = None
-    """Axes to tare; 0 resets all axes."""
+    """Axes to tare; 0 resets all axes. Required for `write`."""
 
     @classmethod
     def write(cls, axes: TareAxes) -> TareOrientation:
@@ -3628,6 +3710,7 @@ class CommandedZupt(Command):
     """Commanded zero velocity update (0x0D,0x22).
 
     Tells the filter once that the device stands still.
+
     The highest rate depends on the device.
 
     - mip-sdk-4: Commanded Zupt (0x0D,0x22)
@@ -3651,8 +3734,10 @@ class CommandedZeroAngularRateUpdate(Command):
     """Commanded zero angular rate update (0x0D,0x23).
 
     Tells the filter once that the device is not rotating.
-    At most 10 per second.
+
     Supported by 3DM-GX5-15.
+
+    At most 10 per second.
 
     - 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23)
     """
@@ -3688,7 +3773,9 @@ class SetReferencePosition(Command):
     """Set reference position (0x0D,0x26).
 
     Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SetReferencePositionResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -3703,13 +3790,13 @@ class SetReferencePosition(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     latitude: float | None = None
-    """Latitude. [deg] Frame: llh."""
+    """Latitude. Unit: deg. Frame: llh. Required for `write`."""
     longitude: float | None = None
-    """Longitude. [deg] Frame: llh."""
+    """Longitude. Unit: deg. Frame: llh. Required for `write`."""
     altitude: float | None = None
-    """Altitude. [m] Frame: llh."""
+    """Altitude. Unit: m. Frame: llh. Required for `write`."""
 
     @classmethod
     def write(
@@ -3809,9 +3896,13 @@ class MagCaptureAutoCal(Command):
     """Capture automatic magnetometer calibration (0x0D,0x27).
 
     Makes the automatic magnetometer calibration part of the fixed one.
-    A write combines the automatic calibration with the hard iron offset (0x0C,0x3A) and the soft
-    iron matrix (0x0C,0x3B), and resets it.
-    A save does the same as the save of both of these commands.
+
+    Functions: `write` and `save`.
+
+    A write combines the automatic calibration with the hard iron offset
+    `mip_3dm.MagnetometerHardIronOffset` (0x0C,0x3A) and the soft iron matrix
+    `mip_3dm.MagnetometerSoftIronMatrix` (0x0C,0x3B), and resets it. A save does the same as the
+    save of both of these commands.
 
     - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
     """
@@ -3848,7 +3939,7 @@ class MagCaptureAutoCal(Command):
 
 
 _GRAVITY_NOISE_STANDARD_DEVIATION_0 = codec.Block("B", "function")
-_GRAVITY_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", "noise", "noise", "noise")
+_GRAVITY_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", *["noise"] * 3)
 _GRAVITY_NOISE_STANDARD_DEVIATION_GROUPS = ((1, ("noise",), False),)
 
 
@@ -3857,8 +3948,11 @@ class GravityNoiseStandardDeviation(Command):
     """Gravity noise (0x0D,0x28).
 
     Standard deviation of the gravity noise that the filter assumes (process noise).
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GravityNoiseStandardDeviationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     The factory values suit most laboratory conditions.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -3874,7 +3968,9 @@ class GravityNoiseStandardDeviation(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [g]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. Required for
+    `write`.
+    """
 
     @classmethod
     def write(cls, noise: types.Vector3f) -> GravityNoiseStandardDeviation:
@@ -3941,6 +4037,10 @@ class PressureAltitudeNoise(Command):
     """Pressure altitude noise (0x0D,0x29).
 
     Standard deviation of the noise of the pressure altitude model that the filter assumes.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `PressureAltitudeNoiseResponse`.
+
     A small value follows the pressure faster, and takes weather and draughts for changes of height.
 
     - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
@@ -3956,7 +4056,7 @@ class PressureAltitudeNoise(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: float | None = None
-    """Standard deviation. [m]"""
+    """Standard deviation. Unit: m. Range: greater than 0. Required for `write`."""
 
     @classmethod
     def write(cls, noise: float) -> PressureAltitudeNoise:
@@ -4014,7 +4114,7 @@ class PressureAltitudeNoise(Command):
 
 
 _HARD_IRON_OFFSET_NOISE_0 = codec.Block("B", "function")
-_HARD_IRON_OFFSET_NOISE_1 = codec.Block("fff", "noise", "noise", "noise")
+_HARD_IRON_OFFSET_NOISE_1 = codec.Block("fff", *["noise"] * 3)
 _HARD_IRON_OFFSET_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
@@ -4023,6 +4123,9 @@ class HardIronOffsetNoise(Command):
     """Hard iron offset noise (0x0D,0x2B).
 
     Standard deviation of the noise of the estimated hard iron offset (process noise).
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `HardIronOffsetNoiseResponse`.
 
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
@@ -4037,7 +4140,9 @@ class HardIronOffsetNoise(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [gauss]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
+    for `write`.
+    """
 
     @classmethod
     def write(cls, noise: types.Vector3f) -> HardIronOffsetNoise:
@@ -4095,9 +4200,7 @@ class HardIronOffsetNoise(Command):
 
 
 _SOFT_IRON_MATRIX_NOISE_0 = codec.Block("B", "function")
-_SOFT_IRON_MATRIX_NOISE_1 = codec.Block(
-    "fffffffff", "noise", "noise", "noise", "noise", "noise", "noise", "noise", "noise", "noise"
-)
+_SOFT_IRON_MATRIX_NOISE_1 = codec.Block("fffffffff", *["noise"] * 9)
 _SOFT_IRON_MATRIX_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
@@ -4106,6 +4209,9 @@ class SoftIronMatrixNoise(Command):
     """Soft iron matrix noise (0x0D,0x2C).
 
     Standard deviation of the noise of the estimated soft iron matrix (process noise).
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SoftIronMatrixNoiseResponse`.
 
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
@@ -4120,7 +4226,9 @@ class SoftIronMatrixNoise(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Matrix3f | None = None
-    """Standard deviation per element. [1]"""
+    """Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+    1. Range: greater than 0. Required for `write`.
+    """
 
     @classmethod
     def write(cls, noise: types.Matrix3f) -> SoftIronMatrixNoise:
@@ -4187,7 +4295,9 @@ class EnableDisableMeasurements(Command):
     """Enable or disable measurements (0x0D,0x41).
 
     Which inertial measurements the filter uses.
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `EnableDisableMeasurementsResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -4202,7 +4312,7 @@ class EnableDisableMeasurements(Command):
     function: FunctionSelector
     """What to do with the setting."""
     control: MeasurementFlags | None = None
-    """Measurements to use."""
+    """Measurements to use. Required for `write`."""
 
     @classmethod
     def write(cls, control: MeasurementFlags) -> EnableDisableMeasurements:
@@ -4260,7 +4370,7 @@ class EnableDisableMeasurements(Command):
 
 
 _MAG_NOISE_0 = codec.Block("B", "function")
-_MAG_NOISE_1 = codec.Block("fff", "noise", "noise", "noise")
+_MAG_NOISE_1 = codec.Block("fff", *["noise"] * 3)
 _MAG_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
@@ -4269,6 +4379,9 @@ class MagNoise(Command):
     """Magnetometer noise (0x0D,0x42).
 
     Standard deviation of the magnetometer noise that the filter assumes.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`.
+    Uncertain: The SDK calls it process noise, although the noise is that of a measurement.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -4283,7 +4396,9 @@ class MagNoise(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [gauss]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
+    for `write`.
+    """
 
     @classmethod
     def write(cls, noise: types.Vector3f) -> MagNoise:
@@ -4354,8 +4469,11 @@ class MagneticFieldDeclinationSourceControl(Command):
     """Magnetic declination source (0x0D,0x43).
 
     Source of the local declination of the magnetic field.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagneticFieldDeclinationSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     Without a good declination source, keep automatic magnetometer calibration off.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     """
@@ -4370,9 +4488,9 @@ class MagneticFieldDeclinationSourceControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: MagParameterSource | None = None
-    """Source of the declination."""
+    """Source of the declination. Required for `write`."""
     declination: float | None = None
-    """Declination; used only if `source` is manual. [rad]"""
+    """Declination; used only if `source` is manual. Unit: rad. Required for `write`."""
 
     @classmethod
     def write(
@@ -4464,12 +4582,14 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
     """Gravity magnitude error adaptive measurement (0x0D,0x44).
 
     How far the filter trusts gravity measurements whose magnitude is not that of gravity.
-    Also called accelerometer magnitude error adaptive measurement.
-    All parameters after the selector keep their values if they are left out.
-    Filter and limits take effect only with `fixed`.
-    Raise the limits where vibration is strong, lower them where it is weak. High limits cost pitch
-    and roll accuracy under linear acceleration, low limits cost heading accuracy.
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GravityMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-15.
+
+    Also called accelerometer magnitude error adaptive measurement. All parameters after the
+    selector keep their values if they are left out. Filter and limits take effect only with
+    `fixed`. Raise the limits where vibration is strong, lower them where it is weak. High limits
+    cost pitch and roll accuracy under linear acceleration, low limits cost heading accuracy.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -4484,19 +4604,19 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
     function: FunctionSelector
     """What to do with the setting."""
     adaptive_measurement: AdaptiveMeasurementSelector | None = None
-    """Kind of adaptation."""
+    """Kind of adaptation. Required for `write`."""
     frequency: float | None = None
-    """Cut-off frequency of the low-pass filter. [Hz]"""
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Optional."""
     low_limit: float | None = None
-    """Lower limit of the error. [m/s^2]"""
+    """Lower limit of the error. Unit: m/s^2. Optional."""
     high_limit: float | None = None
-    """Upper limit of the error. [m/s^2]"""
+    """Upper limit of the error. Unit: m/s^2. Optional."""
     low_limit_uncertainty: float | None = None
-    """Standard deviation at the lower limit. [m/s^2]"""
+    """Standard deviation at the lower limit. Unit: m/s^2. Optional."""
     high_limit_uncertainty: float | None = None
-    """Standard deviation at the upper limit. [m/s^2]"""
+    """Standard deviation at the upper limit. Unit: m/s^2. Optional."""
     minimum_uncertainty: float | None = None
-    """Smallest standard deviation. [m/s^2]"""
+    """Smallest standard deviation. Unit: m/s^2. Optional."""
 
     @classmethod
     def write(
@@ -4660,10 +4780,15 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
     """Magnetometer magnitude error adaptive measurement (0x0D,0x45).
 
     How far the filter trusts a magnetic field whose magnitude is not as expected.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagMagnitudeErrorAdaptiveMeasurementResponse`. Uncertain: Whether the parameters behind the
+    selector may be left out on write, as those of `GravityMagnitudeErrorAdaptiveMeasurement`
+    (0x0D,0x44) may.
+
     The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
-    limits.
-    High limits suit high dynamics but let disturbances of the field through; low limits can spoil
-    the heading.
+    limits. High limits suit high dynamics but let disturbances of the field through; low limits can
+    spoil the heading.
 
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
     """
@@ -4678,19 +4803,31 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
     function: FunctionSelector
     """What to do with the setting."""
     adaptive_measurement: AdaptiveMeasurementSelector | None = None
-    """Kind of adaptation."""
+    """Kind of adaptation. Required for `write`."""
     frequency: float | None = None
-    """Cut-off frequency of the low-pass filter. [Hz]"""
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Required for `write`."""
     low_limit: float | None = None
-    """Lower limit of the error. [gauss]"""
+    """Lower limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
     high_limit: float | None = None
-    """Upper limit of the error. [gauss]"""
+    """Upper limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
     low_limit_uncertainty: float | None = None
-    """Standard deviation at the lower limit. [gauss]"""
+    """Standard deviation at the lower limit. Unit: gauss. Required for `write`. Uncertain: The
+    unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in
+    the response.
+    """
     high_limit_uncertainty: float | None = None
-    """Standard deviation at the upper limit. [gauss]"""
+    """Standard deviation at the upper limit. Unit: gauss. Required for `write`. Uncertain: The
+    unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in
+    the response.
+    """
     minimum_uncertainty: float | None = None
-    """Smallest standard deviation. [gauss]"""
+    """Smallest standard deviation. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
 
     @classmethod
     def write(
@@ -4848,9 +4985,13 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
     """Magnetometer dip angle error adaptive measurement (0x0D,0x46).
 
     How far the filter trusts a magnetic field whose dip angle is not as expected.
-    It has no effect while (0x0D,0x44) or (0x0D,0x45) is set to `auto`.
-    High limits suit high dynamics but let disturbances of the field through; low limits can spoil
-    the heading.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagDipAngleErrorAdaptiveMeasurementResponse`.
+
+    It has no effect while `GravityMagnitudeErrorAdaptiveMeasurement` (0x0D,0x44) or
+    `MagMagnitudeErrorAdaptiveMeasurement` (0x0D,0x45) is set to `auto`. High limits suit high
+    dynamics but let disturbances of the field through; low limits can spoil the heading.
 
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
@@ -4865,15 +5006,21 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: bool | None = None
-    """Whether the adaptation is on."""
+    """Whether the adaptation is on. Required for `write`."""
     frequency: float | None = None
-    """Cut-off frequency of the low-pass filter. [Hz]"""
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Required for `write`."""
     high_limit: float | None = None
-    """Upper limit of the error. [rad]"""
+    """Upper limit of the error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; rad is inferred from the quantity.
+    """
     high_limit_uncertainty: float | None = None
-    """Standard deviation at the upper limit. [rad]"""
+    """Standard deviation at the upper limit. Unit: rad. Required for `write`. Uncertain: The unit.
+    The SDK prints m/s^2; rad is inferred from the quantity.
+    """
     minimum_uncertainty: float | None = None
-    """Smallest standard deviation. [rad]"""
+    """Smallest standard deviation. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; rad is inferred from the quantity.
+    """
 
     @classmethod
     def write(
@@ -4992,8 +5139,11 @@ class AltitudeAiding(Command):
     """Altitude aiding (0x0D,0x47).
 
     What aids the altitude beside GNSS.
-    GNSS stays the main source of altitude; the aid improves it and bridges outages.
-    Weather and place shift the pressure altitude, at times by more than 40 m.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`.
+
+    GNSS stays the main source of altitude; the aid improves it and bridges outages. Weather and
+    place shift the pressure altitude, at times by more than 40 m.
 
     - mip-sdk-4: Altitude Aiding (0x0D,0x47)
     """
@@ -5008,7 +5158,7 @@ class AltitudeAiding(Command):
     function: FunctionSelector
     """What to do with the setting."""
     selector: AltitudeAidingSource | None = None
-    """Source of the aiding."""
+    """Source of the aiding. Required for `write`."""
 
     @classmethod
     def write(cls, selector: AltitudeAidingSource) -> AltitudeAiding:
@@ -5075,7 +5225,9 @@ class PitchRollAidingControl(Command):
     """Pitch and roll aiding (0x0D,0x4B).
 
     What aids pitch and roll while the motion is gentle.
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `PitchRollAidingControlResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -5090,7 +5242,7 @@ class PitchRollAidingControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     aiding: PitchRollAidingSource | None = None
-    """Source of the aiding."""
+    """Source of the aiding. Required for `write`."""
 
     @classmethod
     def write(cls, aiding: PitchRollAidingSource) -> PitchRollAidingControl:
@@ -5158,6 +5310,10 @@ class InclinationSource(Command):
     """Magnetic inclination source (0x0D,0x4C).
 
     Source of the local inclination (dip angle) of the magnetic field.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `InclinationSourceResponse`.
+
     Without a good inclination source, keep automatic magnetometer calibration off.
 
     - mip-sdk-4: Inclination Source (0x0D,0x4C)
@@ -5173,9 +5329,11 @@ class InclinationSource(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: MagParameterSource | None = None
-    """Source of the inclination."""
+    """Source of the inclination. Required for `write`."""
     inclination: float | None = None
-    """Inclination; used only if `source` is manual. [rad]"""
+    """Inclination; used only if `source` is manual. Unit: rad. Required for `write`. Uncertain:
+    Whether it may be left out if `source` is not manual. The SDK sends it always.
+    """
 
     @classmethod
     def write(cls, source: MagParameterSource, inclination: float) -> InclinationSource:
@@ -5252,8 +5410,12 @@ class MagFieldMagnitudeSource(Command):
     """Magnetic field magnitude source (0x0D,0x4D).
 
     Source of the local magnitude of the magnetic field.
-    Without a good magnitude source, keep automatic magnetometer calibration off.
-    The adaptive measurement (0x0D,0x45) relies on it too.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagFieldMagnitudeSourceResponse`.
+
+    Without a good magnitude source, keep automatic magnetometer calibration off. The adaptive
+    measurement `MagMagnitudeErrorAdaptiveMeasurement` (0x0D,0x45) relies on it too.
 
     - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
     """
@@ -5268,9 +5430,11 @@ class MagFieldMagnitudeSource(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: MagParameterSource | None = None
-    """Source of the magnitude."""
+    """Source of the magnitude. Required for `write`."""
     magnitude: float | None = None
-    """Magnitude; used only if `source` is manual. [gauss]"""
+    """Magnitude; used only if `source` is manual. Unit: gauss. Required for `write`. Uncertain:
+    Whether it may be left out if `source` is not manual. The SDK sends it always.
+    """
 
     @classmethod
     def write(cls, source: MagParameterSource, magnitude: float) -> MagFieldMagnitudeSource:
@@ -5337,9 +5501,7 @@ class MagFieldMagnitudeSource(Command):
 
 
 _SENSOR_TO_VEHICLE_ROTATION_DCM_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_ROTATION_DCM_1 = codec.Block(
-    "fffffffff", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm"
-)
+_SENSOR_TO_VEHICLE_ROTATION_DCM_1 = codec.Block("fffffffff", *["dcm"] * 9)
 _SENSOR_TO_VEHICLE_ROTATION_DCM_GROUPS = ((1, ("dcm",), False),)
 
 
@@ -5348,12 +5510,16 @@ class SensorToVehicleRotationDcm(Command):
     """Sensor to vehicle rotation, matrix (0x0D,0x4E).
 
     Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
-    It is the inverse of the matrix that (0x0C,0x33) takes.
-    It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
-    velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
-    filter.
-    The device refuses a matrix that is not orthonormal to 0.001.
-    The device keeps a quaternion, so the elements read back may differ a little from those written.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleRotationDcmResponse`.
+
+    It is the inverse of the matrix that
+    `mip_3dm.SensorToVehicleFrameTransformationDirectionCosineMatrix` (0x0C,0x33) takes. It turns
+    the scaled acceleration, angular rate and magnetic field, delta theta and delta velocity, and
+    the orientation, linear acceleration, angular rate and gravity vector of the filter. The device
+    refuses a matrix that is not orthonormal to 0.001. The device keeps a quaternion, so the
+    elements read back may differ a little from those written.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
     """
@@ -5368,7 +5534,9 @@ class SensorToVehicleRotationDcm(Command):
     function: FunctionSelector
     """What to do with the setting."""
     dcm: types.Matrix3f | None = None
-    """Rotation matrix in row-major order. [1]"""
+    """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1. Required for `write`.
+    """
 
     @classmethod
     def write(cls, dcm: types.Matrix3f) -> SensorToVehicleRotationDcm:
@@ -5426,7 +5594,7 @@ class SensorToVehicleRotationDcm(Command):
 
 
 _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1 = codec.Block("ffff", "quat", "quat", "quat", "quat")
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1 = codec.Block("ffff", *["quat"] * 4)
 _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS = ((1, ("quat",), False),)
 
 
@@ -5435,12 +5603,15 @@ class SensorToVehicleRotationQuaternion(Command):
     """Sensor to vehicle rotation, quaternion (0x0D,0x4F).
 
     Rotation from the sensor frame to the vehicle frame as a quaternion.
-    It is the inverse of the quaternion that (0x0C,0x32) takes.
-    It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
-    velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
-    filter.
-    The device refuses a quaternion whose length is not 1 to 0.001.
-    The device normalizes it, so the elements read back may differ a little from those written.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleRotationQuaternionResponse`.
+
+    It is the inverse of the quaternion that `mip_3dm.SensorToVehicleFrameTransformationQuaternion`
+    (0x0C,0x32) takes. It turns the scaled acceleration, angular rate and magnetic field, delta
+    theta and delta velocity, and the orientation, linear acceleration, angular rate and gravity
+    vector of the filter. The device refuses a quaternion whose length is not 1 to 0.001. The device
+    normalizes it, so the elements read back may differ a little from those written.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
@@ -5455,7 +5626,7 @@ class SensorToVehicleRotationQuaternion(Command):
     function: FunctionSelector
     """What to do with the setting."""
     quat: types.Quatf | None = None
-    """Unit quaternion, scalar part first. [1]"""
+    """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Required for `write`."""
 
     @classmethod
     def write(cls, quat: types.Quatf) -> SensorToVehicleRotationQuaternion:
@@ -5525,7 +5696,9 @@ class AidingMeasurementControl(Command):
     """Aiding measurement control (0x0D,0x50).
 
     Enables or disables one source of aiding measurements.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AidingMeasurementControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -5542,7 +5715,7 @@ class AidingMeasurementControl(Command):
     aiding_source: AidingSource | None = None
     """The source; `all` is for save, load and default."""
     enable: bool | None = None
-    """Whether the filter uses the source."""
+    """Whether the filter uses the source. Required for `write`."""
 
     @classmethod
     def write(cls, aiding_source: AidingSource, enable: bool) -> AidingMeasurementControl:
@@ -5625,6 +5798,10 @@ class KinematicConstraint(Command):
 
     Assumptions about the motion that the filter uses as measurements.
 
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `KinematicConstraintResponse`. Uncertain: Whether there are further values. The SDK has plain
+    numbers and gives the values in remarks.
+
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
 
@@ -5638,11 +5815,12 @@ class KinematicConstraint(Command):
     function: FunctionSelector
     """What to do with the setting."""
     accel_constraint: AccelConstraint | None = None
-    """Assumption about the acceleration. Factory default: none."""
+    """Assumption about the acceleration. Default: `AccelConstraint.NONE`. Required for `write`."""
     velocity_constraint: VelocityConstraint | None = None
-    """Assumption about the velocity. Factory default: none."""
+    """Assumption about the velocity. Default: `VelocityConstraint.NONE`. Required for `write`."""
     angular_constraint: AngularConstraint | None = None
-    """Assumption about the angular rate. Factory default: none."""
+    """Assumption about the angular rate. Default: `AngularConstraint.NONE`. Required for `write`.
+    """
 
     @classmethod
     def write(
@@ -5734,12 +5912,8 @@ _NAVIGATION_FILTER_INITIALIZATION_3 = codec.Block("B", "auto_heading_alignment_s
 _NAVIGATION_FILTER_INITIALIZATION_4 = codec.Block("f", "initial_heading")
 _NAVIGATION_FILTER_INITIALIZATION_5 = codec.Block("f", "initial_pitch")
 _NAVIGATION_FILTER_INITIALIZATION_6 = codec.Block("f", "initial_roll")
-_NAVIGATION_FILTER_INITIALIZATION_7 = codec.Block(
-    "fff", "initial_position", "initial_position", "initial_position"
-)
-_NAVIGATION_FILTER_INITIALIZATION_8 = codec.Block(
-    "fff", "initial_velocity", "initial_velocity", "initial_velocity"
-)
+_NAVIGATION_FILTER_INITIALIZATION_7 = codec.Block("fff", *["initial_position"] * 3)
+_NAVIGATION_FILTER_INITIALIZATION_8 = codec.Block("fff", *["initial_velocity"] * 3)
 _NAVIGATION_FILTER_INITIALIZATION_9 = codec.Block("B", "reference_frame_selector")
 _NAVIGATION_FILTER_INITIALIZATION_GROUPS = (
     (1, ("wait_for_run_command",), False),
@@ -5759,11 +5933,13 @@ class NavigationFilterInitialization(Command):
     """Navigation filter initialization (0x0D,0x52).
 
     Sources and values of the initial attitude, position and velocity of the filter.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `NavigationFilterInitializationResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     Single precision resolves the latitude and longitude of the initial position to about a metre
-    only.
-    Kinematic alignment sets the heading once the speed reaches 2 m/s.
-    External alignment needs a heading at least every 5 seconds.
-    Supported by 3DM-CV7-GNSS/INS.
+    only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment
+    needs a heading at least every 5 seconds.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
@@ -5778,29 +5954,33 @@ class NavigationFilterInitialization(Command):
     function: FunctionSelector
     """What to do with the setting."""
     wait_for_run_command: int | None = None
-    """1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to
-    1.
+    """1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to 1.
+    Required for `write`.
     """
     initial_cond_src: InitialConditionSource | None = None
-    """Which initial conditions are found and which are given."""
+    """Which initial conditions are found and which are given. Required for `write`."""
     auto_heading_alignment_selector: HeadingAlignment | None = None
-    """Ways in which the initial heading may be found."""
+    """Ways in which the initial heading may be found. Required for `write`."""
     initial_heading: float | None = None
-    """Given heading. [deg]"""
+    """Given heading. Unit: deg. Required for `write`."""
     initial_pitch: float | None = None
-    """Given pitch. [deg]"""
+    """Given pitch. Unit: deg. Required for `write`."""
     initial_roll: float | None = None
-    """Given roll. [deg]"""
+    """Given roll. Unit: deg. Required for `write`."""
     initial_position: types.Vector3f | None = None
-    """Given position. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Given position. Elements: x, y, z. Required for `write`.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
     initial_velocity: types.Vector3f | None = None
-    """Given velocity. [m/s] If reference_frame_selector is ecef: frame ecef. If
-    reference_frame_selector is llh: frame ned.
+    """Given velocity. Elements: x, y, z. Unit: m/s. Required for `write`.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: frame ned.
     """
     reference_frame_selector: ReferenceFrame | None = None
-    """Frame of the given position and velocity."""
+    """Frame of the given position and velocity. Required for `write`."""
 
     @classmethod
     def write(
@@ -5977,7 +6157,9 @@ class AdaptiveFilterControl(Command):
     """Adaptive filter control (0x0D,0x53).
 
     How the filter adapts to measurements that do not fit its model.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AdaptiveFilterControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -5992,9 +6174,11 @@ class AdaptiveFilterControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     level: AdaptiveLevel | None = None
-    """Strength of the adaptation. Factory default: 2."""
+    """Strength of the adaptation. Default: 2. Required for `write`."""
     time_limit: int | None = None
-    """Longest time for which measurements are rejected before the filter recovers. [ms]"""
+    """Longest time for which measurements are rejected before the filter recovers. Unit: ms.
+    Required for `write`.
+    """
 
     @classmethod
     def write(cls, level: AdaptiveLevel, time_limit: int) -> AdaptiveFilterControl:
@@ -6062,9 +6246,7 @@ class AdaptiveFilterControl(Command):
 
 _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_0 = codec.Block("B", "function")
 _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_1 = codec.Block("B", "receiver_id")
-_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_2 = codec.Block(
-    "fff", "antenna_offset", "antenna_offset", "antenna_offset"
-)
+_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_2 = codec.Block("fff", *["antenna_offset"] * 3)
 _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_GROUPS = (
     (1, ("receiver_id",), False),
     (2, ("antenna_offset",), False),
@@ -6076,8 +6258,11 @@ class GnssMultiAntennaOffsetControl(Command):
     """GNSS multi-antenna offset (0x0D,0x54).
 
     Position of the antenna of one receiver on devices with several antennas.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GnssMultiAntennaOffsetControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The magnitude of the vector is limited to 10.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -6092,9 +6277,11 @@ class GnssMultiAntennaOffsetControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     receiver_id: int | None = None
-    """Number of the receiver, from 1. Range: 1 to …."""
+    """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f | None = None
-    """From the sensor to the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    Required for `write`.
+    """
 
     @classmethod
     def write(
@@ -6167,9 +6354,7 @@ class GnssMultiAntennaOffsetControl(Command):
 _RELATIVE_POSITION_CONFIGURATION_0 = codec.Block("B", "function")
 _RELATIVE_POSITION_CONFIGURATION_1 = codec.Block("B", "source")
 _RELATIVE_POSITION_CONFIGURATION_2 = codec.Block("B", "reference_frame_selector")
-_RELATIVE_POSITION_CONFIGURATION_3 = codec.Block(
-    "ddd", "reference_coordinates", "reference_coordinates", "reference_coordinates"
-)
+_RELATIVE_POSITION_CONFIGURATION_3 = codec.Block("ddd", *["reference_coordinates"] * 3)
 _RELATIVE_POSITION_CONFIGURATION_GROUPS = (
     (1, ("source",), False),
     (2, ("reference_frame_selector",), False),
@@ -6182,7 +6367,9 @@ class RelativePositionConfiguration(Command):
     """Relative position configuration (0x0D,0x55).
 
     Reference point of the relative position that the filter reports.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `RelativePositionConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -6197,12 +6384,14 @@ class RelativePositionConfiguration(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: RelativePositionSource | None = None
-    """Source of the reference point."""
+    """Source of the reference point. Required for `write`."""
     reference_frame_selector: ReferenceFrame | None = None
-    """Frame of the coordinates."""
+    """Frame of the coordinates. Required for `write`."""
     reference_coordinates: types.Vector3d | None = None
-    """Reference point. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Reference point. Elements: x, y, z. Required for `write`.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
 
     @classmethod
@@ -6292,9 +6481,7 @@ class RelativePositionConfiguration(Command):
 
 _REFERENCE_POINT_LEVER_ARM_0 = codec.Block("B", "function")
 _REFERENCE_POINT_LEVER_ARM_1 = codec.Block("B", "ref_point_sel")
-_REFERENCE_POINT_LEVER_ARM_2 = codec.Block(
-    "fff", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
-)
+_REFERENCE_POINT_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
 _REFERENCE_POINT_LEVER_ARM_GROUPS = (
     (1, ("ref_point_sel",), False),
     (2, ("lever_arm_offset",), False),
@@ -6306,11 +6493,13 @@ class ReferencePointLeverArm(Command):
     """Reference point lever arm (0x0D,0x56).
 
     Moves the point to which the position and the velocity of the filter refer.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ReferencePointLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     It shifts `llh_position`, `velocity_ned`, `ecef_position`, `ecef_velocity` and
     `ned_relative_position` of set `filter_data`, depending on the attitude and, for velocities, on
-    the angular rate.
-    The magnitude of the vector is limited to 10.
-    Supported by 3DM-CV7-GNSS/INS.
+    the angular rate. The magnitude of the vector is limited to 10.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -6325,9 +6514,11 @@ class ReferencePointLeverArm(Command):
     function: FunctionSelector
     """What to do with the setting."""
     ref_point_sel: ReferencePoint | None = None
-    """Point to move; it must be 1."""
+    """Point to move; it must be 1. Required for `write`."""
     lever_arm_offset: types.Vector3f | None = None
-    """From the sensor to the point. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    Required for `write`.
+    """
 
     @classmethod
     def write(
@@ -6407,8 +6598,11 @@ class SpeedMeasurement(Command):
     """Speed measurement (0x0D,0x60).
 
     Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
-    It must not be used together with the odometer of the device.
-    Single precision resolves the time of week to 0.0625 s at the end of the week.
+
+    Uncertain: The SDK names a response (0x0D,0xE0) but has no layout of it.
+
+    It must not be used together with the odometer of the device. Single precision resolves the time
+    of week to 0.0625 s at the end of the week.
 
     - mip-sdk-4: Speed Measurement (0x0D,0x60)
     """
@@ -6419,13 +6613,13 @@ class SpeedMeasurement(Command):
     ROLE = "command"
 
     source: int = field(default=1, kw_only=True)
-    """Send 1."""
+    """Send 1. Reserved: send 1."""
     tow: float
-    """GPS time of week of the measurement. [s]"""
+    """GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK prints none."""
     speed: float
-    """Speed, negative in reverse. [m/s] Frame: vehicle."""
+    """Speed, negative in reverse. Unit: m/s. Frame: vehicle."""
     speed_uncertainty: float
-    """Standard deviation of the speed. [m/s]"""
+    """Standard deviation of the speed. Unit: m/s."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SpeedMeasurement, int]:
@@ -6444,9 +6638,7 @@ class SpeedMeasurement(Command):
 
 _MEASUREMENT_SPEED_LEVER_ARM_0 = codec.Block("B", "function")
 _MEASUREMENT_SPEED_LEVER_ARM_1 = codec.Block("B", "source")
-_MEASUREMENT_SPEED_LEVER_ARM_2 = codec.Block(
-    "fff", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
-)
+_MEASUREMENT_SPEED_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
 _MEASUREMENT_SPEED_LEVER_ARM_GROUPS = ((1, ("source",), False), (2, ("lever_arm_offset",), False))
 
 
@@ -6455,8 +6647,11 @@ class MeasurementSpeedLeverArm(Command):
     """Speed measurement lever arm (0x0D,0x61).
 
     Position of the point whose speed is measured, such as the wheel that an odometer is on.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MeasurementSpeedLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     It corrects for the speed that such a point has only because the vehicle turns.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
@@ -6471,9 +6666,11 @@ class MeasurementSpeedLeverArm(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: int | None = None
-    """Send 1."""
+    """Reserved: send 1."""
     lever_arm_offset: types.Vector3f | None = None
-    """From the sensor to the point of measurement. [m] Frame: vehicle."""
+    """From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle.
+    Required for `write`.
+    """
 
     @classmethod
     def write(cls, lever_arm_offset: types.Vector3f) -> MeasurementSpeedLeverArm:
@@ -6551,6 +6748,10 @@ class VerticalGyroConstraintControl(Command):
     """Vertical gyro constraint (0x0D,0x62).
 
     Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `VerticalGyroConstraintControlResponse`.
+
     It takes the linear acceleration as zero.
 
     - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
@@ -6566,7 +6767,7 @@ class VerticalGyroConstraintControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
 
     @classmethod
     def write(cls, enable: int) -> VerticalGyroConstraintControl:
@@ -6633,9 +6834,12 @@ class WheeledVehicleConstraintControl(Command):
     """Wheeled vehicle constraint (0x0D,0x63).
 
     Lets the filter assume that the vehicle moves only along its x axis.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `WheeledVehicleConstraintControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     It improves the heading of cars and the like, above all when GNSS comes and goes. It is wrong
     for vehicles that move sideways, such as aircraft.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
@@ -6650,7 +6854,7 @@ class WheeledVehicleConstraintControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
 
     @classmethod
     def write(cls, enable: int) -> WheeledVehicleConstraintControl:
@@ -6721,7 +6925,9 @@ class GnssAntennaOffsetCalibrationControl(Command):
     """GNSS antenna offset calibration (0x0D,0x64).
 
     Lets the filter track the error of the antenna offset.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GnssAntennaOffsetCalibrationControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
@@ -6737,10 +6943,10 @@ class GnssAntennaOffsetCalibrationControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     max_offset: float | None = None
-    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. [m] Frame:
-    vehicle. Range: 0 to 0.5. Factory default: 0.1.
+    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
+    vehicle. Range: 0 to 0.5. Default: 0.1. Required for `write`.
     """
 
     @classmethod
@@ -6852,7 +7058,6 @@ MeasurementSpeedLeverArmResponse.COMMANDS = (MeasurementSpeedLeverArm,)
 VerticalGyroConstraintControlResponse.COMMANDS = (VerticalGyroConstraintControl,)
 WheeledVehicleConstraintControlResponse.COMMANDS = (WheeledVehicleConstraintControl,)
 GnssAntennaOffsetCalibrationControlResponse.COMMANDS = (GnssAntennaOffsetCalibrationControl,)
-
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {

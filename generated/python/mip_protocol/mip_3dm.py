@@ -1,6 +1,9 @@
 """3DM (0x0C).
 
 Commands that set up the sensors, the outputs, the pins and the events of a device.
+
+- 3dm-gx5-15: 4.2 3DM Commands
+- 3dm-cv7-gnss-ins: 3DM (0x0C)
 """
 
 from __future__ import annotations
@@ -18,12 +21,15 @@ _POLL_ENTRY_0 = codec.Block("BH", "descriptor", "reserved")
 
 @dataclass(slots=True)
 class PollEntry(Structure):
-    """A field that a poll asks for."""
+    """A field that a poll asks for.
+
+    - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
+    """
 
     descriptor: int
     """Field descriptor."""
     reserved: int = 0
-    """In place of a decimation."""
+    """In place of a decimation. Reserved: send 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollEntry, int]:
@@ -39,7 +45,10 @@ class PollEntry(Structure):
 
 
 class FactoryStreamingAction(codec.OpenEnum):
-    """What happens to the message formats that are set."""
+    """What happens to the message formats that are set.
+
+    - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
+    """
 
     OVERWRITE = 0
     """The formats are replaced."""
@@ -49,22 +58,11 @@ class FactoryStreamingAction(codec.OpenEnum):
     """The support fields are added behind the formats; fields may occur twice."""
 
 
-class LegacyDataStream(codec.OpenEnum):
-    """A data stream of a 5-series device."""
-
-    ALL_STREAMS = 0
-    """All streams; for save, load and default only."""
-    IMU = 1
-    """Sensor data (0x80)."""
-    GNSS = 2
-    """GNSS data."""
-    FILTER = 3
-    """Estimation filter data (0x82)."""
-
-
 class ConstellationId(codec.OpenEnum):
-    """Constellation in the settings of a receiver. The values are not those of
-    gnss_constellation, which GNSS data use.
+    """Constellation in the settings of a receiver. The values are not those of gnss_constellation,
+    which GNSS data use.
+
+    - mip-sdk-4: Constellation Settings (0x0C,0x21)
     """
 
     GPS = 0
@@ -83,10 +81,13 @@ class ConstellationId(codec.OpenEnum):
 
 @codec.open_flag(16)
 class ConstellationOptions(IntFlag):
-    """Options of a constellation."""
+    """Options of a constellation.
+
+    - mip-sdk-4: Constellation Settings (0x0C,0x21)
+    """
 
     L1SAIF = 1 << 0
-    """The L1-SAIF signal; QZSS only."""
+    """The L1-SAIF signal; QZSS only. Bit 0."""
 
 
 _CONSTELLATION_SETTINGS_ENTRY_0 = codec.Block(
@@ -96,16 +97,19 @@ _CONSTELLATION_SETTINGS_ENTRY_0 = codec.Block(
 
 @dataclass(slots=True)
 class ConstellationSettingsEntry(Structure):
-    """How a receiver tracks one constellation."""
+    """How a receiver tracks one constellation.
+
+    - mip-sdk-4: Constellation Settings (0x0C,0x21)
+    """
 
     constellation_id: ConstellationId
     """Constellation."""
     enable: int
     """1 switches it on, 0 off. Range: 0 to 1."""
     reserved_channels: int
-    """Channels that are kept for it. [1] Range: 0 to 32."""
+    """Channels that are kept for it. Unit: 1. Range: 0 to 32."""
     max_channels: int
-    """Channels that it takes at most. [1] Range: 0 to 32."""
+    """Channels that it takes at most. Unit: 1. Range: 0 to 32."""
     option_flags: ConstellationOptions
     """Options."""
 
@@ -133,18 +137,24 @@ class ConstellationSettingsEntry(Structure):
 
 @codec.open_flag(16)
 class SbasOptions(IntFlag):
-    """How SBAS is used."""
+    """How SBAS is used.
+
+    - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
+    """
 
     ENABLE_RANGING = 1 << 0
-    """SBAS pseudoranges take part in the position solution."""
+    """SBAS pseudoranges take part in the position solution. Bit 0."""
     ENABLE_CORRECTIONS = 1 << 1
-    """SBAS differential corrections are applied."""
+    """SBAS differential corrections are applied. Bit 1."""
     APPLY_INTEGRITY = 1 << 2
-    """Only GPS satellites with SBAS integrity information are used."""
+    """Only GPS satellites with SBAS integrity information are used. Bit 2."""
 
 
 class AssistedFixOption(codec.OpenEnum):
-    """Whether a receiver keeps its last fix."""
+    """Whether a receiver keeps its last fix.
+
+    - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+    """
 
     NONE = 0
     """The receiver starts without it."""
@@ -153,7 +163,10 @@ class AssistedFixOption(codec.OpenEnum):
 
 
 class PpsSource(codec.OpenEnum):
-    """Where the pulse per second comes from."""
+    """Where the pulse per second comes from.
+
+    - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
+    """
 
     DISABLED = 0
     """No pulse."""
@@ -168,7 +181,10 @@ class PpsSource(codec.OpenEnum):
 
 
 class SupportedEventsQuery(codec.OpenEnum):
-    """Which part of the event system is asked about."""
+    """Which part of the event system is asked about.
+
+    - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
+    """
 
     TRIGGER_TYPES = 1
     """Triggers."""
@@ -181,12 +197,15 @@ _SUPPORTED_EVENT_INFO_0 = codec.Block("BB", "type", "count")
 
 @dataclass(slots=True)
 class SupportedEventInfo(Structure):
-    """How many instances of one trigger or action type a device can have."""
+    """How many instances of one trigger or action type a device can have.
+
+    - 3dm-cv7-gnss-ins: Info
+    """
 
     type: int
     """A value of event_trigger_type if triggers were asked about, else of event_action_type."""
     count: int
-    """Instances of this type at most. [1]"""
+    """Instances of this type at most. Unit: 1."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SupportedEventInfo, int]:
@@ -206,7 +225,10 @@ _EVENT_TRIGGER_STATUS_ENTRY_0 = codec.Block("BB", "type", "status")
 
 @dataclass(slots=True)
 class EventTriggerStatusEntry(Structure):
-    """Type and state of one trigger."""
+    """Type and state of one trigger.
+
+    - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
+    """
 
     type: types.EventTriggerType
     """Configured type."""
@@ -231,7 +253,10 @@ _EVENT_ACTION_STATUS_ENTRY_0 = codec.Block("BB", "action_type", "trigger_id")
 
 @dataclass(slots=True)
 class EventActionStatusEntry(Structure):
-    """Type and trigger of one action."""
+    """Type and trigger of one action.
+
+    - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
+    """
 
     action_type: types.EventActionType
     """Configured type."""
@@ -252,7 +277,10 @@ class EventActionStatusEntry(Structure):
 
 
 class OdometerMode(codec.OpenEnum):
-    """How the odometer input works."""
+    """How the odometer input works.
+
+    - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
+    """
 
     DISABLED = 0
     """Not used."""
@@ -261,7 +289,10 @@ class OdometerMode(codec.OpenEnum):
 
 
 class SensorRangeType(codec.OpenEnum):
-    """A sensor whose range can be set, which also decides the unit of the range."""
+    """A sensor whose range can be set, which also decides the unit of the range.
+
+    - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
+    """
 
     ALL = 0
     """All sensors; for save, load and default only."""
@@ -280,7 +311,10 @@ _SENSOR_RANGE_ENTRY_0 = codec.Block("Bf", "setting", "range")
 
 @dataclass(slots=True)
 class SensorRangeEntry(Structure):
-    """A range that a sensor supports."""
+    """A range that a sensor supports.
+
+    - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
+    """
 
     setting: int
     """Value for the sensor range command."""
@@ -301,12 +335,31 @@ class SensorRangeEntry(Structure):
 
 
 class DeviceStatusSelector(codec.OpenEnum):
-    """How much a device status tells."""
+    """How much a device status tells.
+
+    - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+    """
 
     BASIC = 1
     """State and timer."""
     DIAGNOSTIC = 2
     """State and timer with the counters of streams and port."""
+
+
+class LegacyDataStream(codec.OpenEnum):
+    """A data stream of a 5-series device.
+
+    - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
+    """
+
+    ALL_STREAMS = 0
+    """All streams; for save, load and default only."""
+    IMU = 1
+    """Sensor data (0x80)."""
+    GNSS = 2
+    """GNSS data."""
+    FILTER = 3
+    """Estimation filter data (0x82)."""
 
 
 _IMU_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
@@ -316,8 +369,7 @@ _IMU_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 class ImuMessageFormatResponse(Response):
     """IMU Message Format response (0x0C,0x80).
 
-    Answers IMU Message Format (0x0C,0x08).
-    Supported by 3DM-GX5-15.
+    Answers `ImuMessageFormat`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -327,6 +379,7 @@ class ImuMessageFormatResponse(Response):
     NAME = "3dm.imu_message_format_response"
     ROLE = "response"
 
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -354,7 +407,7 @@ _GNSS_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 class GnssMessageFormatResponse(Response):
     """GNSS Message Format response (0x0C,0x81).
 
-    Answers GNSS Message Format (0x0C,0x09).
+    Answers `GnssMessageFormat`.
 
     - mip-sdk-4: Gnss Message Format (0x0C,0x09)
     - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
@@ -365,6 +418,8 @@ class GnssMessageFormatResponse(Response):
     NAME = "3dm.gnss_message_format_response"
     ROLE = "response"
 
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Range: 0 to 82.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -394,8 +449,7 @@ _ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors
 class EstimationFilterMessageFormatResponse(Response):
     """Estimation Filter Message Format response (0x0C,0x82).
 
-    Answers Estimation Filter Message Format (0x0C,0x0A).
-    Supported by 3DM-GX5-15.
+    Answers `EstimationFilterMessageFormat`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
@@ -405,6 +459,7 @@ class EstimationFilterMessageFormatResponse(Response):
     NAME = "3dm.estimation_filter_message_format_response"
     ROLE = "response"
 
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -434,8 +489,7 @@ _GET_IMU_DATA_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 class GetImuDataBaseRateResponse(Response):
     """Get IMU Data Base Rate response (0x0C,0x83).
 
-    Answers Get IMU Data Base Rate (0x0C,0x06).
-    Supported by 3DM-GX5-15.
+    Answers `GetImuDataBaseRate`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -446,7 +500,7 @@ class GetImuDataBaseRateResponse(Response):
     ROLE = "response"
 
     rate: int
-    """Base rate of the sensor data. [Hz]"""
+    """Base rate of the sensor data. Unit: Hz."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetImuDataBaseRateResponse, int]:
@@ -467,7 +521,7 @@ _GET_GNSS_DATA_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 class GetGnssDataBaseRateResponse(Response):
     """Get GNSS Data Base Rate response (0x0C,0x84).
 
-    Answers Get GNSS Data Base Rate (0x0C,0x07).
+    Answers `GetGnssDataBaseRate`.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -478,7 +532,7 @@ class GetGnssDataBaseRateResponse(Response):
     ROLE = "response"
 
     rate: int
-    """Base rate of the GNSS data. [Hz]"""
+    """Base rate of the GNSS data. Unit: Hz."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetGnssDataBaseRateResponse, int]:
@@ -499,8 +553,7 @@ _DATA_STREAM_CONTROL_RESPONSE_0 = codec.Block("BB", "desc_set", "enabled")
 class DataStreamControlResponse(Response):
     """Data Stream Control response (0x0C,0x85).
 
-    Answers Data Stream Control (0x0C,0x11).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `DataStreamControl`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -510,15 +563,13 @@ class DataStreamControlResponse(Response):
     DESCRIPTOR = 0x85
     NAME = "3dm.data_stream_control_response"
     ROLE = "response"
-    READINGS = {
-        "desc_set": (
-            "device",
-            {"3dm-gx5-15": LegacyDataStream},
-        ),
-    }
+    READINGS = {"desc_set": ("device", {"3dm-gx5-15": LegacyDataStream})}
 
     desc_set: int
-    """Stream of the command."""
+    """Stream of the command.
+
+    - On the 3DM-GX5-15: values of `LegacyDataStream`.
+    """
     enabled: bool
     """Whether the stream is sent."""
 
@@ -542,8 +593,7 @@ _UART_BAUD_RATE_RESPONSE_0 = codec.Block("I", "baud")
 class UartBaudRateResponse(Response):
     """UART Baud Rate response (0x0C,0x87).
 
-    Answers UART Baud Rate (0x0C,0x40).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `UartBaudRate`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -555,7 +605,7 @@ class UartBaudRateResponse(Response):
     ROLE = "response"
 
     baud: int
-    """Baud rate. [Bd] On 3dm-gx5-15: factory default 115200."""
+    """Baud rate. Unit: Bd."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRateResponse, int]:
@@ -576,8 +626,7 @@ _GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 class GetEstimationFilterDataBaseRateResponse(Response):
     """Get Estimation Filter Data Base Rate response (0x0C,0x8A).
 
-    Answers Get Estimation Filter Data Base Rate (0x0C,0x0B).
-    Supported by 3DM-GX5-15.
+    Answers `GetEstimationFilterDataBaseRate`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -588,7 +637,7 @@ class GetEstimationFilterDataBaseRateResponse(Response):
     ROLE = "response"
 
     rate: int
-    """Base rate of the filter data. [Hz]"""
+    """Base rate of the filter data. Unit: Hz."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetEstimationFilterDataBaseRateResponse, int]:
@@ -611,8 +660,7 @@ _ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_0 = codec.Block(
 class AdvancedLowPassFilterSettingsResponse(Response):
     """Advanced Low-Pass Filter Settings response (0x0C,0x8B).
 
-    Answers Advanced Low-Pass Filter Settings (0x0C,0x50).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `AdvancedLowPassFilterSettings`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
     - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -625,19 +673,17 @@ class AdvancedLowPassFilterSettingsResponse(Response):
 
     target_descriptor: int
     """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-    magnetic field 0x06 or pressure 0x17. On 3dm-cv7-gnss-ins: Field descriptor in the sensor
-    data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
-    0 means all of them, except for read.
+    magnetic field 0x06 or pressure 0x17.
     """
     enable: bool
-    """Whether the quantity is filtered. Factory default: True."""
+    """Whether the quantity is filtered. Default: true."""
     manual: bool
-    """True uses the frequency; false follows half the rate of the message format. Factory
-    default: False.
+    """True uses the frequency; false follows half the rate of the message format. Default: false.
     """
     frequency: int
-    """Cutoff (-3 dB). It has no meaning if manual is false. [Hz] On 3dm-gx5-15: at most 250."""
+    """Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz."""
     reserved: int = 0
+    """Reserved."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AdvancedLowPassFilterSettingsResponse, int]:
@@ -664,8 +710,7 @@ _NMEA_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "count")
 class NmeaMessageFormatResponse(Response):
     """NMEA Message Format response (0x0C,0x8C).
 
-    Answers NMEA Message Format (0x0C,0x0C).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `NmeaMessageFormat`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
     """
@@ -675,6 +720,7 @@ class NmeaMessageFormatResponse(Response):
     NAME = "3dm.nmea_message_format_response"
     ROLE = "response"
 
+    # On the wire: count. Number of sentences. The number of elements of `format_entries`.
     format_entries: tuple[types.NmeaMessage, ...]
     """Sentences to stream."""
 
@@ -706,8 +752,7 @@ _GET_DATA_BASE_RATE_RESPONSE_0 = codec.Block("BH", "desc_set", "rate")
 class GetDataBaseRateResponse(Response):
     """Get Data Base Rate response (0x0C,0x8E).
 
-    Answers Get Data Base Rate (0x0C,0x0E).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetDataBaseRate`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
@@ -720,7 +765,7 @@ class GetDataBaseRateResponse(Response):
     desc_set: int
     """Data descriptor set of the command."""
     rate: int
-    """Base rate; 0 if the rate is variable or unknown and data is sent as it comes. [Hz]"""
+    """Base rate; 0 if the rate is variable or unknown and data is sent as it comes. Unit: Hz."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetDataBaseRateResponse, int]:
@@ -742,8 +787,7 @@ _MESSAGE_FORMAT_RESPONSE_0 = codec.Block("BB", "desc_set", "num_descriptors")
 class MessageFormatResponse(Response):
     """Message Format response (0x0C,0x8F).
 
-    Answers Message Format (0x0C,0x0F).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `MessageFormat`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
     """
@@ -755,6 +799,7 @@ class MessageFormatResponse(Response):
 
     desc_set: int
     """Data descriptor set; 0 means all of them (save, load, default)."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -778,8 +823,8 @@ class MessageFormatResponse(Response):
         return codec.finished(out)
 
 
-_DEVICE_STATUS_BASIC_RESPONSE_0 = codec.Block("H", "model_number")
-_DEVICE_STATUS_BASIC_RESPONSE_1 = codec.Block("B", "status_selector")
+_DEVICE_STATUS_BASIC_RESPONSE_0 = codec.Block("H", "")
+_DEVICE_STATUS_BASIC_RESPONSE_1 = codec.Block("B", "")
 _DEVICE_STATUS_BASIC_RESPONSE_2 = codec.Block("IHI", "status_flags", "system_state", "system_timer")
 
 
@@ -788,7 +833,9 @@ class DeviceStatusBasicResponse(Response):
     """Basic Device Status (0x0C,0x90).
 
     State and timer.
-    Supported by 3DM-GX5-15.
+
+    Answers `DeviceStatus`. Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     """
@@ -798,16 +845,18 @@ class DeviceStatusBasicResponse(Response):
     NAME = "3dm.device_status_basic_response"
     ROLE = "response"
 
+    # On the wire: model_number. Model number of the 3DM-GX5-15. Always 6254.
+    # On the wire: status_selector. Basic status. Always 1.
     status_flags: int
     """Reserved."""
     system_state: int
     """State of the system; its values are not documented."""
     system_timer: int
-    """Time since start-up. [ms]"""
+    """Time since start-up. Unit: ms."""
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x18\x6e" and data[2:3] == b"\x01"
+        return data[0:2] == b"\x18n" and data[2:3] == b"\x01"
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusBasicResponse, int]:
@@ -833,8 +882,8 @@ class DeviceStatusBasicResponse(Response):
         return codec.finished(out)
 
 
-_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_0 = codec.Block("H", "model_number")
-_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_1 = codec.Block("B", "status_selector")
+_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_0 = codec.Block("H", "")
+_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_1 = codec.Block("B", "")
 _DEVICE_STATUS_DIAGNOSTIC_RESPONSE_2 = codec.Block(
     "IHIBBIIIIIIIII",
     "status_flags",
@@ -859,6 +908,8 @@ class DeviceStatusDiagnosticResponse(Response):
     """Diagnostic Device Status (0x0C,0x90).
 
     State and timer with the counters of streams and port.
+
+    Answers `DeviceStatus`. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`.
     Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -869,38 +920,40 @@ class DeviceStatusDiagnosticResponse(Response):
     NAME = "3dm.device_status_diagnostic_response"
     ROLE = "response"
 
+    # On the wire: model_number. Model number of the 3DM-GX5-15. Always 6254.
+    # On the wire: status_selector. Diagnostic status. Always 2.
     status_flags: int
     """Reserved."""
     system_state: int
     """State of the system; its values are not documented."""
     system_timer: int
-    """Time since start-up. [ms]"""
+    """Time since start-up. Unit: ms."""
     imu_stream_enabled: bool
     """Whether sensor data is streamed."""
     filter_stream_enabled: bool
     """Whether filter data is streamed."""
     imu_dropped_packets: int
-    """Sensor data packets that were not sent. [1]"""
+    """Sensor data packets that were not sent. Unit: 1."""
     filter_dropped_packets: int
-    """Filter data packets that were not sent. [1]"""
+    """Filter data packets that were not sent. Unit: 1."""
     com_port_bytes_written: int
-    """Bytes written to the port. [byte]"""
+    """Bytes written to the port. Unit: byte."""
     com_port_bytes_read: int
-    """Bytes read from the port. [byte]"""
+    """Bytes read from the port. Unit: byte."""
     com_port_write_overruns: int
-    """Overruns while writing to the port. [1]"""
+    """Overruns while writing to the port. Unit: 1."""
     com_port_read_overruns: int
-    """Overruns while reading from the port. [1]"""
+    """Overruns while reading from the port. Unit: 1."""
     imu_parser_errors: int
-    """Messages of the IMU that could not be parsed. [1]"""
+    """Messages of the IMU that could not be parsed. Unit: 1."""
     imu_message_count: int
-    """Messages of the IMU that were read. [1]"""
+    """Messages of the IMU that were read. Unit: 1."""
     imu_last_message_time: int
-    """System timer at the last message of the IMU. [ms]"""
+    """System timer at the last message of the IMU. Unit: ms."""
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x18\x6e" and data[2:3] == b"\x02"
+        return data[0:2] == b"\x18n" and data[2:3] == b"\x02"
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusDiagnosticResponse, int]:
@@ -978,8 +1031,7 @@ _COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_0 = codec.Block(
 class ComplementaryFilterConfigurationResponse(Response):
     """Complementary Filter Configuration response (0x0C,0x97).
 
-    Answers Complementary Filter Configuration (0x0C,0x51).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `ComplementaryFilterConfiguration`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -991,19 +1043,13 @@ class ComplementaryFilterConfigurationResponse(Response):
     ROLE = "response"
 
     pitch_roll_enable: bool
-    """Corrects pitch and roll (up, in terms of the 5-series). On 3dm-gx5-15: factory default
-    true.
-    """
+    """Corrects pitch and roll (up, in terms of the 5-series)."""
     heading_enable: bool
-    """Corrects the heading (north, in terms of the 5-series). On 3dm-gx5-15: factory default
-    true.
-    """
+    """Corrects the heading (north, in terms of the 5-series)."""
     pitch_roll_time_constant: float
-    """Time constant of the correction of pitch and roll. [s] Range: 1 to 1000. Factory default:
-    10.
-    """
+    """Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10."""
     heading_time_constant: float
-    """Time constant of the correction of the heading. [s] Range: 1 to 1000. Factory default: 10."""
+    """Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterConfigurationResponse, int]:
@@ -1027,15 +1073,14 @@ class ComplementaryFilterConfigurationResponse(Response):
         return codec.finished(out)
 
 
-_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_0 = codec.Block("fff", "bias", "bias", "bias")
+_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_0 = codec.Block("fff", *["bias"] * 3)
 
 
 @dataclass(slots=True)
 class AccelerometerBiasConfigurationResponse(Response):
     """Accelerometer Bias Configuration response (0x0C,0x9A).
 
-    Answers Accelerometer Bias Configuration (0x0C,0x37).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `AccelerometerBiasConfiguration`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -1047,7 +1092,7 @@ class AccelerometerBiasConfigurationResponse(Response):
     ROLE = "response"
 
     bias: types.Vector3f
-    """Accelerometer bias. [g] Frame: sensor."""
+    """Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasConfigurationResponse, int]:
@@ -1063,15 +1108,17 @@ class AccelerometerBiasConfigurationResponse(Response):
         return codec.finished(out)
 
 
-_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_0 = codec.Block("fff", "bias", "bias", "bias")
+_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_0 = codec.Block("fff", *["bias"] * 3)
 
 
 @dataclass(slots=True)
 class GyroscopeBiasConfigurationResponse(Response):
     """Gyroscope Bias Configuration response (0x0C,0x9B).
 
-    The bias in use. The capture gyroscope bias command answers with it too.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    The bias in use.
+
+    Answers `GyroscopeBiasConfiguration` and `CaptureGyroscopeBias`. Supported by 3DM-CV7-GNSS/INS
+    and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -1083,7 +1130,7 @@ class GyroscopeBiasConfigurationResponse(Response):
     ROLE = "response"
 
     bias: types.Vector3f
-    """Gyroscope bias. [rad/s] Frame: sensor."""
+    """Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasConfigurationResponse, int]:
@@ -1097,15 +1144,14 @@ class GyroscopeBiasConfigurationResponse(Response):
         return codec.finished(out)
 
 
-_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_0 = codec.Block("fff", "offset", "offset", "offset")
+_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
 @dataclass(slots=True)
 class MagnetometerHardIronOffsetResponse(Response):
     """Magnetometer Hard Iron Offset response (0x0C,0x9C).
 
-    Answers Magnetometer Hard Iron Offset (0x0C,0x3A).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `MagnetometerHardIronOffset`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     """
@@ -1116,7 +1162,7 @@ class MagnetometerHardIronOffsetResponse(Response):
     ROLE = "response"
 
     offset: types.Vector3f
-    """Hard iron offset. [gauss] Frame: sensor."""
+    """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerHardIronOffsetResponse, int]:
@@ -1132,26 +1178,14 @@ class MagnetometerHardIronOffsetResponse(Response):
         return codec.finished(out)
 
 
-_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_0 = codec.Block(
-    "fffffffff",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-)
+_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_0 = codec.Block("fffffffff", *["offset"] * 9)
 
 
 @dataclass(slots=True)
 class MagnetometerSoftIronMatrixResponse(Response):
     """Magnetometer Soft Iron Matrix response (0x0C,0x9D).
 
-    Answers Magnetometer Soft Iron Matrix (0x0C,0x3B).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `MagnetometerSoftIronMatrix`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     """
@@ -1162,7 +1196,9 @@ class MagnetometerSoftIronMatrixResponse(Response):
     ROLE = "response"
 
     offset: types.Matrix3f
-    """Soft iron matrix in row-major order. [1] Frame: sensor."""
+    """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1. Frame: sensor.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerSoftIronMatrixResponse, int]:
@@ -1185,8 +1221,7 @@ _CONING_AND_SCULLING_ENABLE_RESPONSE_0 = codec.Block("B", "enable")
 class ConingAndScullingEnableResponse(Response):
     """Coning and Sculling Enable response (0x0C,0x9E).
 
-    Answers Coning and Sculling Enable (0x0C,0x3E).
-    Supported by 3DM-GX5-15.
+    Answers `ConingAndScullingEnable`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -1197,7 +1232,7 @@ class ConingAndScullingEnableResponse(Response):
     ROLE = "response"
 
     enable: bool
-    """Whether the compensation is on. Factory default: True."""
+    """Whether the compensation is on. Default: true."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ConingAndScullingEnableResponse, int]:
@@ -1222,6 +1257,8 @@ class ConstellationSettingsResponse(Response):
 
     Tracking channels of the receiver and the setting of each constellation.
 
+    Answers `ConstellationSettings`.
+
     - mip-sdk-4: Constellation Settings (0x0C,0x21)
     - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
     """
@@ -1232,9 +1269,11 @@ class ConstellationSettingsResponse(Response):
     ROLE = "response"
 
     max_channels_available: int
-    """Channels that the receiver has. [1]"""
+    """Channels that the receiver has. Unit: 1."""
     max_channels_use: int
-    """Channels in use at most. [1]"""
+    """Channels in use at most. Unit: 1."""
+    # On the wire: config_count. Number of entries. The number of elements of `settings`. Range: 0
+    # to 41.
     settings: tuple[ConstellationSettingsEntry, ...]
     """One entry for each constellation."""
 
@@ -1270,8 +1309,7 @@ _GNSS_SBAS_SETTINGS_RESPONSE_0 = codec.Block(
 class GnssSbasSettingsResponse(Response):
     """GNSS SBAS Settings response (0x0C,0xA1).
 
-    Answers GNSS SBAS Settings (0x0C,0x22).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -1285,6 +1323,8 @@ class GnssSbasSettingsResponse(Response):
     """1 switches SBAS on, 0 off. Range: 0 to 1."""
     sbas_options: SbasOptions
     """What SBAS is used for."""
+    # On the wire: num_included_prns. Number of satellites listed; 0 searches for all. The number of
+    # elements of `included_prns`.
     included_prns: tuple[int, ...]
     """PRN numbers of the SBAS satellites to search for."""
 
@@ -1319,7 +1359,7 @@ _GNSS_ASSISTED_FIX_RESPONSE_0 = codec.Block("BB", "option", "flags")
 class GnssAssistedFixResponse(Response):
     """GNSS Assisted Fix response (0x0C,0xA2).
 
-    Answers GNSS Assisted Fix (0x0C,0x23).
+    Answers `GnssAssistedFix`.
 
     - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
     """
@@ -1330,8 +1370,9 @@ class GnssAssistedFixResponse(Response):
     ROLE = "response"
 
     option: AssistedFixOption
-    """Assisted fix. Factory default: none."""
+    """Assisted fix. Default: `AssistedFixOption.NONE`."""
     flags: int = 255
+    """Reserved."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFixResponse, int]:
@@ -1353,7 +1394,7 @@ _GNSS_TIME_ASSISTANCE_RESPONSE_0 = codec.Block("dHf", "tow", "week_number", "acc
 class GnssTimeAssistanceResponse(Response):
     """GNSS Time Assistance response (0x0C,0xA3).
 
-    Answers GNSS Time Assistance (0x0C,0x24).
+    Answers `GnssTimeAssistance`.
 
     - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
     """
@@ -1364,11 +1405,11 @@ class GnssTimeAssistanceResponse(Response):
     ROLE = "response"
 
     tow: float
-    """GPS time of week. [s]"""
+    """GPS time of week. Unit: s."""
     week_number: int
-    """GPS week number since 1980. [week]"""
+    """GPS week number since 1980. Unit: week."""
     accuracy: float
-    """Accuracy of the time. [s]"""
+    """Accuracy of the time. Unit: s."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistanceResponse, int]:
@@ -1391,8 +1432,7 @@ _PPS_SOURCE_CONTROL_RESPONSE_0 = codec.Block("B", "source")
 class PpsSourceControlResponse(Response):
     """PPS Source Control response (0x0C,0xA8).
 
-    Answers PPS Source Control (0x0C,0x28).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `PpsSourceControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
@@ -1403,7 +1443,7 @@ class PpsSourceControlResponse(Response):
     ROLE = "response"
 
     source: PpsSource
-    """Source of the pulse. Factory default: receiver_1."""
+    """Source of the pulse. Default: `PpsSource.RECEIVER_1`."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControlResponse, int]:
@@ -1426,8 +1466,7 @@ _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_0 = codec.Block(
 class SensorToVehicleFrameTransformationEulerResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
 
-    Answers Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `SensorToVehicleFrameTransformationEuler`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -1438,11 +1477,11 @@ class SensorToVehicleFrameTransformationEulerResponse(Response):
     ROLE = "response"
 
     roll: float
-    """Rotation about the x axis. [rad]"""
+    """Rotation about the x axis. Unit: rad."""
     pitch: float
-    """Rotation about the y axis. [rad]"""
+    """Rotation about the y axis. Unit: rad."""
     yaw: float
-    """Rotation about the z axis. [rad]"""
+    """Rotation about the z axis. Unit: rad."""
 
     @classmethod
     def _read(
@@ -1462,17 +1501,14 @@ class SensorToVehicleFrameTransformationEulerResponse(Response):
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_0 = codec.Block(
-    "ffff", "q", "q", "q", "q"
-)
+_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["q"] * 4)
 
 
 @dataclass(slots=True)
 class SensorToVehicleFrameTransformationQuaternionResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
 
-    Answers Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `SensorToVehicleFrameTransformationQuaternion`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -1483,7 +1519,9 @@ class SensorToVehicleFrameTransformationQuaternionResponse(Response):
     ROLE = "response"
 
     q: types.Quatf
-    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. [1]"""
+    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
+    w, x, y, z. Unit: 1.
+    """
 
     @classmethod
     def _read(
@@ -1502,7 +1540,7 @@ class SensorToVehicleFrameTransformationQuaternionResponse(Response):
 
 
 _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_0 = codec.Block(
-    "fffffffff", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm"
+    "fffffffff", *["dcm"] * 9
 )
 
 
@@ -1510,8 +1548,8 @@ _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_0 = cod
 class SensorToVehicleFrameTransformationDirectionCosineMatrixResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
 
-    Answers Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `SensorToVehicleFrameTransformationDirectionCosineMatrix`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -1522,7 +1560,9 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrixResponse(Response):
     ROLE = "response"
 
     dcm: types.Matrix3f
-    """The matrix in row-major order. [1]"""
+    """The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+    1.
+    """
 
     @classmethod
     def _read(
@@ -1547,8 +1587,7 @@ _GET_SUPPORTED_EVENTS_RESPONSE_0 = codec.Block("BBB", "query", "max_instances", 
 class GetSupportedEventsResponse(Response):
     """Get Supported Events response (0x0C,0xB4).
 
-    Answers Get Supported Events (0x0C,0x2A).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetSupportedEvents`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -1561,7 +1600,8 @@ class GetSupportedEventsResponse(Response):
     query: SupportedEventsQuery
     """Query of the command."""
     max_instances: int
-    """Number of slots; instances go from 1 to this. [1]"""
+    """Number of slots; instances go from 1 to this. Unit: 1."""
+    # On the wire: num_entries. Number of types. The number of elements of `entries`.
     entries: tuple[SupportedEventInfo, ...]
     """The types."""
 
@@ -1593,8 +1633,7 @@ _EVENT_CONTROL_RESPONSE_0 = codec.Block("BB", "instance", "mode")
 class EventControlResponse(Response):
     """Event Control response (0x0C,0xB5).
 
-    Answers Event Control (0x0C,0x2B).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `EventControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
     """
@@ -1607,7 +1646,7 @@ class EventControlResponse(Response):
     instance: int
     """Trigger instance; 0 means all configured triggers, except for read."""
     mode: types.EventTriggerMode
-    """New mode. Factory default: disabled."""
+    """New mode. Default: `types.EventTriggerMode.DISABLED`."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventControlResponse, int]:
@@ -1629,8 +1668,7 @@ _GET_EVENT_TRIGGER_STATUS_RESPONSE_0 = codec.Block("B", "count")
 class GetEventTriggerStatusResponse(Response):
     """Get Event Trigger Status response (0x0C,0xB6).
 
-    Answers Get Event Trigger Status (0x0C,0x2C).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetEventTriggerStatus`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
@@ -1640,6 +1678,7 @@ class GetEventTriggerStatusResponse(Response):
     NAME = "3dm.get_event_trigger_status_response"
     ROLE = "response"
 
+    # On the wire: count. Number of entries. The number of elements of `triggers`.
     triggers: tuple[EventTriggerStatusEntry, ...]
     """One entry per trigger, in the order asked for, or by instance if all were asked for."""
 
@@ -1669,8 +1708,7 @@ _GET_EVENT_ACTION_STATUS_RESPONSE_0 = codec.Block("B", "count")
 class GetEventActionStatusResponse(Response):
     """Get Event Action Status response (0x0C,0xB7).
 
-    Answers Get Event Action Status (0x0C,0x2D).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetEventActionStatus`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
@@ -1680,6 +1718,7 @@ class GetEventActionStatusResponse(Response):
     NAME = "3dm.get_event_action_status_response"
     ROLE = "response"
 
+    # On the wire: count. Number of entries. The number of elements of `actions`.
     actions: tuple[EventActionStatusEntry, ...]
     """One entry per action, in the order asked for, or by instance if all were asked for."""
 
@@ -1707,8 +1746,7 @@ _EVENT_TRIGGER_CONFIGURATION_RESPONSE_0 = codec.Block("BB", "instance", "type")
 class EventTriggerConfigurationResponse(Response):
     """Event Trigger Configuration response (0x0C,0xB8).
 
-    Answers Event Trigger Configuration (0x0C,0x2E).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `EventTriggerConfiguration`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
@@ -1721,11 +1759,17 @@ class EventTriggerConfigurationResponse(Response):
     instance: int
     """Trigger instance; 0 means all (save, load, default)."""
     type: types.EventTriggerType
-    """Kind of trigger. Factory default: none."""
+    """Kind of trigger. Default: `types.EventTriggerType.NONE`."""
     parameters: (
         types.EventTriggerGpio | types.EventTriggerThreshold | types.EventTriggerCombination | None
     ) = None
-    """The condition."""
+    """The condition. Selected by `type`.
+
+    - If `type` is `types.EventTriggerType.NONE`: `None`.
+    - If `type` is `types.EventTriggerType.GPIO`: `types.EventTriggerGpio`.
+    - If `type` is `types.EventTriggerType.THRESHOLD`: `types.EventTriggerThreshold`.
+    - If `type` is `types.EventTriggerType.COMBINATION`: `types.EventTriggerCombination`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfigurationResponse, int]:
@@ -1773,8 +1817,7 @@ _EVENT_ACTION_CONFIGURATION_RESPONSE_0 = codec.Block("BBB", "instance", "trigger
 class EventActionConfigurationResponse(Response):
     """Event Action Configuration response (0x0C,0xB9).
 
-    Answers Event Action Configuration (0x0C,0x2F).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `EventActionConfiguration`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     """
@@ -1789,9 +1832,14 @@ class EventActionConfigurationResponse(Response):
     trigger: int
     """Trigger instance that the action follows."""
     type: types.EventActionType
-    """Kind of action. Factory default: none."""
+    """Kind of action. Default: `types.EventActionType.NONE`."""
     parameters: types.EventActionGpio | types.EventActionMessage | None = None
-    """The effect."""
+    """The effect. Selected by `type`.
+
+    - If `type` is `types.EventActionType.NONE`: `None`.
+    - If `type` is `types.EventActionType.GPIO`: `types.EventActionGpio`.
+    - If `type` is `types.EventActionType.MESSAGE`: `types.EventActionMessage`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfigurationResponse, int]:
@@ -1829,8 +1877,7 @@ _GPIO_CONFIGURATION_RESPONSE_0 = codec.Block("BBBB", "pin", "feature", "behavior
 class GpioConfigurationResponse(Response):
     """GPIO Configuration response (0x0C,0xC1).
 
-    Answers GPIO Configuration (0x0C,0x41).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GpioConfiguration`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
@@ -1850,15 +1897,23 @@ class GpioConfigurationResponse(Response):
                 4: types.GpioTimestampBehavior,
                 5: types.GpioUartBehavior,
             },
-        ),
+        )
     }
 
     pin: int
     """GPIO pin, counted from 1; 0 means all pins (save, load, default)."""
     feature: types.GpioFeature
-    """Use of the pin. Factory default: unused."""
+    """Use of the pin. Default: `types.GpioFeature.UNUSED`."""
     behavior: int
-    """Role of the pin within the feature; 0 where the feature names none."""
+    """Role of the pin within the feature; 0 where the feature names none.
+
+    - If `feature` is `types.GpioFeature.UNUSED`: values of `types.GpioUnusedBehavior`.
+    - If `feature` is `types.GpioFeature.GPIO`: values of `types.GpioBehavior`.
+    - If `feature` is `types.GpioFeature.PPS`: values of `types.GpioPpsBehavior`.
+    - If `feature` is `types.GpioFeature.ENCODER`: values of `types.GpioEncoderBehavior`.
+    - If `feature` is `types.GpioFeature.TIMESTAMP`: values of `types.GpioTimestampBehavior`.
+    - If `feature` is `types.GpioFeature.UART`: values of `types.GpioUartBehavior`.
+    """
     pin_mode: types.GpioPinMode
     """Electrical options."""
 
@@ -1886,8 +1941,7 @@ _GPIO_STATE_RESPONSE_0 = codec.Block("BB", "pin", "state")
 class GpioStateResponse(Response):
     """GPIO State response (0x0C,0xC2).
 
-    Answers GPIO State (0x0C,0x42).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GpioState`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
     """
@@ -1898,7 +1952,7 @@ class GpioStateResponse(Response):
     ROLE = "response"
 
     pin: int
-    """GPIO pin, counted from 1. Range: 1 to …."""
+    """GPIO pin, counted from 1. Range: at least 1."""
     state: bool
     """True is high."""
 
@@ -1922,8 +1976,7 @@ _ODOMETER_CONFIGURATION_RESPONSE_0 = codec.Block("Bff", "mode", "scaling", "unce
 class OdometerConfigurationResponse(Response):
     """Odometer Configuration response (0x0C,0xC3).
 
-    Answers Odometer Configuration (0x0C,0x43).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `OdometerConfiguration`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -1936,11 +1989,11 @@ class OdometerConfigurationResponse(Response):
     mode: OdometerMode
     """How the input works."""
     scaling: float
-    """Pulses over the distance travelled; negative if the encoder turns backwards. [pulse/m]
+    """Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
     Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
     """
     uncertainty: float
-    """Relative uncertainty of the scaling, 1 sigma. [1]"""
+    """Relative uncertainty of the scaling, 1 sigma. Unit: 1."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfigurationResponse, int]:
@@ -1963,8 +2016,7 @@ _SENSOR_RANGE_RESPONSE_0 = codec.Block("BB", "sensor", "setting")
 class SensorRangeResponse(Response):
     """Sensor Range response (0x0C,0xD2).
 
-    Answers Sensor Range (0x0C,0x52).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `SensorRange`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
@@ -1999,8 +2051,7 @@ _GET_CALIBRATED_SENSOR_RANGES_RESPONSE_0 = codec.Block("BB", "sensor", "num_rang
 class GetCalibratedSensorRangesResponse(Response):
     """Get Calibrated Sensor Ranges response (0x0C,0xD3).
 
-    Answers Get Calibrated Sensor Ranges (0x0C,0x53).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetCalibratedSensorRanges`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
@@ -2012,6 +2063,7 @@ class GetCalibratedSensorRangesResponse(Response):
 
     sensor: SensorRangeType
     """Sensor of the command."""
+    # On the wire: num_ranges. Number of ranges. The number of elements of `ranges`.
     ranges: tuple[SensorRangeEntry, ...]
     """The ranges."""
 
@@ -2044,8 +2096,7 @@ _LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_0 = codec.Block(
 class LowPassAntiAliasingFilterResponse(Response):
     """Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
 
-    Answers Low-Pass Anti-Aliasing Filter (0x0C,0x54).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `LowPassAntiAliasingFilter`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
@@ -2064,7 +2115,7 @@ class LowPassAntiAliasingFilterResponse(Response):
     manual: bool
     """True uses the frequency; false follows half the rate of the field in the message format."""
     frequency: float
-    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. [Hz]"""
+    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[LowPassAntiAliasingFilterResponse, int]:
@@ -2092,10 +2143,11 @@ class PollImuData(Command):
     """Poll IMU Data (0x0C,0x01).
 
     Asks for one sensor data packet (0x80) with the fields listed, in their order.
-    An empty list polls the stored message format; without one the device refuses.
-    Descriptors that the device does not know are ignored.
-    The data comes in a packet of its own behind the reply.
-    Supported by 3DM-GX5-15.
+
+    Not acknowledged if `suppress_ack` is true. Supported by 3DM-GX5-15.
+
+    An empty list polls the stored message format; without one the device refuses. Descriptors that
+    the device does not know are ignored. The data comes in a packet of its own behind the reply.
 
     - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
     """
@@ -2107,12 +2159,13 @@ class PollImuData(Command):
 
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
     """Fields to send."""
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollImuData, int]:
@@ -2142,9 +2195,12 @@ class PollGnssData(Command):
     """Poll GNSS Data (0x0C,0x02).
 
     Asks for one GNSS data packet with the fields listed, in their order.
-    An empty list polls the stored GNSS message format (0x0C,0x09); without one the device refuses.
-    Descriptors that the device does not know are left out.
-    The data comes in a packet of its own behind the reply.
+
+    Not acknowledged if `suppress_ack` is true.
+
+    An empty list polls the stored GNSS message format `GnssMessageFormat` (0x0C,0x09); without one
+    the device refuses. Descriptors that the device does not know are left out. The data comes in a
+    packet of its own behind the reply.
 
     - mip-sdk-4: Poll Gnss Message (0x0C,0x02)
     """
@@ -2156,12 +2212,16 @@ class PollGnssData(Command):
 
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Range: 0 to 83.
     descriptors: tuple[PollEntry, ...]
-    """Fields to send."""
+    """Fields to send. Uncertain: The SDK has a decimation in place of the reserved number and does
+    not say what a poll does with it.
+    """
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollGnssData, int]:
@@ -2191,10 +2251,11 @@ class PollEstimationFilterData(Command):
     """Poll Estimation Filter Data (0x0C,0x03).
 
     Asks for one filter data packet (0x82) with the fields listed, in their order.
-    An empty list polls the stored message format; without one the device refuses.
-    Descriptors that the device does not know are ignored.
-    The data comes in a packet of its own behind the reply.
-    Supported by 3DM-GX5-15.
+
+    Not acknowledged if `suppress_ack` is true. Supported by 3DM-GX5-15.
+
+    An empty list polls the stored message format; without one the device refuses. Descriptors that
+    the device does not know are ignored. The data comes in a packet of its own behind the reply.
 
     - 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
     """
@@ -2206,12 +2267,13 @@ class PollEstimationFilterData(Command):
 
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
     """Fields to send."""
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollEstimationFilterData, int]:
@@ -2241,11 +2303,12 @@ class PollNmeaData(Command):
     """Poll NMEA Data (0x0C,0x04).
 
     Asks for the NMEA sentences listed, once.
-    An empty list polls the stored NMEA format; without one the device refuses.
-    The sentences follow the reply as ordinary NMEA text, on the port of the command even if NMEA is
-    off there.
-    A sentence is sent only if its data is valid.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS.
+
+    An empty list polls the stored NMEA format; without one the device refuses. The sentences follow
+    the reply as ordinary NMEA text, on the port of the command even if NMEA is off there. A
+    sentence is sent only if its data is valid.
 
     - 3dm-cv7-gnss-ins: Poll NMEA Data (0x0C,0x04)
     """
@@ -2257,12 +2320,13 @@ class PollNmeaData(Command):
 
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: count. Number of sentences. The number of elements of `format_entries`.
     format_entries: tuple[types.NmeaMessage, ...]
     """Sentences to send."""
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollNmeaData, int]:
@@ -2291,7 +2355,8 @@ class GetImuDataBaseRate(Command):
     """Get IMU Data Base Rate (0x0C,0x06).
 
     Asks for the rate that the decimations of the IMU message format divide.
-    Supported by 3DM-GX5-15.
+
+    Answered by `GetImuDataBaseRateResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -2315,6 +2380,8 @@ class GetGnssDataBaseRate(Command):
     """Get GNSS Data Base Rate (0x0C,0x07).
 
     Asks for the rate that the decimations of the GNSS message format divide.
+
+    Answered by `GetGnssDataBaseRateResponse`.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -2343,11 +2410,13 @@ class ImuMessageFormat(Command):
     """IMU Message Format (0x0C,0x08).
 
     Fields of the sensor data packets (0x80), in order, with their decimations.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ImuMessageFormatResponse`. Supported by 3DM-GX5-15.
+
     The decimation is the base rate, as the get IMU data base rate command reports it, divided by
-    the wanted rate.
-    The list replaces the one before. If any descriptor is unknown the device refuses and changes
-    nothing.
-    Supported by 3DM-GX5-15.
+    the wanted rate. The list replaces the one before. If any descriptor is unknown the device
+    refuses and changes nothing.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -2361,8 +2430,10 @@ class ImuMessageFormat(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None = None
-    """Fields and decimations."""
+    """Fields and decimations. Required for `write`."""
 
     @classmethod
     def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> ImuMessageFormat:
@@ -2436,6 +2507,10 @@ class GnssMessageFormat(Command):
     """GNSS Message Format (0x0C,0x09).
 
     Fields of the GNSS data packets, in order, with their decimations.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GnssMessageFormatResponse`.
+
     The decimation is the base rate, as the get GNSS data base rate command reports it, divided by
     the wanted rate.
 
@@ -2452,8 +2527,10 @@ class GnssMessageFormat(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Range: 0 to 82. Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None = None
-    """Fields and decimations."""
+    """Fields and decimations. Required for `write`."""
 
     @classmethod
     def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> GnssMessageFormat:
@@ -2527,11 +2604,13 @@ class EstimationFilterMessageFormat(Command):
     """Estimation Filter Message Format (0x0C,0x0A).
 
     Fields of the filter data packets (0x82), in order, with their decimations.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `EstimationFilterMessageFormatResponse`. Supported by 3DM-GX5-15.
+
     The decimation is the base rate, as the get estimation filter data base rate command reports it,
-    divided by the wanted rate.
-    The list replaces the one before. If any descriptor is unknown the device refuses and changes
-    nothing.
-    Supported by 3DM-GX5-15.
+    divided by the wanted rate. The list replaces the one before. If any descriptor is unknown the
+    device refuses and changes nothing.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
@@ -2545,8 +2624,10 @@ class EstimationFilterMessageFormat(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None = None
-    """Fields and decimations."""
+    """Fields and decimations. Required for `write`."""
 
     @classmethod
     def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> EstimationFilterMessageFormat:
@@ -2617,7 +2698,8 @@ class GetEstimationFilterDataBaseRate(Command):
     """Get Estimation Filter Data Base Rate (0x0C,0x0B).
 
     Asks for the rate that the decimations of the estimation filter message format divide.
-    Supported by 3DM-GX5-15.
+
+    Answered by `GetEstimationFilterDataBaseRateResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -2646,9 +2728,12 @@ class NmeaMessageFormat(Command):
     """NMEA Message Format (0x0C,0x0C).
 
     NMEA sentences that the device streams.
-    A sentence may be listed several times with different talkers or sources.
-    A sentence is sent only while the device is not idle and the data of the source is valid.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `NmeaMessageFormatResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    A sentence may be listed several times with different talkers or sources. A sentence is sent
+    only while the device is not idle and the data of the source is valid.
 
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
     """
@@ -2662,8 +2747,10 @@ class NmeaMessageFormat(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
+    # On the wire: count. Number of sentences. The number of elements of `format_entries`. Required
+    # for `write`.
     format_entries: tuple[types.NmeaMessage, ...] | None = None
-    """Sentences to stream."""
+    """Sentences to stream. Required for `write`."""
 
     @classmethod
     def write(cls, format_entries: tuple[types.NmeaMessage, ...]) -> NmeaMessageFormat:
@@ -2737,11 +2824,12 @@ class PollData(Command):
     """Poll Data (0x0C,0x0D).
 
     Asks for one data packet of the descriptor set with the fields listed, in their order.
-    An empty list polls the stored message format; without one the device refuses.
-    Descriptors that the device does not know are ignored.
-    The data comes in a packet of its own behind the reply, on the port of the command.
-    Shared descriptors (0xD0 and up) belong in front of the others.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS.
+
+    An empty list polls the stored message format; without one the device refuses. Descriptors that
+    the device does not know are ignored. The data comes in a packet of its own behind the reply, on
+    the port of the command. Shared descriptors (0xD0 and up) belong in front of the others.
 
     - 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)
     """
@@ -2755,12 +2843,13 @@ class PollData(Command):
     """Data descriptor set. Range: 128 to 254."""
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[int, ...]
     """Field descriptors."""
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollData, int]:
@@ -2792,7 +2881,8 @@ class GetDataBaseRate(Command):
     """Get Data Base Rate (0x0C,0x0E).
 
     Asks for the rate that the decimations of a descriptor set divide.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Answered by `GetDataBaseRateResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
@@ -2829,11 +2919,13 @@ class MessageFormat(Command):
     """Message Format (0x0C,0x0F).
 
     Fields of the data packets of a descriptor set, in order, with their decimations.
-    The decimation is the base rate, as the get data base rate command reports it, divided by the
-    wanted rate.
-    Shared descriptors (0xD0 and up) are listed under the set that they shall be sent with, in front
-    of the others.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MessageFormatResponse`.
     Supported by 3DM-CV7-GNSS/INS.
+
+    The decimation is the base rate, as the get data base rate command reports it, divided by the
+    wanted rate. Shared descriptors (0xD0 and up) are listed under the set that they shall be sent
+    with, in front of the others.
 
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
     """
@@ -2849,8 +2941,10 @@ class MessageFormat(Command):
     """What to do with the setting."""
     desc_set: int | None = None
     """Data descriptor set; 0 means all of them (save, load, default)."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None = None
-    """Fields and decimations."""
+    """Fields and decimations. Required for `write`."""
 
     @classmethod
     def write(cls, desc_set: int, descriptors: tuple[types.DescriptorRate, ...]) -> MessageFormat:
@@ -2931,6 +3025,7 @@ class FactoryStreaming(Command):
     """Factory Streaming (0x0C,0x10).
 
     Sets all message formats to those that technical support wants to have recorded.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
@@ -2944,6 +3039,7 @@ class FactoryStreaming(Command):
     action: FactoryStreamingAction
     """What happens to the present formats."""
     reserved: int = 0
+    """Reserved: send 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[FactoryStreaming, int]:
@@ -2969,9 +3065,12 @@ class DataStreamControl(Command):
     """Data Stream Control (0x0C,0x11).
 
     Switches a data stream on or off.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `DataStreamControlResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     5-series devices name the stream by a number of their own (legacy_data_stream), others by its
     descriptor set.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -2983,19 +3082,17 @@ class DataStreamControl(Command):
     ROLE = "command"
     RESPONSES = (DataStreamControlResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
-    READINGS = {
-        "desc_set": (
-            "device",
-            {"3dm-gx5-15": LegacyDataStream},
-        ),
-    }
+    READINGS = {"desc_set": ("device", {"3dm-gx5-15": LegacyDataStream})}
 
     function: FunctionSelector
     """What to do with the setting."""
     desc_set: int | None = None
-    """Data descriptor set; 0 means all streams (save, load, default)."""
+    """Data descriptor set; 0 means all streams (save, load, default).
+
+    - On the 3DM-GX5-15: values of `LegacyDataStream`.
+    """
     enable: bool | None = None
-    """Whether the stream is sent. Factory default: True."""
+    """Whether the stream is sent. Default: true. Required for `write`."""
 
     @classmethod
     def write(cls, desc_set: int, enable: bool) -> DataStreamControl:
@@ -3072,14 +3169,17 @@ class ConstellationSettings(Command):
     """Constellation Settings (0x0C,0x21).
 
     Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ConstellationSettingsResponse`. Uncertain: The factory default, as the SDK gives it, names GPS
+    and GLONASS alone as enabled but has channels for SBAS and QZSS too.
+
     The device refuses entries whose reserved channels exceed 32 in all. No entry may have fewer
-    channels at most than it reserves.
-    GLONASS and BeiDou exclude each other.
-    If the antenna or its filter is made for GPS alone, leave GLONASS and BeiDou off.
-    SBAS and QZSS improve the accuracy of GPS. SBAS does not make the device fit for safety-of-life
-    use.
-    Factory default: GPS and GLONASS are enabled. Channels reserved and at most: GPS 8 and 16,
-    GLONASS 8 and 14, SBAS 1 and 3, QZSS 0 and 3.
+    channels at most than it reserves. GLONASS and BeiDou exclude each other. If the antenna or its
+    filter is made for GPS alone, leave GLONASS and BeiDou off. SBAS and QZSS improve the accuracy
+    of GPS. SBAS does not make the device fit for safety-of-life use. Factory default: GPS and
+    GLONASS are enabled. Channels reserved and at most: GPS 8 and 16, GLONASS 8 and 14, SBAS 1 and
+    3, QZSS 0 and 3.
 
     - mip-sdk-4: Constellation Settings (0x0C,0x21)
     - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
@@ -3095,9 +3195,13 @@ class ConstellationSettings(Command):
     function: FunctionSelector
     """What to do with the setting."""
     max_channels: int | None = None
-    """Tracking channels in use at most; no more than the response reports as available. [1]"""
+    """Tracking channels in use at most; no more than the response reports as available. Unit: 1.
+    Required for `write`.
+    """
+    # On the wire: config_count. Number of entries. The number of elements of `settings`. Range: 0
+    # to 41. Required for `write`.
     settings: tuple[ConstellationSettingsEntry, ...] | None = None
-    """One entry for each constellation."""
+    """One entry for each constellation. Required for `write`."""
 
     @classmethod
     def write(
@@ -3186,7 +3290,9 @@ class GnssSbasSettings(Command):
     """GNSS SBAS Settings (0x0C,0x22).
 
     How the GNSS receivers use satellite based augmentation.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GnssSbasSettingsResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -3201,11 +3307,13 @@ class GnssSbasSettings(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable_sbas: int | None = None
-    """1 switches SBAS on, 0 off. Range: 0 to 1."""
+    """1 switches SBAS on, 0 off. Range: 0 to 1. Required for `write`."""
     sbas_options: SbasOptions | None = None
-    """What SBAS is used for."""
+    """What SBAS is used for. Required for `write`."""
+    # On the wire: num_included_prns. Number of satellites listed; 0 searches for all. The number of
+    # elements of `included_prns`. Required for `write`.
     included_prns: tuple[int, ...] | None = None
-    """PRN numbers of the SBAS satellites to search for."""
+    """PRN numbers of the SBAS satellites to search for. Required for `write`."""
 
     @classmethod
     def write(
@@ -3306,12 +3414,13 @@ class GnssAssistedFix(Command):
     """GNSS Assisted Fix (0x0C,0x23).
 
     Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
-    The last fix is kept in the flash memory and the FRAM of the receiver.
-    With the time of GNSS time assistance (0x0C,0x24) right after power-up, the first fix takes 1 s
-    at best.
-    A change from enabled to none erases the flash memory of the receiver, which stands 100 000
-    erasures.
-    It takes slightly more power.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`.
+
+    The last fix is kept in the flash memory and the FRAM of the receiver. With the time of GNSS
+    time assistance `GnssTimeAssistance` (0x0C,0x24) right after power-up, the first fix takes 1 s
+    at best. A change from enabled to none erases the flash memory of the receiver, which stands 100
+    000 erasures. It takes slightly more power.
 
     - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
     """
@@ -3326,8 +3435,9 @@ class GnssAssistedFix(Command):
     function: FunctionSelector
     """What to do with the setting."""
     option: AssistedFixOption | None = None
-    """Assisted fix. Factory default: none."""
+    """Assisted fix. Default: `AssistedFixOption.NONE`. Required for `write`."""
     flags: int | None = None
+    """Reserved: send 255. Required for `write`."""
 
     @classmethod
     def write(cls, option: AssistedFixOption) -> GnssAssistedFix:
@@ -3409,7 +3519,11 @@ class GnssTimeAssistance(Command):
     """GNSS Time Assistance (0x0C,0x24).
 
     Tells the GNSS receiver the present GPS time.
-    It is needed right after power-up if the assisted fix (0x0C,0x23) was on at power-off.
+
+    Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`.
+
+    It is needed right after power-up if the assisted fix `GnssAssistedFix` (0x0C,0x23) was on at
+    power-off.
 
     - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
     """
@@ -3424,11 +3538,11 @@ class GnssTimeAssistance(Command):
     function: FunctionSelector
     """What to do with the setting."""
     tow: float | None = None
-    """GPS time of week. [s]"""
+    """GPS time of week. Unit: s. Required for `write`."""
     week_number: int | None = None
-    """GPS week number since 1980. [week]"""
+    """GPS week number since 1980. Unit: week. Required for `write`."""
     accuracy: float | None = None
-    """Accuracy of the time. [s]"""
+    """Accuracy of the time. Unit: s. Required for `write`."""
 
     @classmethod
     def write(cls, tow: float, week_number: int, accuracy: float) -> GnssTimeAssistance:
@@ -3498,9 +3612,12 @@ class PpsSourceControl(Command):
     """PPS Source Control (0x0C,0x28).
 
     Where the device takes its pulse per second from.
-    The pins are configured apart from this by the GPIO configuration command.
-    The filter needs a valid pulse. disabled and generated are seldom what is wanted.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `PpsSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    The pins are configured apart from this by the GPIO configuration command. The filter needs a
+    valid pulse. disabled and generated are seldom what is wanted.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
@@ -3515,7 +3632,7 @@ class PpsSourceControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: PpsSource | None = None
-    """Source of the pulse. Factory default: receiver_1."""
+    """Source of the pulse. Default: `PpsSource.RECEIVER_1`. Required for `write`."""
 
     @classmethod
     def write(cls, source: PpsSource) -> PpsSourceControl:
@@ -3580,7 +3697,8 @@ class GetSupportedEvents(Command):
     """Get Supported Events (0x0C,0x2A).
 
     Asks which types of event triggers or actions there are and how many of each.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Answered by `GetSupportedEventsResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -3617,9 +3735,12 @@ class EventControl(Command):
     """Event Control (0x0C,0x2B).
 
     Enables, disables or tests an event trigger.
-    Triggers are disabled by default and after configuration.
-    A trigger of type none cannot be enabled.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EventControlResponse`.
     Supported by 3DM-CV7-GNSS/INS.
+
+    Triggers are disabled by default and after configuration. A trigger of type none cannot be
+    enabled.
 
     - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
     """
@@ -3636,7 +3757,7 @@ class EventControl(Command):
     instance: int | None = None
     """Trigger instance; 0 means all configured triggers, except for read."""
     mode: types.EventTriggerMode | None = None
-    """New mode. Factory default: disabled."""
+    """New mode. Default: `types.EventTriggerMode.DISABLED`. Required for `write`."""
 
     @classmethod
     def write(cls, instance: int, mode: types.EventTriggerMode) -> EventControl:
@@ -3710,7 +3831,8 @@ class GetEventTriggerStatus(Command):
     """Get Event Trigger Status (0x0C,0x2C).
 
     Asks for the type and the state of event triggers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Answered by `GetEventTriggerStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
@@ -3721,6 +3843,8 @@ class GetEventTriggerStatus(Command):
     ROLE = "command"
     RESPONSES = (GetEventTriggerStatusResponse,)
 
+    # On the wire: requested_count. Number of triggers asked for; 0 asks for all slots. The number
+    # of elements of `requested_instances`.
     requested_instances: tuple[int, ...]
     """Trigger instances."""
 
@@ -3754,7 +3878,8 @@ class GetEventActionStatus(Command):
     """Get Event Action Status (0x0C,0x2D).
 
     Asks for the type and the trigger of event actions.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Answered by `GetEventActionStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
@@ -3765,6 +3890,8 @@ class GetEventActionStatus(Command):
     ROLE = "command"
     RESPONSES = (GetEventActionStatusResponse,)
 
+    # On the wire: requested_count. Number of actions asked for; 0 asks for all slots. The number of
+    # elements of `requested_instances`.
     requested_instances: tuple[int, ...]
     """Action instances."""
 
@@ -3805,9 +3932,12 @@ class EventTriggerConfiguration(Command):
     """Event Trigger Configuration (0x0C,0x2E).
 
     Kind and condition of an event trigger.
-    The trigger is disabled afterwards; the event control command enables it.
-    A GPIO trigger needs its pin configured by the GPIO configuration command.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `EventTriggerConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    The trigger is disabled afterwards; the event control command enables it. A GPIO trigger needs
+    its pin configured by the GPIO configuration command.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
@@ -3824,11 +3954,17 @@ class EventTriggerConfiguration(Command):
     instance: int | None = None
     """Trigger instance; 0 means all (save, load, default)."""
     type: types.EventTriggerType | None = None
-    """Kind of trigger. Factory default: none."""
+    """Kind of trigger. Default: `types.EventTriggerType.NONE`. Required for `write`."""
     parameters: (
         types.EventTriggerGpio | types.EventTriggerThreshold | types.EventTriggerCombination | None
     ) = None
-    """The condition."""
+    """The condition. Selected by `type`. Required for `write`.
+
+    - If `type` is `types.EventTriggerType.NONE`: `None`.
+    - If `type` is `types.EventTriggerType.GPIO`: `types.EventTriggerGpio`.
+    - If `type` is `types.EventTriggerType.THRESHOLD`: `types.EventTriggerThreshold`.
+    - If `type` is `types.EventTriggerType.COMBINATION`: `types.EventTriggerCombination`.
+    """
 
     @classmethod
     def write(
@@ -3949,9 +4085,12 @@ class EventActionConfiguration(Command):
     """Event Action Configuration (0x0C,0x2F).
 
     Trigger and effect of an event action.
-    A packet holds one descriptor set; for several sets use several actions with the same trigger.
-    A GPIO action needs its pin configured as an output with the gpio feature.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `EventActionConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    A packet holds one descriptor set; for several sets use several actions with the same trigger. A
+    GPIO action needs its pin configured as an output with the gpio feature.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     """
@@ -3968,11 +4107,16 @@ class EventActionConfiguration(Command):
     instance: int | None = None
     """Action instance; 0 means all (save, load, default)."""
     trigger: int | None = None
-    """Trigger instance that the action follows."""
+    """Trigger instance that the action follows. Required for `write`."""
     type: types.EventActionType | None = None
-    """Kind of action. Factory default: none."""
+    """Kind of action. Default: `types.EventActionType.NONE`. Required for `write`."""
     parameters: types.EventActionGpio | types.EventActionMessage | None = None
-    """The effect."""
+    """The effect. Selected by `type`. Required for `write`.
+
+    - If `type` is `types.EventActionType.NONE`: `None`.
+    - If `type` is `types.EventActionType.GPIO`: `types.EventActionGpio`.
+    - If `type` is `types.EventActionType.MESSAGE`: `types.EventActionMessage`.
+    """
 
     @classmethod
     def write(
@@ -4086,8 +4230,11 @@ class DeviceStartUpSettings(Command):
     """Device Start Up Settings (0x0C,0x30).
 
     Saves, loads or resets all settings of the device at once.
+
+    Functions: `save`, `load` and `default`. The device may take 1 s to answer. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     A save may disturb the data output for a short time.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30)
     - 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
@@ -4146,17 +4293,17 @@ class SensorToVehicleFrameTransformationEuler(Command):
     """Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
 
     Mounting of the sensor in the vehicle as Euler angles.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleFrameTransformationEulerResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it.
-    The mounting is reached from the vehicle frame by turning about the sensor's own z, y and x axes
-    by yaw, pitch and roll.
-    A vector in the vehicle frame is Rz(yaw) Ry(pitch) Rx(roll) times the vector in the sensor
-    frame.
-    It applies to the sensor data, the complementary filter and the attitude, acceleration, rate and
-    gravity of the filter.
-    A change resets the low-pass filters, the complementary filter and the estimation filter.
-    On some older products the setting means the inverse rotation.
-    Supported by 3DM-CV7-GNSS/INS.
+    be another form of it. The mounting is reached from the vehicle frame by turning about the
+    sensor's own z, y and x axes by yaw, pitch and roll. A vector in the vehicle frame is Rz(yaw)
+    Ry(pitch) Rx(roll) times the vector in the sensor frame. It applies to the sensor data, the
+    complementary filter and the attitude, acceleration, rate and gravity of the filter. A change
+    resets the low-pass filters, the complementary filter and the estimation filter. On some older
+    products the setting means the inverse rotation.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -4171,11 +4318,11 @@ class SensorToVehicleFrameTransformationEuler(Command):
     function: FunctionSelector
     """What to do with the setting."""
     roll: float | None = None
-    """Rotation about the x axis. [rad]"""
+    """Rotation about the x axis. Unit: rad. Required for `write`."""
     pitch: float | None = None
-    """Rotation about the y axis. [rad]"""
+    """Rotation about the y axis. Unit: rad. Required for `write`."""
     yaw: float | None = None
-    """Rotation about the z axis. [rad]"""
+    """Rotation about the z axis. Unit: rad. Required for `write`."""
 
     @classmethod
     def write(
@@ -4253,7 +4400,7 @@ class SensorToVehicleFrameTransformationEuler(Command):
 
 
 _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_1 = codec.Block("ffff", "q", "q", "q", "q")
+_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_1 = codec.Block("ffff", *["q"] * 4)
 _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_GROUPS = ((1, ("q",), False),)
 
 
@@ -4262,10 +4409,13 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
     """Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
 
     Mounting of the sensor in the vehicle as a quaternion.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleFrameTransformationQuaternionResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it.
-    A change resets the low-pass filters, the complementary filter and the estimation filter.
-    Supported by 3DM-CV7-GNSS/INS.
+    be another form of it. A change resets the low-pass filters, the complementary filter and the
+    estimation filter.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -4280,7 +4430,9 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
     function: FunctionSelector
     """What to do with the setting."""
     q: types.Quatf | None = None
-    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. [1]"""
+    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
+    w, x, y, z. Unit: 1. Required for `write`.
+    """
 
     @classmethod
     def write(cls, q: types.Quatf) -> SensorToVehicleFrameTransformationQuaternion:
@@ -4343,7 +4495,7 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
 
 _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_0 = codec.Block("B", "function")
 _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_1 = codec.Block(
-    "fffffffff", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm"
+    "fffffffff", *["dcm"] * 9
 )
 _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_GROUPS = ((1, ("dcm",), False),)
 
@@ -4353,11 +4505,15 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
 
     Mounting of the sensor in the vehicle as a direction cosine matrix.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleFrameTransformationDirectionCosineMatrixResponse`. Supported by
+    3DM-CV7-GNSS/INS.
+
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it.
-    A vector in the vehicle frame is this matrix times the vector in the sensor frame.
-    A change resets the low-pass filters, the complementary filter and the estimation filter.
-    Supported by 3DM-CV7-GNSS/INS.
+    be another form of it. A vector in the vehicle frame is this matrix times the vector in the
+    sensor frame. A change resets the low-pass filters, the complementary filter and the estimation
+    filter.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -4372,7 +4528,9 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
     function: FunctionSelector
     """What to do with the setting."""
     dcm: types.Matrix3f | None = None
-    """The matrix in row-major order. [1]"""
+    """The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+    1. Required for `write`.
+    """
 
     @classmethod
     def write(cls, dcm: types.Matrix3f) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
@@ -4436,7 +4594,7 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
 
 
 _ACCELEROMETER_BIAS_CONFIGURATION_0 = codec.Block("B", "function")
-_ACCELEROMETER_BIAS_CONFIGURATION_1 = codec.Block("fff", "bias", "bias", "bias")
+_ACCELEROMETER_BIAS_CONFIGURATION_1 = codec.Block("fff", *["bias"] * 3)
 _ACCELEROMETER_BIAS_CONFIGURATION_GROUPS = ((1, ("bias",), False),)
 
 
@@ -4445,8 +4603,10 @@ class AccelerometerBiasConfiguration(Command):
     """Accelerometer Bias Configuration (0x0C,0x37).
 
     Bias that is subtracted from the scaled acceleration.
-    For advanced use.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
+    `AccelerometerBiasConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
+    3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -4462,7 +4622,9 @@ class AccelerometerBiasConfiguration(Command):
     function: FunctionSelector
     """What to do with the setting."""
     bias: types.Vector3f | None = None
-    """Accelerometer bias. [g] Frame: sensor."""
+    """Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for `write` and
+    `apply`.
+    """
 
     @classmethod
     def write(cls, bias: types.Vector3f) -> AccelerometerBiasConfiguration:
@@ -4496,7 +4658,7 @@ class AccelerometerBiasConfiguration(Command):
 
     @property
     def answered(self) -> bool:
-        return not (self.function == 6)
+        return self.function != FunctionSelector.APPLY
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasConfiguration, int]:
@@ -4529,7 +4691,7 @@ class AccelerometerBiasConfiguration(Command):
 
 
 _GYROSCOPE_BIAS_CONFIGURATION_0 = codec.Block("B", "function")
-_GYROSCOPE_BIAS_CONFIGURATION_1 = codec.Block("fff", "bias", "bias", "bias")
+_GYROSCOPE_BIAS_CONFIGURATION_1 = codec.Block("fff", *["bias"] * 3)
 _GYROSCOPE_BIAS_CONFIGURATION_GROUPS = ((1, ("bias",), False),)
 
 
@@ -4538,8 +4700,10 @@ class GyroscopeBiasConfiguration(Command):
     """Gyroscope Bias Configuration (0x0C,0x38).
 
     Bias that is subtracted from the scaled angular rate.
-    For advanced use.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
+    `GyroscopeBiasConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
+    3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -4555,7 +4719,9 @@ class GyroscopeBiasConfiguration(Command):
     function: FunctionSelector
     """What to do with the setting."""
     bias: types.Vector3f | None = None
-    """Gyroscope bias. [rad/s] Frame: sensor."""
+    """Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for `write` and
+    `apply`.
+    """
 
     @classmethod
     def write(cls, bias: types.Vector3f) -> GyroscopeBiasConfiguration:
@@ -4589,7 +4755,7 @@ class GyroscopeBiasConfiguration(Command):
 
     @property
     def answered(self) -> bool:
-        return not (self.function == 6)
+        return self.function != FunctionSelector.APPLY
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasConfiguration, int]:
@@ -4629,11 +4795,13 @@ class CaptureGyroscopeBias(Command):
     """Capture Gyroscope Bias (0x0C,0x39).
 
     Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
-    The device must stand still, with as little vibration as possible, for the whole time.
-    The reply comes after the averaging time.
-    The bias is not saved; the gyroscope bias configuration command with save does it.
-    The 3DM-GX5-15 also initializes its orientation from the samples.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Answered by `GyroscopeBiasConfigurationResponse`. The device may take 31 s to answer. Supported
+    by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The device must stand still, with as little vibration as possible, for the whole time. The reply
+    comes after the averaging time. The bias is not saved; the gyroscope bias configuration command
+    with save does it. The 3DM-GX5-15 also initializes its orientation from the samples.
 
     - 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39)
     - 3dm-cv7-gnss-ins: Capture Gyroscope Bias (0x0C,0x39)
@@ -4647,7 +4815,7 @@ class CaptureGyroscopeBias(Command):
     TIMEOUT = 31.0
 
     averaging_time_ms: int
-    """Time to average over. [ms] Range: 1000 to 30000."""
+    """Time to average over. Unit: ms. Range: 1000 to 30000."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CaptureGyroscopeBias, int]:
@@ -4662,7 +4830,7 @@ class CaptureGyroscopeBias(Command):
 
 
 _MAGNETOMETER_HARD_IRON_OFFSET_0 = codec.Block("B", "function")
-_MAGNETOMETER_HARD_IRON_OFFSET_1 = codec.Block("fff", "offset", "offset", "offset")
+_MAGNETOMETER_HARD_IRON_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
 _MAGNETOMETER_HARD_IRON_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
@@ -4671,8 +4839,11 @@ class MagnetometerHardIronOffset(Command):
     """Magnetometer Hard Iron Offset (0x0C,0x3A).
 
     Offset that corrects the scaled magnetic field for hard iron.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagnetometerHardIronOffsetResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The values come from a calibration of the device as it is installed.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     """
@@ -4687,7 +4858,7 @@ class MagnetometerHardIronOffset(Command):
     function: FunctionSelector
     """What to do with the setting."""
     offset: types.Vector3f | None = None
-    """Hard iron offset. [gauss] Frame: sensor."""
+    """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for `write`."""
 
     @classmethod
     def write(cls, offset: types.Vector3f) -> MagnetometerHardIronOffset:
@@ -4745,18 +4916,7 @@ class MagnetometerHardIronOffset(Command):
 
 
 _MAGNETOMETER_SOFT_IRON_MATRIX_0 = codec.Block("B", "function")
-_MAGNETOMETER_SOFT_IRON_MATRIX_1 = codec.Block(
-    "fffffffff",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-)
+_MAGNETOMETER_SOFT_IRON_MATRIX_1 = codec.Block("fffffffff", *["offset"] * 9)
 _MAGNETOMETER_SOFT_IRON_MATRIX_GROUPS = ((1, ("offset",), False),)
 
 
@@ -4765,8 +4925,11 @@ class MagnetometerSoftIronMatrix(Command):
     """Magnetometer Soft Iron Matrix (0x0C,0x3B).
 
     Matrix that corrects the scaled magnetic field for soft iron.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagnetometerSoftIronMatrixResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The values come from a calibration of the device as it is installed.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     """
@@ -4781,7 +4944,9 @@ class MagnetometerSoftIronMatrix(Command):
     function: FunctionSelector
     """What to do with the setting."""
     offset: types.Matrix3f | None = None
-    """Soft iron matrix in row-major order. [1] Frame: sensor."""
+    """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1. Frame: sensor. Required for `write`.
+    """
 
     @classmethod
     def write(cls, offset: types.Matrix3f) -> MagnetometerSoftIronMatrix:
@@ -4848,7 +5013,9 @@ class ConingAndScullingEnable(Command):
     """Coning and Sculling Enable (0x0C,0x3E).
 
     Switches the compensation of coning and sculling on or off.
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ConingAndScullingEnableResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -4863,7 +5030,7 @@ class ConingAndScullingEnable(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: bool | None = None
-    """Whether the compensation is on. Factory default: True."""
+    """Whether the compensation is on. Default: true. Required for `write`."""
 
     @classmethod
     def write(cls, enable: bool) -> ConingAndScullingEnable:
@@ -4930,12 +5097,14 @@ class UartBaudRate(Command):
     """UART Baud Rate (0x0C,0x40).
 
     Baud rate of the main port.
-    The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later.
-    The 3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then nothing is
-    certain.
-    Set the device to idle first, send the command in a packet of its own and wait 250 ms
-    afterwards.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `UartBaudRateResponse`.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later. The
+    3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then nothing is
+    certain. Set the device to idle first, send the command in a packet of its own and wait 250 ms
+    afterwards.
 
     - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -4951,7 +5120,10 @@ class UartBaudRate(Command):
     function: FunctionSelector
     """What to do with the setting."""
     baud: int | None = None
-    """Baud rate. [Bd] On 3dm-gx5-15: factory default 115200."""
+    """Baud rate. Unit: Bd. Required for `write`.
+
+    - On the 3DM-GX5-15: default 115200.
+    """
 
     @classmethod
     def write(cls, baud: int) -> UartBaudRate:
@@ -5026,13 +5198,14 @@ class GpioConfiguration(Command):
     """GPIO Configuration (0x0C,0x41).
 
     What a GPIO pin is used for.
-    Not every pin has every feature.
-    Configure the function behind an output before its pin, and the pin of an input before its
-    function.
-    A configuration that only one pin can have passes to the latest pin; the earlier pin is reset.
-    With NMEA input at most one pin may be a UART input; set it to unused before another one takes
-    over.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GpioConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    Not every pin has every feature. Configure the function behind an output before its pin, and the
+    pin of an input before its function. A configuration that only one pin can have passes to the
+    latest pin; the earlier pin is reset. With NMEA input at most one pin may be a UART input; set
+    it to unused before another one takes over.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
@@ -5054,7 +5227,7 @@ class GpioConfiguration(Command):
                 4: types.GpioTimestampBehavior,
                 5: types.GpioUartBehavior,
             },
-        ),
+        )
     }
 
     function: FunctionSelector
@@ -5062,11 +5235,19 @@ class GpioConfiguration(Command):
     pin: int | None = None
     """GPIO pin, counted from 1; 0 means all pins (save, load, default)."""
     feature: types.GpioFeature | None = None
-    """Use of the pin. Factory default: unused."""
+    """Use of the pin. Default: `types.GpioFeature.UNUSED`. Required for `write`."""
     behavior: int | None = None
-    """Role of the pin within the feature; 0 where the feature names none."""
+    """Role of the pin within the feature; 0 where the feature names none. Required for `write`.
+
+    - If `feature` is `types.GpioFeature.UNUSED`: values of `types.GpioUnusedBehavior`.
+    - If `feature` is `types.GpioFeature.GPIO`: values of `types.GpioBehavior`.
+    - If `feature` is `types.GpioFeature.PPS`: values of `types.GpioPpsBehavior`.
+    - If `feature` is `types.GpioFeature.ENCODER`: values of `types.GpioEncoderBehavior`.
+    - If `feature` is `types.GpioFeature.TIMESTAMP`: values of `types.GpioTimestampBehavior`.
+    - If `feature` is `types.GpioFeature.UART`: values of `types.GpioUartBehavior`.
+    """
     pin_mode: types.GpioPinMode | None = None
-    """Electrical options."""
+    """Electrical options. Required for `write`."""
 
     @classmethod
     def write(
@@ -5165,12 +5346,13 @@ class GpioState(Command):
     """GPIO State (0x0C,0x42).
 
     Sets or reads the state of a GPIO pin.
-    What is read is the level of the pin itself.
-    Writing shows only on a pin that is configured as an output.
-    An event action of mode active_high or active_low on the pin overrides what is written.
-    Reading is sure to work only with the gpio feature.
-    The state at power-up is a matter of the GPIO configuration command.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write` and `read`. Answered by `GpioStateResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    What is read is the level of the pin itself. Writing shows only on a pin that is configured as
+    an output. An event action of mode active_high or active_low on the pin overrides what is
+    written. Reading is sure to work only with the gpio feature. The state at power-up is a matter
+    of the GPIO configuration command.
 
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
     """
@@ -5185,9 +5367,9 @@ class GpioState(Command):
     function: FunctionSelector
     """What to do with the setting."""
     pin: int | None = None
-    """GPIO pin, counted from 1. Range: 1 to …."""
+    """GPIO pin, counted from 1. Range: at least 1."""
     state: bool | None = None
-    """True is high."""
+    """True is high. Required for `write`."""
 
     @classmethod
     def write(cls, pin: int, state: bool) -> GpioState:
@@ -5254,7 +5436,9 @@ class OdometerConfiguration(Command):
     """Odometer Configuration (0x0C,0x43).
 
     Input from a wheel encoder.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `OdometerConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -5269,13 +5453,14 @@ class OdometerConfiguration(Command):
     function: FunctionSelector
     """What to do with the setting."""
     mode: OdometerMode | None = None
-    """How the input works."""
+    """How the input works. Required for `write`."""
     scaling: float | None = None
-    """Pulses over the distance travelled; negative if the encoder turns backwards. [pulse/m]
-    Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
+    """Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
+    Required for `write`. Pulses on line A per turn of the wheel, divided by the circumference of
+    the wheel.
     """
     uncertainty: float | None = None
-    """Relative uncertainty of the scaling, 1 sigma. [1]"""
+    """Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for `write`."""
 
     @classmethod
     def write(cls, mode: OdometerMode, scaling: float, uncertainty: float) -> OdometerConfiguration:
@@ -5370,11 +5555,13 @@ class AdvancedLowPassFilterSettings(Command):
     """Advanced Low-Pass Filter Settings (0x0C,0x50).
 
     Low-pass filter of one quantity of the sensor data.
+
+    Deprecated: use `LowPassAntiAliasingFilter` where the device has it. For advanced use.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AdvancedLowPassFilterSettingsResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     The filter has one pole. By default it is on and its cutoff is half the rate of the message
     format.
-    Deprecated: use 3dm.low_pass_anti_aliasing_filter where the device has it
-    For advanced use.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
     - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -5391,19 +5578,24 @@ class AdvancedLowPassFilterSettings(Command):
     """What to do with the setting."""
     target_descriptor: int | None = None
     """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-    magnetic field 0x06 or pressure 0x17. On 3dm-cv7-gnss-ins: Field descriptor in the sensor
-    data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
-    0 means all of them, except for read.
+    magnetic field 0x06 or pressure 0x17.
+
+    - On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04,
+      angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
     """
     enable: bool | None = None
-    """Whether the quantity is filtered. Factory default: True."""
+    """Whether the quantity is filtered. Default: true. Required for `write`."""
     manual: bool | None = None
-    """True uses the frequency; false follows half the rate of the message format. Factory
-    default: False.
+    """True uses the frequency; false follows half the rate of the message format. Default: false.
+    Required for `write`.
     """
     frequency: int | None = None
-    """Cutoff (-3 dB). It has no meaning if manual is false. [Hz] On 3dm-gx5-15: at most 250."""
+    """Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. Required for `write`.
+
+    - On the 3DM-GX5-15: range at most 250.
+    """
     reserved: int | None = None
+    """Reserved: send 0. Required for `write`."""
 
     @classmethod
     def write(
@@ -5523,12 +5715,14 @@ class ComplementaryFilterConfiguration(Command):
     """Complementary Filter Configuration (0x0C,0x51).
 
     Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
-    Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
-    The heading follows the magnetometer, if the device has one.
-    The device refuses time constants out of range.
-    The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ComplementaryFilterConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero. The
+    heading follows the magnetometer, if the device has one. The device refuses time constants out
+    of range. The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for
     compatibility.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -5544,19 +5738,23 @@ class ComplementaryFilterConfiguration(Command):
     function: FunctionSelector
     """What to do with the setting."""
     pitch_roll_enable: bool | None = None
-    """Corrects pitch and roll (up, in terms of the 5-series). On 3dm-gx5-15: factory default
-    true.
+    """Corrects pitch and roll (up, in terms of the 5-series). Required for `write`.
+
+    - On the 3DM-GX5-15: default true.
     """
     heading_enable: bool | None = None
-    """Corrects the heading (north, in terms of the 5-series). On 3dm-gx5-15: factory default
-    true.
+    """Corrects the heading (north, in terms of the 5-series). Required for `write`.
+
+    - On the 3DM-GX5-15: default true.
     """
     pitch_roll_time_constant: float | None = None
-    """Time constant of the correction of pitch and roll. [s] Range: 1 to 1000. Factory default:
-    10.
+    """Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
+    Required for `write`.
     """
     heading_time_constant: float | None = None
-    """Time constant of the correction of the heading. [s] Range: 1 to 1000. Factory default: 10."""
+    """Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10.
+    Required for `write`.
+    """
 
     @classmethod
     def write(
@@ -5669,9 +5867,12 @@ class SensorRange(Command):
     """Sensor Range (0x0C,0x52).
 
     Measuring range of a sensor.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorRangeResponse`.
+    Supported by 3DM-CV7-GNSS/INS.
+
     The get calibrated sensor ranges command lists the settings. The device may refuse others or
     measure wrongly.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
@@ -5688,7 +5889,7 @@ class SensorRange(Command):
     sensor: SensorRangeType | None = None
     """The sensor."""
     setting: int | None = None
-    """Number of the range."""
+    """Number of the range. Required for `write`."""
 
     @classmethod
     def write(cls, sensor: SensorRangeType, setting: int) -> SensorRange:
@@ -5762,7 +5963,8 @@ class GetCalibratedSensorRanges(Command):
     """Get Calibrated Sensor Ranges (0x0C,0x53).
 
     Asks for the ranges that a sensor supports.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Answered by `GetCalibratedSensorRangesResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
@@ -5808,8 +6010,11 @@ class LowPassAntiAliasingFilter(Command):
     """Low-Pass Anti-Aliasing Filter (0x0C,0x54).
 
     Low-pass filter of a data field.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `LowPassAntiAliasingFilterResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
@@ -5828,11 +6033,15 @@ class LowPassAntiAliasingFilter(Command):
     field_desc: int | None = None
     """Field descriptor; 0 if the set is 0."""
     enable: bool | None = None
-    """Whether the field is filtered."""
+    """Whether the field is filtered. Required for `write`."""
     manual: bool | None = None
-    """True uses the frequency; false follows half the rate of the field in the message format."""
+    """True uses the frequency; false follows half the rate of the field in the message format.
+    Required for `write`.
+    """
     frequency: float | None = None
-    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. [Hz]"""
+    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz.
+    Required for `write`.
+    """
 
     @classmethod
     def write(
@@ -5934,7 +6143,7 @@ class LowPassAntiAliasingFilter(Command):
         return codec.finished(out)
 
 
-_DEVICE_STATUS_0 = codec.Block("H", "model_number")
+_DEVICE_STATUS_0 = codec.Block("H", "")
 _DEVICE_STATUS_1 = codec.Block("B", "status_selector")
 
 
@@ -5943,9 +6152,11 @@ class DeviceStatus(Command):
     """Device Status (0x0C,0x64).
 
     Asks for the state of the device, in one of two layouts.
-    The layouts hold for this model number only; other models answer with layouts of their own.
-    For advanced use.
+
+    For advanced use. Answered by `DeviceStatusBasicResponse` or `DeviceStatusDiagnosticResponse`.
     Supported by 3DM-GX5-15.
+
+    The layouts hold for this model number only; other models answer with layouts of their own.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     """
@@ -5956,12 +6167,13 @@ class DeviceStatus(Command):
     ROLE = "command"
     RESPONSES = (DeviceStatusBasicResponse, DeviceStatusDiagnosticResponse)
 
+    # On the wire: model_number. Model number of the 3DM-GX5-15. Always 6254.
     status_selector: DeviceStatusSelector
     """Layout of the answer."""
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x18\x6e"
+        return data[0:2] == b"\x18n"
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatus, int]:
@@ -6025,7 +6237,6 @@ OdometerConfigurationResponse.COMMANDS = (OdometerConfiguration,)
 SensorRangeResponse.COMMANDS = (SensorRange,)
 GetCalibratedSensorRangesResponse.COMMANDS = (GetCalibratedSensorRanges,)
 LowPassAntiAliasingFilterResponse.COMMANDS = (LowPassAntiAliasingFilter,)
-
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {

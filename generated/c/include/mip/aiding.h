@@ -271,13 +271,15 @@ mip_error mip_aiding_echo_control_response_encode(
  *
  * A measured position in Earth-fixed coordinates.
  *
+ * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * Use only one form of position: ECEF or LLH.
  *
  * The uncertainty of a valid axis must be greater than 0.
  *
- * The echo control (0x13,0x1F) decides how the device answers.
+ * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: ECEF Position (0x13,0x21)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Position
@@ -321,13 +323,15 @@ struct mip_aiding_ecef_position mip_aiding_ecef_position_make(
  *
  * A measured position as latitude, longitude and height.
  *
+ * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * Use only one form of position: ECEF or LLH.
  *
  * The uncertainty of a valid axis must be greater than 0.
  *
- * The echo control (0x13,0x1F) decides how the device answers.
+ * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: LLH Position (0x13,0x22)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > LLH Position
@@ -382,9 +386,11 @@ mip_aiding_llh_position_make(const struct mip_aiding_measurement_time *time, uin
  *
  * A measured height.
  *
+ * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  * Supported by 3DM-CV7-GNSS/INS.
  *
- * The echo control (0x13,0x1F) decides how the device answers.
+ * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23)
  */
@@ -419,6 +425,7 @@ struct mip_aiding_height_above_ellipsoid mip_aiding_height_above_ellipsoid_make(
  *
  * A measured velocity in Earth-fixed coordinates.
  *
+ * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * Use only one form of velocity: ECEF or NED.
@@ -427,7 +434,8 @@ struct mip_aiding_height_above_ellipsoid mip_aiding_height_above_ellipsoid_make(
  *
  * The uncertainty of a valid axis must be greater than 0.
  *
- * The echo control (0x13,0x1F) decides how the device answers.
+ * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Velocity
@@ -471,6 +479,7 @@ struct mip_aiding_ecef_velocity mip_aiding_ecef_velocity_make(
  *
  * A measured velocity in the local level frame.
  *
+ * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * Use only one form of velocity: ECEF or NED.
@@ -479,7 +488,8 @@ struct mip_aiding_ecef_velocity mip_aiding_ecef_velocity_make(
  *
  * The uncertainty of a valid axis must be greater than 0.
  *
- * The echo control (0x13,0x1F) decides how the device answers.
+ * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > NED Velocity
@@ -523,6 +533,7 @@ struct mip_aiding_ned_velocity mip_aiding_ned_velocity_make(
  *
  * A measured velocity of the vehicle in the frame of the sensor.
  *
+ * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * An uncertainty of a valid axis that is not greater than 0 is refused as an invalid parameter.
@@ -535,7 +546,8 @@ struct mip_aiding_ned_velocity mip_aiding_ned_velocity_make(
  * A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold of the
  * user.
  *
- * The echo control (0x13,0x1F) decides how the device answers.
+ * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > Body Frame Velocity
@@ -580,11 +592,13 @@ struct mip_aiding_body_frame_velocity mip_aiding_body_frame_velocity_make(
  *
  * A measured heading relative to true north.
  *
+ * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * The uncertainty of a valid measurement must be greater than 0.
  *
- * The echo control (0x13,0x1F) decides how the device answers.
+ * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: True Heading (0x13,0x31)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > True Heading
@@ -620,13 +634,15 @@ mip_aiding_true_heading_make(const struct mip_aiding_measurement_time *time, uin
  *
  * A magnetic field measured by an external magnetometer.
  *
+ * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * The magnetometer must be calibrated.
  *
  * The uncertainty of a valid axis must be greater than 0.
  *
- * The echo control (0x13,0x1F) decides how the device answers.
+ * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field (0x13,0x32)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Magnetometer
@@ -670,11 +686,13 @@ struct mip_aiding_magnetic_field mip_aiding_magnetic_field_make(
  *
  * A static air pressure measured by an external sensor.
  *
+ * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * The uncertainty of a valid measurement must be greater than 0.
  *
- * The echo control (0x13,0x1F) decides how the device answers.
+ * In mode `response` of echo control (0x13,0x1F), the device sends the data back in a response of
+ * unknown layout.
  *
  * - 3dm-cv7-gnss-ins: Pressure (0x13,0x33)
  * - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Pressure

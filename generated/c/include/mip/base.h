@@ -469,7 +469,8 @@ mip_error mip_base_comm_port_speed_response_encode(
  * Sets the week number or the time of week of the external (GPS) time.
  *
  * Functions: write, read and apply. Answered by mip_base_gps_time_update_week_number_response or
- * mip_base_gps_time_update_time_of_week_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * mip_base_gps_time_update_time_of_week_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On
+ * the 3DM-CV7-GNSS/INS: write only.
  *
  * Send it once for the time of week and once for the week number after the PPS is locked.
  *
@@ -494,8 +495,8 @@ struct mip_base_gps_time_update {
     mip_base_gps_time_field field_id;
     /**
      * What field_id says. Required for write and apply. If field_id is
-     * MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week; GPS week number since 6 January 1980. If
-     * field_id is MIP_BASE_GPS_TIME_FIELD_TIME_OF_WEEK: unit s; Whole seconds of the GPS week.
+     * MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
+     * field_id is MIP_BASE_GPS_TIME_FIELD_TIME_OF_WEEK: unit s. Whole seconds of the GPS week.
      */
     uint32_t value;
 };
@@ -523,7 +524,7 @@ struct mip_base_gps_time_update mip_base_gps_time_update_apply(mip_base_gps_time
  * The current week number.
  *
  * Answers mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -549,7 +550,7 @@ mip_error mip_base_gps_time_update_week_number_response_encode(
  * The current time of week.
  *
  * Answers mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_TIME_OF_WEEK.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)

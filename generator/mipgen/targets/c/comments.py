@@ -87,7 +87,7 @@ class Comments:
 
     def type(self, t: m.Enum | m.Bitfield | m.Struct) -> list[str]:
         more = self._without_member(t) if isinstance(t, m.Struct) else []
-        return [*self._prose(t.description), *more, *_cited(t)]
+        return [*_paragraphs(self._prose(t.description), describe.type(t, self.model)), *more, *_cited(t)]
 
     def member(self, p: m.Parameter, record: Record) -> list[str]:
         empty = [describe.case(c, p, record) for c in p.cases if c.parameter is None]
@@ -101,7 +101,7 @@ class Comments:
         return _paragraphs([*when, *text], describe.parameter(c.parameter, record, self.model))
 
     def value(self, v: m.EnumValue) -> list[str]:
-        return _paragraphs(self._prose(v.description), describe.value(v))
+        return _paragraphs(self._prose(v.description), describe.value(v, self.model))
 
     def bits(self, b: m.Bits) -> list[str]:
         place, *facts = describe.bits(b, self.model)

@@ -28,7 +28,7 @@ def values(page: Page, t: m.Enum) -> str:
             str(v.value),
             code(hexadecimal(v.value, t.scalar.size)),
             code(v.name),
-            _description(page, v.description, describe.value(v)),
+            _description(page, v.description, describe.value(v, page.model)),
         ]
         for v in t.values
     ]

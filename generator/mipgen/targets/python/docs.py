@@ -61,7 +61,7 @@ def of_field(f: m.Field, model: m.Model) -> str:
 
 
 def of_type(t: m.Type, model: m.Model) -> str:
-    description = say(describe.prose(t.description, model), home(t))
+    description = _text(t.description, describe.type(t, model), home(t), model)
     if isinstance(t, m.Vector):
         return literal([f"{description} Elements: {', '.join(t.elements)}."], 0)
     return literal([description, sources(t)], 4)
@@ -72,7 +72,7 @@ def of_function(f: m.Function) -> str:
 
 
 def of_value(v: m.EnumValue, t: m.Enum, model: m.Model) -> str:
-    return literal([_text(v.description, describe.value(v), home(t), model)], 4)
+    return literal([_text(v.description, describe.value(v, model), home(t), model)], 4)
 
 
 def of_bits(b: m.Bits, t: m.Bitfield, model: m.Model) -> str:

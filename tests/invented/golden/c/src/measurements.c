@@ -16,11 +16,11 @@ static void write_accel(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_measurements_accel_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_MEASUREMENTS_ACCEL_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_measurements_accel),
-    0,
+    0, /* time-out */
     read_accel,
     write_accel,
     NULL,
@@ -69,11 +69,11 @@ static void write_numbers(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_measurements_numbers_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_MEASUREMENTS_NUMBERS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_measurements_numbers),
-    0,
+    0, /* time-out */
     read_numbers,
     write_numbers,
     NULL,
@@ -108,11 +108,11 @@ static void write_strings(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_measurements_strings_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_MEASUREMENTS_STRINGS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_measurements_strings),
-    0,
+    0, /* time-out */
     read_strings,
     write_strings,
     NULL,
@@ -142,11 +142,11 @@ static void write_health(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_measurements_health_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_MEASUREMENTS_HEALTH_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_measurements_health),
-    0,
+    0, /* time-out */
     read_health,
     write_health,
     NULL,
@@ -191,11 +191,11 @@ static void write_arrays(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_measurements_arrays_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_MEASUREMENTS_ARRAYS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_measurements_arrays),
-    0,
+    0, /* time-out */
     read_arrays,
     write_arrays,
     NULL,
@@ -232,11 +232,11 @@ static void write_growing(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_measurements_growing_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_MEASUREMENTS_GROWING_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_measurements_growing),
-    0,
+    0, /* time-out */
     read_growing,
     write_growing,
     NULL,
@@ -272,11 +272,11 @@ static void write_radio(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_measurements_radio_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_MEASUREMENTS_RADIO_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_measurements_radio),
-    0,
+    0, /* time-out */
     read_radio,
     write_radio,
     NULL,

@@ -91,26 +91,5 @@ const struct mip_entry mip_registry[] = {
 };
 const size_t mip_registry_size = sizeof(mip_registry) / sizeof(mip_registry[0]);
 
-const uint16_t mip_registry_links[] = {
-    13,
-    14, 15,
-    21, 22,
-    23,
-    23,
-    16,
-    17,
-    18,
-    19,
-    20,
-    2,
-    3,
-    3,
-    8,
-    9,
-    10,
-    11,
-    12,
-    4,
-    4,
-    5, 6,
-    0};
+const uint16_t mip_registry_links[] = {13, 14, 15, 21, 22, 23, 23, 16, 17, 18, 19, 20, 2,
+                                       3,  3,  8,  9,  10, 11, 12, 4,  4,  5,  6,  0};

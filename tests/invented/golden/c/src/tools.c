@@ -60,11 +60,11 @@ void mip_tools_path_write(struct mip_writer *w, const struct mip_tools_path *v) 
 }
 
 const struct mip_codec mip_tools_ping_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_PING_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_ping),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -120,11 +120,11 @@ static bool silent_settings(const void *value) {
 }
 
 const struct mip_codec mip_tools_settings_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_SETTINGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_settings),
-    0,
+    0, /* time-out */
     read_settings,
     write_settings,
     silent_settings,
@@ -218,11 +218,11 @@ static void write_settings_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_settings_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_SETTINGS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_settings_response),
-    0,
+    0, /* time-out */
     read_settings_response,
     write_settings_response,
     NULL,
@@ -269,11 +269,11 @@ static bool silent_set_time(const void *value) {
 }
 
 const struct mip_codec mip_tools_set_time_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_SET_TIME_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_set_time),
-    0,
+    0, /* time-out */
     read_set_time,
     write_set_time,
     silent_set_time,
@@ -327,11 +327,11 @@ static void write_set_time_fast_response(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_tools_set_time_fast_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_SET_TIME_FAST_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_set_time_fast_response),
-    0,
+    0, /* time-out */
     read_set_time_fast_response,
     write_set_time_fast_response,
     NULL,
@@ -360,11 +360,11 @@ static void write_set_time_slow_response(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_tools_set_time_slow_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_SET_TIME_SLOW_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_set_time_slow_response),
-    0,
+    0, /* time-out */
     read_set_time_slow_response,
     write_set_time_slow_response,
     NULL,
@@ -394,11 +394,11 @@ static void write_status(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_status_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_STATUS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_status),
-    2500,
+    2500, /* time-out */
     read_status,
     write_status,
     NULL,
@@ -435,11 +435,11 @@ static void write_status_short(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_status_short_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_STATUS_SHORT_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_status_short),
-    0,
+    0, /* time-out */
     read_status_short,
     write_status_short,
     NULL,
@@ -473,11 +473,11 @@ static void write_status_long(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_status_long_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_STATUS_LONG_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_status_long),
-    0,
+    0, /* time-out */
     read_status_long,
     write_status_long,
     NULL,
@@ -515,11 +515,11 @@ static void write_bias(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_bias_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_BIAS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_bias),
-    0,
+    0, /* time-out */
     read_bias,
     write_bias,
     NULL,
@@ -580,11 +580,11 @@ static void write_bias_vector(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_bias_vector_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_BIAS_VECTOR_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_bias_vector),
-    0,
+    0, /* time-out */
     read_bias_vector,
     write_bias_vector,
     NULL,
@@ -612,11 +612,11 @@ static void write_capture_bias(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_capture_bias_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_CAPTURE_BIAS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_capture_bias),
-    0,
+    0, /* time-out */
     read_capture_bias,
     write_capture_bias,
     NULL,
@@ -666,11 +666,11 @@ static bool silent_formats(const void *value) {
 }
 
 const struct mip_codec mip_tools_formats_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_FORMATS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_formats),
-    0,
+    0, /* time-out */
     read_formats,
     write_formats,
     silent_formats,
@@ -756,11 +756,11 @@ static void write_choice(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_choice_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_CHOICE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_choice),
-    0,
+    0, /* time-out */
     read_choice,
     write_choice,
     NULL,
@@ -841,11 +841,11 @@ static void write_choice_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_choice_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_CHOICE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_choice_response),
-    0,
+    0, /* time-out */
     read_choice_response,
     write_choice_response,
     NULL,
@@ -885,11 +885,11 @@ static void write_list(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_list_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_LIST_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_list),
-    0,
+    0, /* time-out */
     read_list,
     write_list,
     NULL,
@@ -939,11 +939,11 @@ static void write_list_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_list_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_LIST_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_list_response),
-    0,
+    0, /* time-out */
     read_list_response,
     write_list_response,
     NULL,
@@ -961,11 +961,11 @@ mip_error mip_tools_list_response_encode(const struct mip_tools_list_response *v
 }
 
 const struct mip_codec mip_tools_inventory_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_INVENTORY_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_inventory),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
@@ -995,11 +995,11 @@ static void write_inventory_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_inventory_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_INVENTORY_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_inventory_response),
-    0,
+    0, /* time-out */
     read_inventory_response,
     write_inventory_response,
     NULL,
@@ -1041,11 +1041,11 @@ static void write_pin(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_pin_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_PIN_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_pin),
-    0,
+    0, /* time-out */
     read_pin,
     write_pin,
     NULL,
@@ -1089,11 +1089,11 @@ static void write_pin_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_pin_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_PIN_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_pin_response),
-    0,
+    0, /* time-out */
     read_pin_response,
     write_pin_response,
     NULL,
@@ -1127,11 +1127,11 @@ static void write_hello(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_hello_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_HELLO_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_tools_hello),
-    0,
+    0, /* time-out */
     read_hello,
     write_hello,
     NULL,
@@ -1156,11 +1156,11 @@ static void write_hello_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_tools_hello_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_TOOLS_HELLO_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_tools_hello_response),
-    0,
+    0, /* time-out */
     read_hello_response,
     write_hello_response,
     NULL,

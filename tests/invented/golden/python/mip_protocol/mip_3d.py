@@ -19,7 +19,7 @@ class Default(Command):
 
     Its parameters are keywords here and there.
 
-    Supported by Model A.
+    Not acknowledged if `mode` of `tools.Settings` is `types.Mode.FAST`. Supported by Model A.
 
     - guide: Default
     """

@@ -33,12 +33,12 @@ class AckCode(codec.OpenEnum):
 
 
 class Mode(codec.OpenEnum):
-    """What the device does."""
+    """What the device does. Uncertain: Whether there are more."""
 
     DEFAULT = 0
     """A keyword in three languages."""
     FAST = 1
-    """Quick."""
+    """Quick. Uncertain: How quick."""
     SLOW = 2
     """Careful. Deprecated."""
 
@@ -57,7 +57,7 @@ class StateFlags(IntFlag):
     READY = 1 << 0
     """Ready to measure. Bit 0."""
     HOT = 1 << 1
-    """Too hot. Bit 1."""
+    """Too hot. Bit 1. Uncertain: The limit; 85 degrees is likely."""
     LEVEL = 0x70
     """A number from 0 to 7. Bits 4 to 6."""
     MODE = 0x300

@@ -23,7 +23,7 @@ extern "C" {
  *
  * Its parameters are keywords here and there.
  *
- * Supported by Model A.
+ * Not acknowledged if mode of mip_tools_settings is MIP_MODE_FAST. Supported by Model A.
  *
  * - guide: Default
  */

@@ -24,11 +24,11 @@ typedef uint8_t mip_ack_code;
 /** A parameter is out of range. */
 #define MIP_ACK_CODE_INVALID_PARAMETER 3
 
-/** What the device does. */
+/** What the device does. Uncertain: Whether there are more. */
 typedef uint8_t mip_mode;
 /** A keyword in three languages. */
 #define MIP_MODE_DEFAULT 0
-/** Quick. */
+/** Quick. Uncertain: How quick. */
 #define MIP_MODE_FAST 1
 /** Careful. Deprecated. */
 #define MIP_MODE_SLOW 2
@@ -42,7 +42,7 @@ typedef uint32_t mip_wide_code;
 typedef uint16_t mip_state_flags;
 /** Bit 0. Ready to measure. */
 #define MIP_STATE_FLAGS_READY 0x0001U
-/** Bit 1. Too hot. */
+/** Bit 1. Too hot. Uncertain: The limit; 85 degrees is likely. */
 #define MIP_STATE_FLAGS_HOT 0x0002U
 /** Bits 4 to 6. A number from 0 to 7. */
 #define MIP_STATE_FLAGS_LEVEL 0x0070U
