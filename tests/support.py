@@ -39,7 +39,7 @@ def model(spec: str) -> m.Model:
 def need(tool: str) -> str:
     """The path of a tool, of this environment before others; a missing one is an error, never a skip."""
     path = shutil.which(tool, path=str(Path(sys.executable).parent)) or shutil.which(tool)
-    assert path is not None, f"{tool} is missing; `make tools-all` says how to get it"
+    assert path is not None, f"{tool} is missing; `make test-all` says how to get it"
     return path
 
 
