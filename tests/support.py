@@ -7,6 +7,7 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -14,6 +15,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import pytest
 from mipgen import codec
 from mipgen import model as m
 from mipgen.resolve import load_model
@@ -35,10 +37,18 @@ def model(spec: str) -> m.Model:
 
 
 def need(tool: str) -> str:
-    """The path of a tool; a missing one is an error, never a skip."""
-    path = shutil.which(tool)
-    assert path is not None, f"{tool} is missing; `make test` says how to get it"
+    """The path of a tool, of this environment before others; a missing one is an error, never a skip."""
+    path = shutil.which(tool, path=str(Path(sys.executable).parent)) or shutil.which(tool)
+    assert path is not None, f"{tool} is missing; `make test-all` says how to get it"
     return path
+
+
+def heavy(what: str) -> pytest.MarkDecorator:
+    """Marks a test that needs more than Python, a C compiler and cargo, or takes long; `what` it is, in few words.
+
+    `make test` leaves it out and names it in its last line, `make test-all` runs it.
+    """
+    return pytest.mark.heavy(what)
 
 
 @dataclass(frozen=True)

@@ -43,18 +43,20 @@ def generate(options: Namespace) -> int:
     known = stamp.remembered(key, options.out)
     if known is not None:
         print(known["summary"])
-        for name, made in known["targets"].items():
-            print(_line(name, len(made["files"]), 0, made["title"]))
-        return 0
-    from . import build, render
+        rows = [(name, made["title"], len(made["files"]), 0) for name, made in known["targets"].items()]
+    else:
+        from . import build, render
 
-    model = _load(options)
-    outputs = build.make(model, sources)
-    print(_summary(model))
-    for output in outputs:
-        done = render.write(output.files, options.out / output.name)
-        print(_line(output.name, len(output.files), len(done), output.title))
-    _remember(options, key, model, outputs)
+        model = _load(options)
+        outputs = build.make(model, sources)
+        print(_summary(model))
+        rows = [(o.name, o.title, len(o.files), len(render.write(o.files, options.out / o.name))) for o in outputs]
+        _remember(options, key, model, outputs)
+    for name, title, files, changed in rows:
+        print(f"{name:10} {files:4} files, {changed} changed  ({title})")
+    others = discovery.sources(options.target_path).keys() - {source.name for source in sources}
+    rest = f"left out: {', '.join(sorted(others))}" if others else "nothing was left out"
+    print(f"{options.out}: {sum(r[2] for r in rows)} files, {sum(r[3] for r in rows)} changed; {rest}")
     return 0
 
 
@@ -116,10 +118,6 @@ def _load(options: Namespace) -> Model:
 def _remember(options: Namespace, key: str | None, model: Model, outputs: list[Output]) -> None:
     if key == _asked(options)[1]:  # nothing was changed meanwhile
         stamp.remember(key, _summary(model), {output.name: (output.title, output.files) for output in outputs})
-
-
-def _line(name: str, files: int, changed: int, title: str) -> str:
-    return f"{name:10} {files:4} files, {changed} changed  ({title})"
 
 
 def _summary(model: Model) -> str:

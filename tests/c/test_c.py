@@ -6,7 +6,6 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -16,12 +15,13 @@ import pytest
 from mipgen import cli, codec
 from mipgen import model as m
 from mipgen.targets.c import members, names
-from support import ROOT, SPECS, model, need
+from support import ROOT, SPECS, heavy, model, need
 
 HERE = Path(__file__).parent
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
 SANITIZE = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
-COMPILERS = ("gcc", "clang")
+COMPILERS = ("cc", pytest.param("clang", marks=heavy("clang")))
+CPP = pytest.param("g++", marks=heavy("g++"))
 
 both = pytest.mark.parametrize("spec", sorted(SPECS))
 compilers = pytest.mark.parametrize("compiler", COMPILERS)
@@ -83,22 +83,23 @@ def test_c99_without_a_warning(compiler: str, spec: str, tmp_path: Path) -> None
 
 
 @both
-@pytest.mark.parametrize("compiler", ["g++", "clang++"])
+@pytest.mark.parametrize("compiler", [CPP, pytest.param("clang++", marks=heavy("clang"))])
 def test_the_sources_are_cpp_too(compiler: str, spec: str) -> None:
     for source in sources(spec):
         run(need(compiler), "-std=c++11", "-x", "c++", *WARNINGS, include(spec), "-fsyntax-only", source)
 
 
 @both
-def test_each_header_stands_alone(spec: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("compiler", ["cc", CPP])
+def test_each_header_stands_alone(compiler: str, spec: str, tmp_path: Path) -> None:
     for header in sorted((folder(spec) / "include/mip").glob("*.h")):
-        for compiler, suffix in (("gcc", "c"), ("g++", "cpp")):
-            program = tmp_path / f"{header.stem}.{suffix}"
-            program.write_text(f'#include "mip/{header.name}"\n#include "mip/{header.name}"\nint unused;\n')
-            run(need(compiler), *WARNINGS, include(spec), "-fsyntax-only", program)
+        program = tmp_path / f"{header.stem}.{'cpp' if compiler == 'g++' else 'c'}"
+        program.write_text(f'#include "mip/{header.name}"\n#include "mip/{header.name}"\nint unused;\n')
+        run(need(compiler), *WARNINGS, include(spec), "-fsyntax-only", program)
 
 
 @both
+@heavy("bare-metal machines with clang")
 @pytest.mark.parametrize("machine", ["thumbv7m-none-eabi", "powerpc-none-eabi", "msp430-none-elf", "avr"])
 def test_freestanding_on_small_machines(machine: str, spec: str, tmp_path: Path) -> None:
     """32 and 16 bits, both byte orders, no C library but five functions of <string.h>."""
@@ -121,9 +122,8 @@ def test_only_the_promised_headers(spec: str) -> None:
 @both
 def test_formatted(spec: str) -> None:
     files = [str(p) for p in sorted(folder(spec).rglob("*.[ch]"))]
-    beside = Path(sys.executable).parent / "clang-format"
     run(
-        beside if beside.is_file() else need("clang-format"),
+        need("clang-format"),
         f"--style=file:{folder(spec) / '.clang-format'}",
         "--dry-run",
         "-Werror",
@@ -145,7 +145,7 @@ def test_files_of_two_versions_do_not_mix(tmp_path: Path) -> None:
     constants.write_text(re.sub(r"(#define MIP_VERSION_NUMBER) \d+", r"\1 1", constants.read_text()))
     (tmp_path / "user.c").write_text('#include "mip/tools.h"\n')
     done = subprocess.run(
-        [need("gcc"), f"-I{tmp_path}/include", "-fsyntax-only", str(tmp_path / "user.c")],
+        [need("cc"), f"-I{tmp_path}/include", "-fsyntax-only", str(tmp_path / "user.c")],
         capture_output=True, text=True,
     )  # fmt: skip
     assert done.returncode != 0 and "are not of one version" in done.stderr
@@ -183,10 +183,13 @@ def test_unit(program: str, compiler: str, tmp_path: Path) -> None:
 
 @both
 def test_garbage(spec: str, tmp_path: Path) -> None:
-    run(build(tmp_path, "gcc", spec, HERE / "unit/garbage.c", *SANITIZE))
+    run(build(tmp_path, "cc", spec, HERE / "unit/garbage.c", *SANITIZE))
 
 
-@pytest.mark.parametrize("pair", ["gcc g++", "clang clang++"])
+@pytest.mark.parametrize(
+    "pair",
+    [pytest.param("cc g++", marks=heavy("g++")), pytest.param("clang clang++", marks=heavy("clang"))],
+)
 def test_a_cpp_program(pair: str, tmp_path: Path) -> None:
     c, cpp = pair.split()
     objects = []
@@ -294,7 +297,7 @@ def test_every_constructor(spec: str, tmp_path: Path) -> None:
     wanted = sum(len(f.functions) or any(p.constant is None for p in f.parameters) for f in commands)
     assert len(body) >= wanted > len(commands) / 2
     checks = ["uint8_t buffer[MIP_MAX_PACKET];", "struct mip_builder b;", *body]
-    run(build(tmp_path, "gcc", spec, written(tmp_path / "constructors.c", of, checks), *SANITIZE))
+    run(build(tmp_path, "cc", spec, written(tmp_path / "constructors.c", of, checks), *SANITIZE))
 
 
 # --------------------------------------------------------------------------- bitfields
@@ -362,7 +365,7 @@ def test_every_constant(spec: str, tmp_path: Path) -> None:
         name = names.macro(names.field_name(f))
         checks.append(f'CHECK({name}_DESCRIPTOR == {f.descriptor} && strcmp({name}_NAME, "{f.full_name}") == 0);')
     checks += [f"CHECK({names.macro(f'mip_{s.name}')}_SET == {s.number});" for s in of.sets]
-    run(build(tmp_path, "gcc", spec, written(tmp_path / "constants.c", of, checks)))
+    run(build(tmp_path, "cc", spec, written(tmp_path / "constants.c", of, checks)))
 
 
 # --------------------------------------------------------------------------- linking and packaging
@@ -372,7 +375,7 @@ def library(tmp: Path, *flags: str) -> Path:
     objects = []
     for source in sources("real"):
         objects.append(str(tmp / f"{Path(source).stem}.o"))
-        run(need("gcc"), "-std=c99", "-Os", *flags, include("real"), "-c", source, "-o", objects[-1])
+        run(need("cc"), "-std=c99", "-Os", *flags, include("real"), "-c", source, "-o", objects[-1])
     archive = tmp / "libmip.a"
     run(need("ar"), "rcs", archive, *objects)
     return archive
@@ -384,7 +387,7 @@ def symbols(program: Path) -> set[str]:
 
 def test_a_small_program_stays_small(tmp_path: Path) -> None:
     program, archive = tmp_path / "small", library(tmp_path, "-ffunction-sections", "-fdata-sections")
-    command = [need("gcc"), "-std=c99", "-Os", include("real"), HERE / "unit/small.c", archive, "-o", program]
+    command = [need("cc"), "-std=c99", "-Os", include("real"), HERE / "unit/small.c", archive, "-o", program]
     # Any linker takes only the objects that are needed: no registry, no tables, no client, no other sets.
     run(*command)
     found = {name for name in symbols(program) if "mip" in name}
@@ -469,10 +472,11 @@ def test_readme_shows_programs_that_run(tmp_path: Path) -> None:
     header, _, rest = code.partition("\n")
     prototype = "bool set_pps_source(struct mip_client *client, mip_3dm_pps_source source);\n"
     program.write_text(f"{includes}#include{header}\n{outside}{prototype}{rest}")
-    run(need("gcc"), "-std=c99", *WARNINGS, include("real"), "-fsyntax-only", program)
+    run(need("cc"), "-std=c99", *WARNINGS, include("real"), "-fsyntax-only", program)
 
 
-def test_awkward_names_and_shapes(tmp_path: Path) -> None:
+@pytest.mark.parametrize("compiler", ["cc", CPP])
+def test_awkward_names_and_shapes(compiler: str, tmp_path: Path) -> None:
     """Keywords as names, text and arrays to the end in commands, very long names."""
     spec = tmp_path / "spec"
     shutil.copytree(ROOT / "tests/invented/spec", spec)
@@ -480,7 +484,6 @@ def test_awkward_names_and_shapes(tmp_path: Path) -> None:
         (spec / "sets" / name).write_text(text, "utf-8")
     assert cli.main(["generate", "--spec", str(spec), "--out", str(tmp_path / "out"), "--target", "c"]) == 0
     where = tmp_path / "out/c"
+    language = ["-std=c++11", "-x", "c++"] if compiler == "g++" else ["-std=c99"]
     for source in sorted((where / "src").glob("*.c")):
-        for compiler, standard in (("gcc", "-std=c99"), ("g++", "-std=c++11")):
-            language = ["-x", "c++"] if compiler == "g++" else []
-            run(need(compiler), standard, *WARNINGS, f"-I{where}/include", "-fsyntax-only", *language, source)
+        run(need(compiler), *language, *WARNINGS, f"-I{where}/include", "-fsyntax-only", source)

@@ -53,7 +53,7 @@ def test_examples_built_by_hand(spec: str, tmp_path: Path) -> None:
     out = tmp_path / "examples"
     sources = [str(p) for p in sorted((folder / "src").glob("*.c"))]
     flags = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-fsanitize=address,undefined"]
-    subprocess.run([need("gcc"), *flags, f"-I{folder}/include", str(program), *sources, "-o", str(out)], check=True)
+    subprocess.run([need("cc"), *flags, f"-I{folder}/include", str(program), *sources, "-o", str(out)], check=True)
     done = subprocess.run([str(out)], capture_output=True, text=True)
     assert done.returncode == 0 and done.stdout == f"{len(of.examples)} examples\n", done.stdout + done.stderr
 

@@ -234,6 +234,14 @@ def test_a_change_of_the_specification_is_seen(work: Path) -> None:
     assert generated(work, made=False) == tree(GOLDEN)
 
 
+def test_the_last_line_says_what_was_made_and_what_was_left_out(work: Path) -> None:
+    for _ in range(2):  # the second time nothing is to be done
+        done = mipgen("generate", "--target", "c", "--target", "rust", cwd=work)
+        count = len(tree(GOLDEN / "c")) + len(tree(GOLDEN / "rust"))
+        assert done.stdout.splitlines()[-1] == f"generated: {count} files, 0 changed; left out: markdown, python"
+    assert mipgen("generate", cwd=work).stdout.endswith("nothing was left out\n")
+
+
 def test_other_targets_are_other_work(work: Path) -> None:
     shutil.rmtree(work / "generated")
     assert set(generated(work, True, "--target", "c")) == {f"c/{p}" for p in tree(GOLDEN / "c")}

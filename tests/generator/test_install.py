@@ -10,7 +10,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from support import ROOT, SPECS
+from support import ROOT, SPECS, heavy
 
 INVENTED, GOLDEN = SPECS["invented"]
 
@@ -95,7 +95,7 @@ def test_the_wheel_holds_all_of_its_files(built: Path) -> None:
     }
 
 
-@pytest.mark.heavy
+@heavy("installation on every Python")
 @pytest.mark.parametrize("version", ["3.10", "3.11", "3.12", "3.13"])
 def test_installed_on_every_python(built: Path, tmp_path: Path, version: str) -> None:
     """With all libraries from the registry, in the newest versions that the package allows; from the sources."""

@@ -30,7 +30,7 @@ def test_c(tmp_path: Path) -> None:
     assert source.partition("*/\n")[2].rstrip() == block("c").rstrip()
     sources = sorted((ROOT / "generated/c/src").glob("*.c"))
     run(
-        need("gcc"),
+        need("cc"),
         "-std=c99",
         f"-I{ROOT}/generated/c/include",
         ROOT / "generated/c/taste.c",
