@@ -168,13 +168,14 @@ def descriptions(model: m.Model, problems: Problems) -> None:
 
 
 def units(model: m.Model, problems: Problems) -> None:
+    """A float has a unit, even if it is "1"; nothing tells a forgotten one from none."""
     for parameter in _parameters(model):
         for p in (parameter, *(case.parameter for case in parameter.cases if case.parameter)):
             scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
-            if not isinstance(scalar, m.Scalar) or scalar.kind != "float" or p.units or p.any_unit:
-                continue
-            if not (p.variants and all(v.units for v in p.variants)):
-                problems.add(p.position, f"'{p.name}' has no unit; give it one (\"1\" for a plain number, ~ if another value decides it)")
+            varies = p.variants and all(v.units for v in p.variants)
+            if isinstance(scalar, m.Scalar) and scalar.kind == "float" and not (p.units or p.any_unit or varies):
+                remedy = 'give it one ("1" for a plain number, ~ if another value decides it)'
+                problems.add(p.position, f"'{p.name}' has no unit; {remedy}")
 
 
 # --------------------------------------------------------------------------- evidence

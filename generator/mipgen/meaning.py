@@ -36,7 +36,13 @@ def citation(node: Node, manuals: Mapping[str, m.Manual], problem: Problem) -> t
 
 
 def unknown_unit(unit: str, known: Iterable[str]) -> str:
-    return f"unknown unit '{unit}'{nearest(unit, known, guess=False)}"
+    """
+    >>> unknown_unit("km/h", ["m", "s"]), unknown_unit("sec", ["m", "s"])
+    ("unknown unit 'km/h'; known: m, s; add a new one to protocol.yaml", "unknown unit 'sec', did you mean 's'?")
+    """
+    known = list(known)
+    remedy = close(unit, known, guess=False) or f"{nearest(unit, known, guess=False)}; add a new one to protocol.yaml"
+    return f"unknown unit '{unit}'{remedy}"
 
 
 def units(node: Node, p: m.Parameter, known: Collection[str], problem: Problem) -> tuple[str, ...]:
