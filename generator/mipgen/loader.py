@@ -1,4 +1,4 @@
-"""Reads the files of a specification and judges each by the JSON Schema that belongs to it."""
+"""Reads the files of a specification and checks each against its JSON Schema."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Document:
 
 
 def load(spec: Path, problems: Problems) -> list[Document]:
-    """Reads all files of a specification; what is wrong with them goes to `problems`."""
+    """Reads all files of a specification; `problems` takes what is wrong with them."""
     if not (spec / "protocol.yaml").is_file():
         problems.add(Position(shown(spec), 1, 1), "this is not a specification: protocol.yaml is missing")
         return []
@@ -60,14 +60,14 @@ def load(spec: Path, problems: Problems) -> list[Document]:
 
 
 def shown(path: Path) -> str:
-    """A path as a person at the command line would write it."""
+    """A path as a user would write it on the command line."""
     here = Path.cwd()
     absolute = path.absolute()
     return absolute.relative_to(here).as_posix() if absolute.is_relative_to(here) else str(path)
 
 
 def _strays(spec: Path, problems: Problems) -> None:
-    """A misplaced file would be missing without a word."""
+    """A file in the wrong place would be ignored in silence."""
     known = {path for pattern in LAYOUT.values() for path in spec.glob(pattern)}
     read_ones = ", ".join(LAYOUT.values())
     for path in sorted({*spec.rglob("*.yaml"), *spec.rglob("*.yml")} - known):
@@ -75,13 +75,13 @@ def _strays(spec: Path, problems: Problems) -> None:
 
 
 def _schema_dir(spec: Path) -> Path:
-    """A specification may bring its own schemas; else those of the main specification serve."""
+    """The schemas of the specification itself, or else those of the main specification."""
     own = spec / SCHEMA_DIR
     return own if own.is_dir() else Path(__file__).parents[2] / "spec" / SCHEMA_DIR
 
 
 def _is_integer(_: Any, value: Any) -> bool:
-    """JSON Schema takes 1.0 for an integer; an author who writes it means something else."""
+    """JSON Schema takes 1.0 for an integer; an author who writes 1.0 means a float."""
     return isinstance(value, int) and not isinstance(value, bool)
 
 
@@ -99,7 +99,7 @@ def _validators(folder: Path) -> dict[str, Any]:
     return {kind: _Validator(files[f"{kind}.schema.json"], registry=registry) for kind in LAYOUT}
 
 
-# --------------------------------------------------------------------------- what a schema says, in words
+# --------------------------------------------------------------------------- schema errors in words
 
 
 def _valid(validator: Any, root: Node, name: str, problems: Problems) -> bool:
@@ -115,7 +115,7 @@ _ALONE = "; write the number alone if the name says it all"
 
 
 def messages(error: Any, root: str) -> Iterator[tuple[list[str | int], str]]:
-    """What is wrong and what would be right, in words; with the key that it is about, if it is one."""
+    """What is wrong and what would be right, in words, each with the key in question, if it is about one."""
     instance, schema, rule = error.instance, error.schema, error.validator_value
     inside = _inside(list(error.absolute_path), root)
     if "propertyNames" in error.absolute_schema_path:

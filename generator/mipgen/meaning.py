@@ -1,4 +1,4 @@
-"""What a value means beside how it is laid out: unit, frame, range, default."""
+"""What a value means, apart from its layout: unit, frame, range, default."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Number = int | float
 
 
 class Words(Protocol):
-    """The names that the meaning of a value may refer to."""
+    """The names that a value may refer to."""
 
     units: Collection[str]
     frames: set[str]
@@ -103,7 +103,7 @@ def bounds(scalar: m.Scalar) -> tuple[Number, Number]:
 
 
 def reserved(node: Node, p: m.Parameter, problem: Problem) -> int | None:
-    """The value to send in place of a reserved parameter."""
+    """The value to send for a reserved parameter."""
     found: int | None = node.scalar("reserved")
     if found is None:
         return None
