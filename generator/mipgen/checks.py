@@ -1,4 +1,4 @@
-"""Judges a resolved model. Every check is one function that reports all it finds."""
+"""Checks a resolved model. Each check is one function, which reports all that it finds."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def check_definitions(model: m.Model, problems: Problems) -> None:
 
 
 def check_evidence(model: m.Model, problems: Problems) -> None:
-    """What is worth saying once the definitions are right."""
+    """Checks that make sense only once the definitions are right."""
     for check in (descriptions, units, printed_lengths, printed_bytes, references):
         check(model, problems)
 
@@ -165,7 +165,7 @@ def replies(model: m.Model, problems: Problems) -> None:
 
 
 def _parameters(model: m.Model) -> Iterator[m.Parameter]:
-    """Those of all fields and structures, but for the ones that mean nothing."""
+    """The parameters of all fields and structures, except the reserved ones."""
     for parameters in (
         model.protocol.acknowledge.parameters,
         *(f.parameters for f in model.fields),
@@ -185,17 +185,14 @@ def descriptions(model: m.Model, problems: Problems) -> None:
 
 
 def units(model: m.Model, problems: Problems) -> None:
+    """A float needs a unit, even if it is "1": a forgotten one would look like none."""
     for parameter in _parameters(model):
         for p in (parameter, *(case.parameter for case in parameter.cases if case.parameter)):
             scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
-            if not isinstance(scalar, m.Scalar) or scalar.kind != "float" or p.units or p.any_unit:
-                continue
-            if not (p.variants and all(v.units for v in p.variants)):
-                problems.add(
-                    p.position,
-                    f"'{p.name}' has no unit; give it one "
-                    '("1" for a plain number, ~ if another value decides it or nobody knows)',
-                )
+            varies = p.variants and all(v.units for v in p.variants)
+            if isinstance(scalar, m.Scalar) and scalar.kind == "float" and not (p.units or p.any_unit or varies):
+                remedy = 'give it one ("1" for a plain number, ~ if another value decides it or nobody knows)'
+                problems.add(p.position, f"'{p.name}' has no unit; {remedy}")
 
 
 # --------------------------------------------------------------------------- evidence

@@ -32,7 +32,7 @@ def examples(roots: Iterable[Node], model: m.Model, problems: Problems) -> tuple
 
 
 class _Wrong(Exception):
-    """What keeps an example from being read, and where it stands."""
+    """Why an example cannot be read, and where."""
 
     def __init__(self, place: m.Position, message: str) -> None:
         super().__init__(message)
@@ -88,7 +88,7 @@ class _Example:
     # ----------------------------------------------------------------------- bytes
 
     def octets(self, key: str) -> Octets | None:
-        """The bytes that stand at a key; None for one that is left open."""
+        """The bytes given at a key; None for one that is left open."""
         text = self.node.scalar(key)
         if text is None:
             return None
@@ -156,7 +156,7 @@ class _Example:
     # ----------------------------------------------------------------------- fields
 
     def entry(self, node: Node) -> tuple[str | None, Node]:
-        """The name of a field of the example and its stated values; name None: raw bytes."""
+        """The name of a field of the example and its stated values; the name is None for raw bytes."""
         if isinstance(node.value, str):
             return node.value, Node({}, node.position)
         if not node.value:
@@ -183,10 +183,10 @@ class _Example:
         return _as_field(data, node.position)
 
     def canonical(self, field: m.Field, node: Node) -> codec.Values:
-        """The stated values in the form that the conformance protocol has."""
+        """The stated values in the form of the conformance protocol."""
         values = node.plain()
         if isinstance(values, dict):
-            # Constants may be stated, to read well; they are no values.
+            # Constants may be stated, which reads well; they are not values.
             for p in field.parameters:
                 if p.constant is not None and values.pop(p.name, p.constant) != p.constant:
                     raise _Wrong(node.value_at([p.name]), f"{field.full_name}.{p.name} is always {p.constant}")

@@ -1,4 +1,4 @@
-"""Reads the files of a specification and judges each by the JSON Schema that belongs to it."""
+"""Reads the files of a specification and checks each against its JSON Schema."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ OVERLAY = {"overlay": "overlay.yaml", **{kind: path for kind, path in LAYOUT.ite
 
 
 def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Document]:
-    """Reads all files of a specification and its overlays; what is wrong with them goes to `problems`."""
+    """Reads all files of a specification and its overlays; `problems` takes what is wrong with them."""
     if not (spec / "protocol.yaml").is_file():
         problems.add(Position(shown(spec), 1, 1), "this is not a specification: protocol.yaml is missing")
         return []
@@ -72,7 +72,7 @@ def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Probl
 
 
 def shown(path: Path) -> str:
-    """A path as a person at the command line would write it."""
+    """A path as a user would write it on the command line."""
     here = Path.cwd()
     absolute = path.absolute()
     return absolute.relative_to(here).as_posix() if absolute.is_relative_to(here) else str(path)
@@ -83,7 +83,7 @@ def _listed(layout: dict[str, str]) -> str:
 
 
 def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
-    """A misplaced file would be missing without a word."""
+    """A file in the wrong place would be ignored in silence."""
     known = {path for pattern in layout.values() for path in spec.glob(pattern)}
     read_ones = _listed(layout)
     for path in sorted({*spec.rglob("*.yaml"), *spec.rglob("*.yml")} - known):
@@ -91,7 +91,7 @@ def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
 
 
 def _is_integer(_: Any, value: Any) -> bool:
-    """JSON Schema takes 1.0 for an integer; an author who writes it means something else."""
+    """JSON Schema takes 1.0 for an integer; an author who writes 1.0 means a float."""
     return isinstance(value, int) and not isinstance(value, bool)
 
 
@@ -127,7 +127,7 @@ def _without_sources(schema: Any) -> Any:
     return [_without_sources(x) for x in schema] if isinstance(schema, list) else schema
 
 
-# --------------------------------------------------------------------------- what a schema says, in words
+# --------------------------------------------------------------------------- schema errors in words
 
 
 def _valid(validator: Any, root: Node, name: str, problems: Problems) -> bool:
@@ -143,7 +143,7 @@ _ALONE = "; write the number alone if the name says it all"
 
 
 def messages(error: Any, root: str) -> Iterator[tuple[list[str | int], str]]:
-    """What is wrong and what would be right, in words; with the key that it is about, if it is one."""
+    """What is wrong and what would be right, in words, each with the key in question, if it is about one."""
     instance, schema, rule = error.instance, error.schema, error.validator_value
     inside = _inside(list(error.absolute_path), root)
     if "propertyNames" in error.absolute_schema_path:

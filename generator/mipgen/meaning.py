@@ -1,4 +1,4 @@
-"""What a value means beside how it is laid out: unit, frame, range, default."""
+"""What a value means, apart from its layout: unit, frame, range, default."""
 
 from __future__ import annotations
 
@@ -26,7 +26,13 @@ def citation(node: Node, manuals: Mapping[str, m.Manual], problem: Problem) -> t
 
 
 def unknown_unit(unit: str, known: Iterable[str]) -> str:
-    return f"unknown unit '{unit}'{nearest(unit, known, guess=False)}"
+    """
+    >>> unknown_unit("km/h", ["m", "s"]), unknown_unit("sec", ["m", "s"])
+    ("unknown unit 'km/h'; known: m, s; add a new one to protocol.yaml", "unknown unit 'sec', did you mean 's'?")
+    """
+    known = list(known)
+    remedy = close(unit, known, guess=False) or f"{nearest(unit, known, guess=False)}; add a new one to protocol.yaml"
+    return f"unknown unit '{unit}'{remedy}"
 
 
 def units(node: Node, p: m.Parameter, known: Collection[str], problem: Problem) -> tuple[str, ...]:
@@ -110,7 +116,7 @@ def bounds(scalar: m.Scalar) -> tuple[Number, Number]:
 
 
 def reserved(node: Node, p: m.Parameter, problem: Problem) -> Number | None:
-    """The value to send in place of a reserved parameter."""
+    """The value to send for a reserved parameter."""
     found: int | None = node.scalar("reserved")
     if found is None:
         return None

@@ -1,7 +1,7 @@
 """YAML as nodes that know their place. Knows files and lines, and nothing of MIP.
 
-YAML is read by the rules of version 1.2 (only true and false are booleans); duplicate keys,
-anchors, aliases and tags are refused.
+YAML is read by the rules of version 1.2, but numbers are written as in JSON; duplicate keys, anchors, aliases and
+tags are refused.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class Node:
 
     value: Any
     position: Position
-    keys: dict[str, Position] = field(default_factory=dict)  # of a mapping: where each key stands
+    keys: dict[str, Position] = field(default_factory=dict)  # of a mapping: the place of each key
 
     def __contains__(self, key: str) -> bool:
         return isinstance(self.value, dict) and key in self.value
@@ -68,11 +68,11 @@ class Node:
         return self.value
 
     def at(self, path: list[str | int]) -> Position:
-        """The place of what stands at `path` below this node: of its key, if it has one."""
+        """The place of what `path` leads to: of its key, if it has one."""
         return self._follow(path)[0]
 
     def value_at(self, path: list[str | int]) -> Position:
-        """The place of a plain value at `path`; of its key, where it is none."""
+        """The place of the plain value at `path`; of its key, if the value is not plain."""
         position, node = self._follow(path)
         return position if node.value is None or isinstance(node.value, (dict, list)) else node.position
 
@@ -114,7 +114,7 @@ def _position(name: str, mark: Any) -> Position:
 
 
 def _place(name: str, before: str) -> Position:
-    """The place that follows this text."""
+    """The place behind this text."""
     return Position(name, before.count("\n") + 1, len(before) - before.rfind("\n"))
 
 
@@ -123,7 +123,7 @@ class _TooDeep(Exception):
 
 
 class _Reader:
-    """Builds nodes from the events of the YAML parser, which know where anchors and aliases stand."""
+    """Builds nodes from the events of the YAML parser, which give the places of anchors and aliases."""
 
     def __init__(self, text: str, file: str, problems: Problems) -> None:
         self.events = yaml.parse(text, Loader=syntax.LOADER)
@@ -156,7 +156,7 @@ class _Reader:
         self.problems.add(Position(self.file, line, column), message)
 
     def complain(self, message: str) -> None:
-        """About the current event."""
+        """A problem at the current event."""
         self.problems.add(_position(self.file, self.event.start_mark), message)
 
     def node(self, event: Any, depth: int) -> Node:
@@ -212,7 +212,7 @@ class _Reader:
 
 
 def _scalar(text: str) -> Any:
-    """A plain scalar by the rules of YAML 1.2, where numbers are concerned by those of JSON, and 0x1F.
+    """A plain scalar: null, true and false as in YAML 1.2, numbers as in JSON or hexadecimal.
 
     >>> [_scalar(t) for t in ("true", "True", "yes", "~", "null", "", "0x1F", "12:30", "-3", "1e3", "0.5")]
     [True, 'True', 'yes', None, None, None, 31, '12:30', -3, 1000.0, 0.5]
@@ -233,7 +233,7 @@ def _scalar(text: str) -> Any:
 
 
 def _rewritten(text: str) -> str | None:
-    """How to write what other programs take for a number, each in its own way; None where there is no doubt.
+    """How to write what programs read as different numbers, or not as one; None if there is no doubt.
 
     >>> [_rewritten(t) for t in ("0211", "0o17", "1_000", ".5", "1.", "+7", "-007.50", "0X1F", "0b11")]
     ['211 or 0x211', '15', '1000', '0.5', '1', '7', '-7.50', '0x1F', '3']

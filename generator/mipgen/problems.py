@@ -1,4 +1,4 @@
-"""Complaints about a specification, each with its place."""
+"""What is wrong with a specification, each problem with its place, and remedies for unknown words."""
 
 from __future__ import annotations
 

@@ -274,11 +274,12 @@ def test_candidates() -> None:
 
 
 def test_positions_are_those_of_the_file() -> None:
-    model = load("set: 0x05\nname: it\ntitle: It\ndescription: It.\ntypes:\n  kind: {enum: u8, values: {a: 1}}\n")
+    head = "set: 5\nname: it\ntitle: It\ndescription: It.\n"
+    model = load(f"{head}types:\n  kind:\n    enum: u8\n    values:\n      a: 1\n")
     t = model.sets[1].types[0]
     assert isinstance(t, m.Enum) and t.position is not None and t.values[0].position is not None
     assert (t.position.line, t.position.column) == (6, 3)
-    assert (t.values[0].position.line, t.values[0].position.column) == (6, 29)
+    assert (t.values[0].position.line, t.values[0].position.column) == (9, 7)
 
 
 def test_measures() -> None:

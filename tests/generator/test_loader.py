@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,7 @@ from mipgen.model import SCALARS, Position
 from mipgen.nodes import Node
 from mipgen.problems import MANY, Problems, SpecError, nearest
 from mipgen.resolve import load_model
-from support import model
+from support import ROOT, model
 
 
 def parse(text: str | bytes, folder: Path) -> tuple[Node | None, list[str]]:
@@ -148,3 +149,10 @@ def test_usual_spellings_are_ours() -> None:
     assert len({s.casefold() for x in spelling.SYNONYMS.values() for s in x}) == sum(
         map(len, spelling.SYNONYMS.values())
     )
+
+
+def test_samples_of_the_language_can_be_read(tmp_path: Path) -> None:
+    samples = re.findall(r"```yaml\n(.*?)```", (ROOT / "spec/README.md").read_text("utf-8"), re.DOTALL)
+    assert len(samples) >= 7
+    for sample in samples:
+        assert parse(sample, tmp_path)[1] == []

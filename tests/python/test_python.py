@@ -20,6 +20,7 @@ from mipgen import render
 from mipgen.resolve import load_model
 from mipgen.targets.python import members, names
 from support import ROOT, SPECS, all_fields, model
+from terse import filled
 
 INVENTED = SPECS["invented"][1] / "python"
 REAL = SPECS["real"][1] / "python"
@@ -504,8 +505,7 @@ def check_reflection(package: Package, p: m.Parameter, row: Any) -> None:
 
 # --------------------------------------------------------------------------- a specification that is hard on Python
 
-AWKWARD = """# yaml-language-server: $schema=../../../../../spec/schema/set.schema.json
-set: 0x62
+AWKWARD = """set: 0x62
 name: awkward
 title: 'A "quoted" \\title\\'
 description: Names that generated code uses itself, and groups of several steps.
@@ -518,7 +518,7 @@ fields:
     name: halves
     title: Halves
     description: A counter whose array comes late.
-    sources: [{manual: guide, section: S}]
+    sources: [{manual: leaflet, section: S}]
     functions: WR
     parameters:
       - {name: count, type: u8, for: W}
@@ -530,7 +530,7 @@ fields:
     name: words
     title: Words
     description: Names of functions.
-    sources: [{manual: guide, section: S}]
+    sources: [{manual: leaflet, section: S}]
     functions: WR
     parameters:
       - {name: len, type: u8, for: W}
@@ -542,7 +542,7 @@ fields:
     name: kept
     title: Kept
     description: A reserved value in front.
-    sources: [{manual: guide, section: S}]
+    sources: [{manual: leaflet, section: S}]
     parameters:
       - {name: field, type: u8, reserved: 3}
       - {name: gap, type: u8, reserved: 0}
@@ -553,7 +553,7 @@ fields:
 def test_awkward_specification(tmp_path: Path) -> None:
     spec, out = tmp_path / "spec", tmp_path / "python"
     shutil.copytree(SPECS["invented"][0], spec)
-    (spec / "sets/awkward.yaml").write_text(AWKWARD, "utf-8")
+    (spec / "sets/awkward.yaml").write_text(filled(AWKWARD), "utf-8")
     render.write(render.render("python", load_model(spec)), out)
     for check in (["format", "--check"], ["check"]):
         done = subprocess.run([Path(sys.executable).parent / "ruff", *check, "--no-cache", out], capture_output=True)
