@@ -17,6 +17,7 @@
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_GNSS_CORRECTIONS_SET 0x93
 
 /** Properties of a base station, as its RTCM message gives them. */
