@@ -43,7 +43,8 @@ def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Docum
     for folder in overlays:
         more = _documents(folder, OVERLAY, True, problems)
         if not more and not problems:
-            problems.add(Position(shown(folder), 1, 1), f"nothing to lay over the specification: no {_listed(OVERLAY)}")
+            files = ", ".join(OVERLAY.values())
+            problems.add(Position(shown(folder), 1, 1), f"nothing to lay over the specification: no {files}")
         documents = overlay.lay(documents, more, problems)
     return documents
 
@@ -78,14 +79,10 @@ def shown(path: Path) -> str:
     return absolute.relative_to(here).as_posix() if absolute.is_relative_to(here) else str(path)
 
 
-def _listed(layout: dict[str, str]) -> str:
-    return ", ".join(layout.values())
-
-
 def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
     """A file in the wrong place would be ignored in silence."""
     known = {path for pattern in layout.values() for path in spec.glob(pattern)}
-    read_ones = _listed(layout)
+    read_ones = ", ".join(layout.values())
     for path in sorted({*spec.rglob("*.yaml"), *spec.rglob("*.yml")} - known):
         problems.add(Position(shown(path), 1, 1), f"this file is not read; only these are: {read_ones}")
 

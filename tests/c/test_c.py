@@ -42,8 +42,9 @@ def run(*command: str | Path, **environment: str) -> str:
 
 
 def written(path: Path, of: m.Model, checks: list[str]) -> Path:
-    """A program that makes these checks, with the headers of all sets."""
-    includes = "".join(f'#include "mip/{names.module(s.name)}.h"\n' for s in of.sets)
+    """A program that makes these checks, with the headers of all sets and of all tables."""
+    headers = [*(names.module(s.name) for s in of.sets), "protocol", "registry", "reflect", "devices"]
+    includes = "".join(f'#include "mip/{name}.h"\n' for name in headers)
     body = "\n    ".join(checks)
     path.write_text(f'#include "check.h"\n{includes}int main(void) {{\n    {body}\n    return 0;\n}}\n')
     return path
@@ -366,6 +367,74 @@ def test_every_constant(spec: str, tmp_path: Path) -> None:
         checks.append(f'CHECK({name}_DESCRIPTOR == {f.descriptor} && strcmp({name}_NAME, "{f.full_name}") == 0);')
     checks += [f"CHECK({names.macro(f'mip_{s.name}')}_SET == {s.number});" for s in of.sets]
     run(build(tmp_path, "cc", spec, written(tmp_path / "constants.c", of, checks)))
+
+
+# --------------------------------------------------------------------------- tables
+
+
+def parameter_checks(record: m.Field | m.Struct, table: str) -> Iterator[str]:
+    """What reflection says of each parameter, and of those inside of structures; `table`: its struct mip_record."""
+    number = {p.name: i for i, p in enumerate(record.parameters)}
+    yield f"CHECK({table}->count == {len(record.parameters)});"
+    for i, p in enumerate(record.parameters):
+        at = f"{table}->parameters[{i}]"
+        yield f'CHECK(strcmp({at}.name, "{p.name}") == 0 && strcmp({at}.unit, "{", ".join(p.units)}") == 0);'
+        yield f"CHECK({at}.count == {len(p.readings) + len(p.cases)});"
+        for k, v in enumerate(p.readings):
+            assert v.type is not None
+            found = f"{at}.readings[{k}]"
+            yield f'CHECK(strcmp({found}.names->name, "{names.spec_name(v.type)}") == 0);'
+            if v.by_device:
+                yield f'CHECK(strcmp({found}.device, "{v.key}") == 0);'
+            else:
+                yield f"CHECK({found}.device == NULL && {found}.by == {number[v.by]} && {found}.value == {v.value});"
+        for k, c in enumerate(p.cases):
+            name = f'strcmp({at}.cases[{k}].parameter->name, "{c.parameter.name}") == 0' if c.parameter else "1"
+            yield f"CHECK({at}.cases[{k}].value == {c.tag.value} && {name});"
+        if isinstance(p.element, m.Struct):
+            yield from parameter_checks(p.element, f"{at}.record")
+
+
+def device_checks(d: m.Device) -> Iterator[str]:
+    name = f"mip_device_{d.name}"
+    yield f'CHECK(mip_device_find("{d.id}") == &{name} && {name}.model_number == {d.model_number or 0});'
+    yield f"CHECK({name}.field_count == {len(d.supports)} && {name}.rate_count == {len(d.base_rates)});"
+    for s in d.supports:
+        found = f"mip_device_supports(&{name}, {s.field.set}, {s.field.descriptor})"
+        yield f'CHECK(strcmp({found}->functions, "{m.letters(s.functions)}") == 0);'
+    for r in d.base_rates:
+        yield f"CHECK(!(mip_device_base_rate(&{name}, {r.set.number}) < {r.hertz}));"
+        yield f"CHECK(!(mip_device_base_rate(&{name}, {r.set.number}) > {r.hertz}));"
+    for i, x in enumerate(d.limits):
+        limit = f"{name}.limits[{i}]"
+        yield f'CHECK(strcmp({limit}.unit, "{x.unit or ""}") == 0);'
+        yield f"CHECK(!({limit}.value < {x.value}) && !({limit}.value > {x.value}));"
+    readings = [v for v in d.variants if v.variant.type is not None]
+    yield f"CHECK({name}.reading_count == {len(readings)});"
+    for v in readings:
+        assert v.variant.type is not None
+        yield f'CHECK(strcmp(mip_device_reading_of(&{name}, "{v.path}"), "{names.spec_name(v.variant.type)}") == 0);'
+    yield f"CHECK({name}.ack_code_count == {len(d.ack_codes)});"
+    for i, code in enumerate(d.ack_codes):
+        yield f"CHECK({name}.ack_codes[{i}] == {code});"
+
+
+@both
+def test_every_row_of_the_tables(spec: str, tmp_path: Path) -> None:
+    """Units, readings, links and device profiles, each against the specification."""
+    of = model(spec)
+    own = [of.protocol.acknowledge, *(f for f in of.fields if f.definition is None)]
+    checks = [f"CHECK(mip_reflection_count == {len(own)} && mip_registry_size == {len(of.fields) + 1});"]
+    for f in own:
+        checks += parameter_checks(f, f"mip_reflect(&{names.field_name(f)}_codec)->record")
+    for f in of.fields:
+        links = of.responses(f) if f.role == m.COMMAND else of.commands(f)
+        entry = f'mip_registry_by_name("{f.full_name}")'
+        checks.append(f"CHECK({entry}->link_count == {len(links)});")
+        for i, other in enumerate(links):
+            checks.append(f'CHECK(strcmp(mip_registry_link({entry}, {i})->name, "{other.full_name}") == 0);')
+    checks += [check for d in of.devices for check in device_checks(d)]
+    run(build(tmp_path, "gcc", spec, written(tmp_path / "tables.c", of, checks)))
 
 
 # --------------------------------------------------------------------------- linking and packaging

@@ -73,6 +73,11 @@ def said(facts: Iterable[describe.Fact]) -> list[str]:
     return [plain(describe.say(f.sentence, reference)) for f in facts]
 
 
+def prose(text: str, of: m.Model) -> str:
+    """A text of the specification, with names of C for the fields that it names."""
+    return describe.say(describe.prose(text, of), reference)
+
+
 # --------------------------------------------------------------------------- what must be told of each thing
 
 
@@ -80,21 +85,23 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
     """Where a comment is, and what it must hold."""
     for f in (of.protocol.acknowledge, *of.fields):
         name = names.field_name(f)
-        yield name, [f.title, f.description, *said(describe.field(f, of)), *describe.sources(f)]
+        yield name, [f.title, prose(f.description, of), *said(describe.field(f, of)), *describe.sources(f)]
         place = f"(0x{f.set:02X},0x{f.descriptor:02X})" if f.set else f"0x{f.descriptor:02X}"
         yield name, [f"{f.role} {place}."]
         if not f.definition:
             yield from of_record(f, of)
     for t in (of.protocol.function_selector, *of.all_types):
         if not isinstance(t, m.Vector):
-            yield names.type_name(t), [t.description, *said(describe.type(t, of)), *describe.sources(t)]
+            yield names.type_name(t), [prose(t.description, of), *said(describe.type(t, of)), *describe.sources(t)]
         if isinstance(t, m.Struct):
             yield from of_record(t, of)
         elif isinstance(t, m.Enum):
-            yield from ((names.constant(t, v), [v.description, *said(describe.value(v, of))]) for v in t.values)
+            yield from (
+                (names.constant(t, v), [prose(v.description, of), *said(describe.value(v, of))]) for v in t.values
+            )
         elif isinstance(t, m.Bitfield):
             for b in t.bits:
-                told = [b.description, *said(describe.bits(b, of))]
+                told = [prose(b.description, of), *said(describe.bits(b, of))]
                 if t.scalar:
                     yield names.constant(t, b), told
                 if members.has_accessor(b, t):
@@ -106,7 +113,7 @@ def wanted(of: m.Model) -> Iterator[tuple[str, list[str]]]:
 def of_record(record: m.Field | m.Struct, of: m.Model) -> Iterator[tuple[str, list[str]]]:
     name = names.record_name(record)
     for p in record.parameters:
-        told = [p.description, *said(describe.parameter(p, record, of))]
+        told = [prose(p.description, of), *said(describe.parameter(p, record, of))]
         told += said(describe.case(c, p, record) for c in p.cases if c.parameter is None)
         if p not in members.members(record):
             yield name, [f"- {p.name}:", *told]
@@ -114,8 +121,8 @@ def of_record(record: m.Field | m.Struct, of: m.Model) -> Iterator[tuple[str, li
         yield f"{name}.{names.member(p.name)}", told
         for c in p.cases:
             if c.parameter is not None:
-                told = [c.parameter.description or c.tag.description, *said([describe.case(c, p, record)])]
-                told += said(describe.parameter(c.parameter, record, of))
+                told = [prose(c.parameter.description or c.tag.description, of)]
+                told += said([describe.case(c, p, record), *describe.parameter(c.parameter, record, of)])
                 yield f"{names.union_name(p, record)}.{names.member(c.parameter.name)}", told
 
 

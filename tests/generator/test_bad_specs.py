@@ -15,13 +15,13 @@ from typing import Any
 import mipgen.problems
 import pytest
 from corpus import BASE, BadSpec, bad_specs, only_what_changed, problems, reported
-from mipgen import checks, cli, codec
+from mipgen import checks, cli, codec, syntax
 from mipgen.resolve import load_model
 
 GENERATOR = Path(mipgen.__file__).parent
 MODULES = (
-    "loader", "nodes", "syntax", "vocabulary", "layout", "meaning", "variation", "resolve", "sets", "devices", "evidence",
-    "checks", "naming",
+    "loader", "nodes", "syntax", "vocabulary", "layout", "meaning", "variation", "resolve", "sets", "devices",
+    "evidence", "checks", "naming",
 )  # fmt: skip
 
 #: What reports a problem: calls of these, `raise _Wrong(...)`, the faults that `syntax` returns, and the messages that
@@ -32,6 +32,8 @@ FAULTS = {"_fault", "Fault", "_unclosed"}
 
 #: Sites that no specification can reach; each has its own test.
 UNREACHABLE = {
+    "loader: problems.add(Position(shown(folder), 1, 1), f'nothing to lay over the specification: no {files}')":
+        "test_overlay.py::test_messages",
     "loader: yield ([], f'{inside}: {error.message}')": "test_a_rule_without_words",
     "nodes: problems.add(Position(name, 1, 1), f'cannot be read: {error.strerror}')":
         "test_a_folder_in_place_of_a_file",

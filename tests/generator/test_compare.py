@@ -23,7 +23,7 @@ def changed(folder: Path, file: str, old: str, new: str) -> Report:
 
 
 TOOLS, DATA, TYPES = "sets/tools.yaml", "sets/measurements.yaml", "types/types.yaml"
-PORT = "{name: port, type: u8, for: WRS}"
+PORT = "{name: port, type: u8, for: WRS"
 
 
 @pytest.mark.parametrize(
@@ -33,8 +33,8 @@ PORT = "{name: port, type: u8, for: WRS}"
         (TOOLS, "name: identify", "name: who", "source", "tools.who: was called tools.identify"),
         (TOOLS, "{name: port, type: u8", "{name: line, type: u8", "source", "tools.settings.line: was called port"),
         (TOOLS, PORT, PORT.replace("u8", "s8"), "wire", "from port on"),
-        (TOOLS, PORT, PORT.replace("WRS}", "WR}"), "wire", "tools.settings: functions require other parameters"),
-        (TOOLS, "{name: mode, type: mode, for: W}", "{name: mode, type: u8, for: W}", "source", "type u8, was mode"),
+        (TOOLS, PORT, PORT.replace("WRS", "WR"), "wire", "tools.settings: functions require other parameters"),
+        (TOOLS, "{name: mode, type: mode", "{name: mode, type: u8", "source", "type u8, was mode"),
         (DATA, "unit: m,", "unit: s,", "wire", "measurements.accel.accel: unit s, was m"),
         (DATA, "frame: sensor, ", "", "wire", "frame none, was sensor"),
         (DATA, "unit: m,", "unit: m, range: [0, ~],", "compatible", "range 0, open, was open, open"),

@@ -87,7 +87,7 @@ A, BOTH = "Supported by <Model A>.", "Supported by <Model A> and <Model B>."
                 "frame": "Frame: <sensor>.",
                 "valid": "Each element is valid by its bit: x by <valid_flags.ready>, y by <valid_flags.hot>, "
                 "z by <valid_flags.ready>.",
-                "variant": "On the <Model B>: unit m, m, s; frame <ned>; Turned by the device.",
+                "variant": "On the <Model B>: unit m, m, s; frame <ned>. Turned by the device.",
             },
         ),
     ],
@@ -106,7 +106,7 @@ def test_variants_by_value_are_told_one_by_one() -> None:
 def test_prose_refers_to_fields() -> None:
     found = describe.prose("See tools.ping, (0x01,0x02), (0x01, 0x7F), 1.5 and e.g. no.such.", INVENTED)
     assert plain(found) == "See <tools.ping>, <(0x01,0x02)>, (0x01, 0x7F), 1.5 and e.g. no.such."
-    assert plain(describe.prose("`tools.ping`", INVENTED)) == "`tools.ping`"
+    assert plain(describe.prose("`tools.ping`, `a.b`", INVENTED)) == "<tools.ping>, `a.b`"
 
 
 @pytest.mark.parametrize("own", [INVENTED, REAL], ids=["invented", "real"])

@@ -200,7 +200,7 @@ def test_references() -> None:
     assert INVENTED.responses(bias) == (shared,)
     assert INVENTED.commands(shared) == (bias, invented("tools.capture_bias"))
     assert INVENTED.original(invented("more.accel")) is invented("measurements.accel")
-    assert INVENTED.repeats(invented("measurements.accel")) == (invented("more.accel"),)
+    assert INVENTED.repeats(invented("measurements.accel")) == (invented("more.accel"), invented("copy.accel"))
     assert [d.id for d in INVENTED.devices_of(shared)] == ["model-a"]
     ((first, a), (second, b)) = INVENTED.supports(invented("tools.settings"))
     assert (first.id, m.letters(a.functions), a.differs) == ("model-a", "WRSLDA", False)
@@ -242,7 +242,7 @@ def test_what_is_uncertain_is_kept_apart() -> None:
     assert copy is not None and copy.uncertain == ("Which device sends it.",)
     assert len(radio.uncertain) == 2 and radio.notes == () and answer.uncertain == ("When it comes.",)
     strength = radio.parameters[1]
-    assert (strength.uncertain, strength.valid, strength.remarks) == (("Its unit.",), ("connected",), ())
+    assert (strength.uncertain, strength.valid, strength.notes) == (("Its unit.",), ("connected",), ())
     types = {t.name: t for t in INVENTED.types}
     mode, flags = types["mode"], types["state_flags"]
     assert isinstance(mode, m.Enum) and isinstance(flags, m.Bitfield)
