@@ -213,7 +213,7 @@ def test_a_typo_in_a_template_fails_at_once(tmp_path: Path) -> None:
     for part in ("generator", "templates"):
         shutil.copytree(ROOT / part, copy / part, ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copy(ROOT / "LICENSE", copy)
-    template = copy / "templates/python/registry.py.j2"
+    template = copy / "templates/python/_sets.py.j2"
     template.write_text(template.read_text("utf-8").replace("s.number", "s.nubmer"))
     done = mipgen("generate", "--spec", str(ROOT / "spec"), "--out", str(tmp_path / "out"), root=copy)
     assert done.returncode != 0 and "nubmer" in done.stderr

@@ -175,7 +175,7 @@ class SignalConfigurationResponse(Response):
     """Galileo signals."""
     beidou_enable: BeidouSignals
     """BeiDou signals."""
-    reserved: tuple[int, int, int, int] = (0,) * 4
+    reserved: tuple[int, int, int, int] = (0, 0, 0, 0)
     """Reserved."""
 
     @classmethod
@@ -375,7 +375,7 @@ class SignalConfiguration(Command):
             glonass_enable=glonass_enable,
             galileo_enable=galileo_enable,
             beidou_enable=beidou_enable,
-            reserved=(0,) * 4,
+            reserved=(0, 0, 0, 0),
         )
 
     @classmethod

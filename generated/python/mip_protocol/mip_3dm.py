@@ -660,8 +660,8 @@ class MessageFormatResponse(Response):
         return codec.finished(out)
 
 
-_DEVICE_STATUS_BASIC_RESPONSE_0 = codec.Block("H", "")
-_DEVICE_STATUS_BASIC_RESPONSE_1 = codec.Block("B", "")
+_DEVICE_STATUS_BASIC_RESPONSE_0 = codec.Block("H", "model_number")
+_DEVICE_STATUS_BASIC_RESPONSE_1 = codec.Block("B", "status_selector")
 _DEVICE_STATUS_BASIC_RESPONSE_2 = codec.Block("IHI", "status_flags", "system_state", "system_timer")
 
 
@@ -719,8 +719,8 @@ class DeviceStatusBasicResponse(Response):
         return codec.finished(out)
 
 
-_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_0 = codec.Block("H", "")
-_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_1 = codec.Block("B", "")
+_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_0 = codec.Block("H", "model_number")
+_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_1 = codec.Block("B", "status_selector")
 _DEVICE_STATUS_DIAGNOSTIC_RESPONSE_2 = codec.Block(
     "IHIBBIIIIIIIII",
     "status_flags",
@@ -5358,7 +5358,7 @@ class LowPassAntiAliasingFilter(Command):
         return codec.finished(out)
 
 
-_DEVICE_STATUS_0 = codec.Block("H", "")
+_DEVICE_STATUS_0 = codec.Block("H", "model_number")
 _DEVICE_STATUS_1 = codec.Block("B", "status_selector")
 
 

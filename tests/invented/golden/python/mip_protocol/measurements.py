@@ -268,7 +268,7 @@ class Arrays(Data):
     """Structures. Unit: m."""
     track: types.Segment
     """A nested structure."""
-    offsets: tuple[int, int, int, int] = (0,) * 4
+    offsets: tuple[int, int, int, int] = (0, 0, 0, 0)
     """Reserved."""
 
     @classmethod

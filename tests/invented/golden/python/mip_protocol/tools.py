@@ -482,8 +482,8 @@ class PinResponse(Response):
         return codec.finished(out)
 
 
-_STATUS_SHORT_0 = codec.Block("H", "")
-_STATUS_SHORT_1 = codec.Block("B", "")
+_STATUS_SHORT_0 = codec.Block("H", "model")
+_STATUS_SHORT_1 = codec.Block("B", "selector")
 _STATUS_SHORT_2 = codec.Block("I", "flags")
 
 
@@ -535,8 +535,8 @@ class StatusShort(Response):
         return codec.finished(out)
 
 
-_STATUS_LONG_0 = codec.Block("H", "")
-_STATUS_LONG_1 = codec.Block("B", "")
+_STATUS_LONG_0 = codec.Block("H", "model")
+_STATUS_LONG_1 = codec.Block("B", "selector")
 _STATUS_LONG_2 = codec.Block("IQ", "flags", "uptime")
 
 
@@ -893,7 +893,7 @@ class SetTime(Command):
         return codec.finished(out)
 
 
-_STATUS_0 = codec.Block("H", "")
+_STATUS_0 = codec.Block("H", "model")
 _STATUS_1 = codec.Block("B", "selector")
 
 
