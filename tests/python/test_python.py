@@ -245,7 +245,7 @@ fields:
     name: state
     title: State
     description: Of the device.
-    sources: [{manual: guide, section: S}]
+    sources: [{manual: guide, section: Ping}]
     parameters: [{name: code, type: u8, description: A number.}]
 """
 REPEATED = """# yaml-language-server: $schema=../../../../../spec/schema/set.schema.json
@@ -253,7 +253,7 @@ set: 0x9B
 name: again
 title: Again
 description: The same of a second sensor, where it is the other device.
-repeats: {of: varied, fields: [{name: state, sources: [{manual: guide, section: S}]}]}
+repeats: {of: varied, fields: [{name: state, sources: [{manual: guide, section: Ping}]}]}
 """
 
 
@@ -263,13 +263,12 @@ def test_repeated_fields_are_read_in_their_own_way(tmp_path: Path) -> None:
     shutil.copytree(SPECS["invented"][0], spec)
     (spec / "sets/varied.yaml").write_text(VARIED, "utf-8")
     (spec / "sets/again.yaml").write_text(REPEATED, "utf-8")
-    for device, path in (("model_a", "varied.state.code"), ("model_b", "again.state.code")):
+    for device, name in (("model_a", "varied"), ("model_b", "again")):
         file = spec / f"devices/{device}.yaml"
-        text = file.read_text("utf-8")
-        new = f"{path}: {{type: mode}}"
-        text = text.replace("varies: {", f"varies: {{{new}, ") if "varies: {" in text else text.replace(
-            "varies:\n", f"varies:\n  {new}\n"
-        )  # fmt: skip
+        text = file.read_text("utf-8").replace("supports:\n", f"supports:\n  {name}: [state]\n")
+        text = text.replace("base_rates: {", f"base_rates: {{{name}: 1, ")
+        case = f"{name}.state.code: {{type: mode}}"
+        text = text.replace("varies: {", f"varies: {{{case}, ").replace("varies:\n", f"varies:\n  {case}\n")
         file.write_text(text, "utf-8")
     render.write(render.render("python", load_model(spec)), out)
     it = Package(out)

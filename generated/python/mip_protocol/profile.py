@@ -1,4 +1,4 @@
-"""What is known of a device: `devices` holds the profiles."""
+"""What a device profile is made of; `devices` has the profiles."""
 
 from __future__ import annotations
 
@@ -8,14 +8,18 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Port:
+    """A port, and the protocols that it speaks."""
+
     name: str
-    id: int | None
+    id: int | None  # as commands number it
     baud_rates: tuple[int, ...]
     protocols: tuple[str, ...]
 
 
 @dataclass(frozen=True)
 class Limit:
+    """A number that the device cannot exceed, or that it guarantees."""
+
     value: float
     unit: str | None
     description: str
@@ -23,6 +27,8 @@ class Limit:
 
 @dataclass(frozen=True)
 class Note:
+    """A fact or a table that is neither a rate, a port nor a limit."""
+
     title: str
     description: str
     rows: tuple[tuple[str, ...], ...]  # the first row is the heading
@@ -42,7 +48,7 @@ class Device:
     ports: tuple[Port, ...]
     limits: dict[str, Limit]
     notes: dict[str, Note]
-    readings: dict[str, Any]  # parameter or type -> the enumeration or bitfield to read it as
+    readings: dict[str, Any]  # "set.field.parameter" -> enumeration or bitfield to read it as
     ack_codes: frozenset[int] = field(default_factory=frozenset)
 
     def supports(self, set: int, descriptor: int) -> bool:

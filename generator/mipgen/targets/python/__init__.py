@@ -89,9 +89,8 @@ def _classes(scope: str, things: Sequence[m.Type | m.Field]) -> Iterator[Identif
     for t in things:
         place = getattr(t, "position", None)
         yield Identifier(f"module {scope}", names.class_name(t), f"{scope}.{t.name}", place)
-        inner = f"class {scope}.{names.class_name(t)}"
         for name, words, position in _attributes(t):
-            yield Identifier(inner, name, words, position or place)
+            yield Identifier(f"class {scope}.{t.name}", name, words, position or place)
 
 
 def _attributes(t: m.Type | m.Field) -> Iterator[tuple[str, str, m.Position | None]]:
@@ -103,8 +102,8 @@ def _attributes(t: m.Type | m.Field) -> Iterator[tuple[str, str, m.Position | No
         for b in t.bits:
             yield names.constant(b.name), b.name, b.position
             if b.width > 1 and not b.alias:
-                yield names.prop(b.name), f"the number {b.name}", b.position
-                yield f"with_{b.name}", f"a new number {b.name}", b.position
+                yield names.prop(b.name), b.name, b.position
+                yield f"with_{b.name}", f"{b.name}, set to a number", b.position
     elif isinstance(t, (m.Field, m.Struct)):
         for p in members.members(t):
             yield names.member(p.name), p.name, p.position

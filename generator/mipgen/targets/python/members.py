@@ -18,9 +18,15 @@ def annotation(p: m.Parameter, record: Record) -> str:
     one = _one(p, record)
     if p.length is None or one == "str":
         return one
+    few = few_elements(p)
+    return f"tuple[{', '.join([one] * few)}]" if few else f"tuple[{one}, ...]"
+
+
+def few_elements(p: m.Parameter) -> int:
+    """The length of an array whose type names each element; 0 if it does not."""
     if isinstance(p.length, int) and p.length <= 4 and isinstance(p.element, (m.Scalar, m.Vector)):
-        return f"tuple[{', '.join([one] * p.length)}]"
-    return f"tuple[{one}, ...]"
+        return p.length
+    return 0
 
 
 def _one(p: m.Parameter, record: Record) -> str:
@@ -55,7 +61,10 @@ def default(p: m.Parameter, record: Record) -> str | None:
 
 
 def _reserved(p: m.Parameter) -> str:
-    return str(p.reserved) if p.length is None else f"({p.reserved},) * {p.length}"
+    if p.length is None:
+        return str(p.reserved)
+    few = few_elements(p)
+    return repr((p.reserved,) * few) if few else f"({p.reserved},) * {p.length}"
 
 
 def keyword_only(p: m.Parameter, record: Record) -> bool:

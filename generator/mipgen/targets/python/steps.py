@@ -168,7 +168,7 @@ class _Planner:
         """The letters of a value in the layout of a block, and the value."""
         match op:
             case m.ConstantOp():
-                return _letter(op.scalar), Value("constant", "", at, 1, constant=op.value)
+                return _letter(op.scalar), Value("constant", member(op.member), at, 1, constant=op.value)
             case m.CounterOp():
                 array, capacity = member(op.array), self.capacities[op.array]
                 return _letter(op.scalar), Value("counter", member(op.member), at, 1, array=array, capacity=capacity)

@@ -20,7 +20,7 @@ class Structure:
     READINGS: ClassVar[dict[str, tuple[str, dict[object, type]]]] = {}
 
     @classmethod
-    def _read(cls: type[S], data: bytes, at: int) -> tuple[S, int]:
+    def _read(cls: type[S], raw: bytes, at: int) -> tuple[S, int]:
         """The values at a place, and where they end."""
         raise NotImplementedError
 
