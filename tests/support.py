@@ -14,6 +14,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import pytest
 from mipgen import codec
 from mipgen import model as m
 from mipgen.resolve import load_model
@@ -27,6 +28,13 @@ SPECS = {
     "real": (ROOT / "spec", ROOT / "generated"),
     "invented": (ROOT / "tests/invented/spec", ROOT / "tests/invented/golden"),
 }
+
+
+def each(test: Any) -> Any:
+    """For every language and both specifications."""
+    for mark in (pytest.mark.parametrize("language", LANGUAGES), pytest.mark.parametrize("spec", sorted(SPECS))):
+        test = mark(test)
+    return test
 
 
 @cache
@@ -95,6 +103,10 @@ def expected(of: m.Model, request: dict[str, Any]) -> dict[str, Any]:
         return expected_parse(bytes.fromhex(request["stream"]))
     if request["op"] == "decode":
         return expected_decode(of, bytes.fromhex(request["packet"]))
+    if request["op"] == "client":
+        from conformance.client_model import expected_client  # it needs this module itself
+
+        return expected_client(of, request)
     return expected_encode(of, request)
 
 

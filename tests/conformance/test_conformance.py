@@ -7,41 +7,22 @@ from functools import cache
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, Phase, given, settings
+from hypothesis import given
 from mipgen import codec
 from mipgen import model as m
-from strategies import field_values
+from strategies import field_values, relaxed
 from support import (
     LANGUAGES,
-    SPECS,
     all_fields,
     decode_request,
     differences,
     driver,
+    each,
     encode_request,
     expected,
     model,
     set_of,
 )
-
-both = [pytest.mark.parametrize("language", LANGUAGES), pytest.mark.parametrize("spec", sorted(SPECS))]
-
-
-def relaxed(examples: int) -> Any:
-    return settings(
-        max_examples=examples,
-        deadline=None,
-        database=None,
-        derandomize=True,
-        phases=[Phase.generate],
-        suppress_health_check=list(HealthCheck),
-    )
-
-
-def each(test: Any) -> Any:
-    for mark in both:
-        test = mark(test)
-    return test
 
 
 def compare(language: str, spec: str, requests: list[dict[str, Any]]) -> list[dict[str, Any]]:

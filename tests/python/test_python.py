@@ -204,7 +204,8 @@ def test_errors_can_be_pickled() -> None:
     code = """
 import pickle
 from mip_protocol import *
-for error in (Truncated(2, 1), DecodeError("count", "x"), PacketError("sync", "y"), EncodeError("range", "z")):
+for error in (Truncated(2, 1), DecodeError("count", "x"), PacketError("sync", "y"), EncodeError("range", "z"),
+              MissingResponse("base.ping")):
     again = pickle.loads(pickle.dumps(error))
     assert (type(again), str(again), again.kind) == (type(error), str(error), error.kind), again
 print(Truncated(2, 1))
@@ -344,8 +345,10 @@ def test_client_survives_a_reply_that_cannot_be_decoded() -> None:
 def test_client_reads_on_behind_a_reply_that_cannot_be_decoded() -> None:
     client = mip.top.Client()
     client.send(mip.tools.CaptureBias(1), mip.tools.Ping(), mip.tools.Ping(), now=0.0)
-    events = client.receive(reply("f1 06 00", "9b 00", "f1 01 00", "f1 01", "f1 01 03"), now=0.1)
-    assert [e.code for e in events] == [0, 0, 3] and client.pending == ()
+    packet = reply("f1 06 00", "9b 00", "f1 01 00", "f1 01", "f1 01 03")
+    *answers, rest = client.receive(packet, now=0.1)
+    assert [a.code for a in answers] == [0, 0, 3] and client.pending == ()
+    assert bytes(rest.packet) == packet and [f.data for f in rest.fields] == [b"\x01"]
 
 
 def test_client_flush_finds_an_answer_behind_noise() -> None:
@@ -354,6 +357,50 @@ def test_client_flush_finds_an_answer_behind_noise() -> None:
     assert client.receive(b"ue\x80\xff" + reply("f1 01 00"), now=0.1) == []
     (event,) = client.flush(now=0.2)
     assert event.accepted and client.pending == () and client.skipped == 4
+
+
+def test_client_looks_behind_noise_before_it_gives_up_a_command() -> None:
+    client, ping = mip.top.Client(timeout=1.0), mip.tools.Ping()
+    client.send(ping, now=0.0)
+    stream = b"ue\x80\xff" + reply("f1 01 00") + bytes(ping.packet())
+    assert client.receive(stream[:-3], now=0.5) == [] and client.poll(now=0.9) == []
+    (event,) = client.poll(now=1.0)
+    assert event.command is ping and event.accepted
+    (event,) = client.receive(stream[-3:], now=1.0)  # what was behind it and not complete is not given up
+    assert event.packet == ping.packet() and client.skipped == 4
+    client.send(ping, now=1.0)
+    assert client.receive(b"ue\x80\xff", now=2.0) == [mip.top.TimedOut(ping)]
+
+
+def test_client_takes_as_the_response_only_the_field_behind_the_acknowledge() -> None:
+    client = mip.top.Client()
+    client.send(mip.tools.Bias.read(), now=0.0)
+    data = "9b 000000000000000000000000"
+    answer, rest = client.receive(reply("f1 05 00", "ee 01", data), now=0.1)
+    assert answer.response is None and answer.error.kind == "missing_response"
+    assert isinstance(answer.error, mip.top.MissingResponse) and "tools.bias" in str(answer.error)
+    assert [f.descriptor for f in rest.fields] == [0xEE, 0x9B]
+
+
+def test_client_gives_each_command_the_answer_that_fits_it() -> None:
+    client, tools = mip.top.Client(), mip.tools
+    data = "9b 000000000000000000000000"
+    read, save = tools.Bias.read(), tools.Bias.save()
+    client.send(save, now=0.0)
+    (late,) = client.receive(reply("f1 05 00", data), now=0.1)  # to a read that was given up, say
+    assert isinstance(late, mip.top.Received) and client.pending == (save,)
+    client.send(read, now=0.0)
+    (event,) = client.receive(reply("f1 05 00", data), now=0.1)
+    assert event.command is read and event.response == tools.BiasVector((0, 0, 0)) and event.raw.descriptor == 0x9B
+    (event,) = client.receive(reply("f1 05 00"), now=0.1)
+    assert event.command is save and client.pending == ()
+    slow = tools.SetTime.read(mip.types.Mode.SLOW)
+    client.send(slow, now=0.0)
+    slow.part = mip.types.Mode.FAST  # too late: it is sent
+    (event,) = client.receive(reply("f1 03 00", "83 00000001"), now=0.1)
+    assert isinstance(event, mip.top.Received)
+    (event,) = client.receive(reply("f1 03 00", "84 00000001"), now=0.1)
+    assert event.response == tools.SetTimeSlowResponse(1)
 
 
 def test_client_deadline_and_cancel() -> None:

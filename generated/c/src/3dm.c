@@ -92,6 +92,7 @@ const struct mip_codec mip_3dm_poll_imu_data_codec = {
     read_poll_imu_data,
     write_poll_imu_data,
     silent_poll_imu_data,
+    NULL,
 };
 
 mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_data *value,
@@ -151,6 +152,7 @@ const struct mip_codec mip_3dm_poll_estimation_filter_data_codec = {
     read_poll_estimation_filter_data,
     write_poll_estimation_filter_data,
     silent_poll_estimation_filter_data,
+    NULL,
 };
 
 mip_error mip_3dm_poll_estimation_filter_data_decode(
@@ -207,6 +209,7 @@ const struct mip_codec mip_3dm_poll_nmea_data_codec = {
     read_poll_nmea_data,
     write_poll_nmea_data,
     silent_poll_nmea_data,
+    NULL,
 };
 
 mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_data *value,
@@ -231,6 +234,11 @@ struct mip_3dm_poll_nmea_data mip_3dm_poll_nmea_data_make(
     return v;
 }
 
+static const struct mip_response responses_get_imu_data_base_rate[] = {
+    {&mip_3dm_get_imu_data_base_rate_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_imu_data_base_rate_codec = {
     0x0C,
     MIP_3DM_GET_IMU_DATA_BASE_RATE_DESCRIPTOR,
@@ -240,6 +248,7 @@ const struct mip_codec mip_3dm_get_imu_data_base_rate_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_imu_data_base_rate,
 };
 
 mip_error mip_3dm_get_imu_data_base_rate_decode(struct mip_3dm_get_imu_data_base_rate *value,
@@ -273,6 +282,7 @@ const struct mip_codec mip_3dm_get_imu_data_base_rate_response_codec = {
     0,
     read_get_imu_data_base_rate_response,
     write_get_imu_data_base_rate_response,
+    NULL,
     NULL,
 };
 
@@ -316,6 +326,16 @@ static void write_imu_message_format(struct mip_writer *w, const void *value) {
     }
 }
 
+static bool asked_imu_message_format_1(const void *value) {
+    const struct mip_3dm_imu_message_format *v = (const struct mip_3dm_imu_message_format *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_imu_message_format[] = {
+    {&mip_3dm_imu_message_format_response_codec, asked_imu_message_format_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_imu_message_format_codec = {
     0x0C,
     MIP_3DM_IMU_MESSAGE_FORMAT_DESCRIPTOR,
@@ -325,6 +345,7 @@ const struct mip_codec mip_3dm_imu_message_format_codec = {
     read_imu_message_format,
     write_imu_message_format,
     NULL,
+    responses_imu_message_format,
 };
 
 mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_message_format *value,
@@ -404,6 +425,7 @@ const struct mip_codec mip_3dm_imu_message_format_response_codec = {
     read_imu_message_format_response,
     write_imu_message_format_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_imu_message_format_response_decode(
@@ -447,6 +469,18 @@ static void write_estimation_filter_message_format(struct mip_writer *w, const v
     }
 }
 
+static bool asked_estimation_filter_message_format_1(const void *value) {
+    const struct mip_3dm_estimation_filter_message_format *v =
+        (const struct mip_3dm_estimation_filter_message_format *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_estimation_filter_message_format[] = {
+    {&mip_3dm_estimation_filter_message_format_response_codec,
+     asked_estimation_filter_message_format_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_estimation_filter_message_format_codec = {
     0x0C,
     MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_DESCRIPTOR,
@@ -456,6 +490,7 @@ const struct mip_codec mip_3dm_estimation_filter_message_format_codec = {
     read_estimation_filter_message_format,
     write_estimation_filter_message_format,
     NULL,
+    responses_estimation_filter_message_format,
 };
 
 mip_error mip_3dm_estimation_filter_message_format_decode(
@@ -541,6 +576,7 @@ const struct mip_codec mip_3dm_estimation_filter_message_format_response_codec =
     read_estimation_filter_message_format_response,
     write_estimation_filter_message_format_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_estimation_filter_message_format_response_decode(
@@ -558,6 +594,11 @@ mip_error mip_3dm_estimation_filter_message_format_response_encode(
                             write_estimation_filter_message_format_response, value);
 }
 
+static const struct mip_response responses_get_estimation_filter_data_base_rate[] = {
+    {&mip_3dm_get_estimation_filter_data_base_rate_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_codec = {
     0x0C,
     MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_DESCRIPTOR,
@@ -567,6 +608,7 @@ const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_estimation_filter_data_base_rate,
 };
 
 mip_error mip_3dm_get_estimation_filter_data_base_rate_decode(
@@ -601,6 +643,7 @@ const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_response_cod
     0,
     read_get_estimation_filter_data_base_rate_response,
     write_get_estimation_filter_data_base_rate_response,
+    NULL,
     NULL,
 };
 
@@ -647,6 +690,16 @@ static void write_nmea_message_format(struct mip_writer *w, const void *value) {
     }
 }
 
+static bool asked_nmea_message_format_1(const void *value) {
+    const struct mip_3dm_nmea_message_format *v = (const struct mip_3dm_nmea_message_format *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_nmea_message_format[] = {
+    {&mip_3dm_nmea_message_format_response_codec, asked_nmea_message_format_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_nmea_message_format_codec = {
     0x0C,
     MIP_3DM_NMEA_MESSAGE_FORMAT_DESCRIPTOR,
@@ -656,6 +709,7 @@ const struct mip_codec mip_3dm_nmea_message_format_codec = {
     read_nmea_message_format,
     write_nmea_message_format,
     NULL,
+    responses_nmea_message_format,
 };
 
 mip_error mip_3dm_nmea_message_format_decode(struct mip_3dm_nmea_message_format *value,
@@ -735,6 +789,7 @@ const struct mip_codec mip_3dm_nmea_message_format_response_codec = {
     read_nmea_message_format_response,
     write_nmea_message_format_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_nmea_message_format_response_decode(
@@ -778,6 +833,7 @@ const struct mip_codec mip_3dm_poll_data_codec = {
     read_poll_data,
     write_poll_data,
     silent_poll_data,
+    NULL,
 };
 
 mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value, const struct mip_field *field) {
@@ -812,6 +868,11 @@ static void write_get_data_base_rate(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->desc_set, 1);
 }
 
+static const struct mip_response responses_get_data_base_rate[] = {
+    {&mip_3dm_get_data_base_rate_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_data_base_rate_codec = {
     0x0C,
     MIP_3DM_GET_DATA_BASE_RATE_DESCRIPTOR,
@@ -821,6 +882,7 @@ const struct mip_codec mip_3dm_get_data_base_rate_codec = {
     read_get_data_base_rate,
     write_get_data_base_rate,
     NULL,
+    responses_get_data_base_rate,
 };
 
 mip_error mip_3dm_get_data_base_rate_decode(struct mip_3dm_get_data_base_rate *value,
@@ -863,6 +925,7 @@ const struct mip_codec mip_3dm_get_data_base_rate_response_codec = {
     0,
     read_get_data_base_rate_response,
     write_get_data_base_rate_response,
+    NULL,
     NULL,
 };
 
@@ -908,6 +971,16 @@ static void write_message_format(struct mip_writer *w, const void *value) {
     }
 }
 
+static bool asked_message_format_1(const void *value) {
+    const struct mip_3dm_message_format *v = (const struct mip_3dm_message_format *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_message_format[] = {
+    {&mip_3dm_message_format_response_codec, asked_message_format_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_message_format_codec = {
     0x0C,
     MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR,
@@ -917,6 +990,7 @@ const struct mip_codec mip_3dm_message_format_codec = {
     read_message_format,
     write_message_format,
     NULL,
+    responses_message_format,
 };
 
 mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
@@ -1002,6 +1076,7 @@ const struct mip_codec mip_3dm_message_format_response_codec = {
     read_message_format_response,
     write_message_format_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_message_format_response_decode(struct mip_3dm_message_format_response *value,
@@ -1035,6 +1110,7 @@ const struct mip_codec mip_3dm_factory_streaming_codec = {
     0,
     read_factory_streaming,
     write_factory_streaming,
+    NULL,
     NULL,
 };
 
@@ -1083,6 +1159,16 @@ static void write_data_stream_control(struct mip_writer *w, const void *value) {
     mip_write_bool(w, &v->enable, 1);
 }
 
+static bool asked_data_stream_control_1(const void *value) {
+    const struct mip_3dm_data_stream_control *v = (const struct mip_3dm_data_stream_control *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_data_stream_control[] = {
+    {&mip_3dm_data_stream_control_response_codec, asked_data_stream_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_data_stream_control_codec = {
     0x0C,
     MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR,
@@ -1092,6 +1178,7 @@ const struct mip_codec mip_3dm_data_stream_control_codec = {
     read_data_stream_control,
     write_data_stream_control,
     NULL,
+    responses_data_stream_control,
 };
 
 mip_error mip_3dm_data_stream_control_decode(struct mip_3dm_data_stream_control *value,
@@ -1170,6 +1257,7 @@ const struct mip_codec mip_3dm_data_stream_control_response_codec = {
     read_data_stream_control_response,
     write_data_stream_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_data_stream_control_response_decode(
@@ -1215,6 +1303,16 @@ static void write_gnss_sbas_settings(struct mip_writer *w, const void *value) {
     mip_write_u16(w, v->included_prns, mip_write_count(w, v->num_included_prns, 124));
 }
 
+static bool asked_gnss_sbas_settings_1(const void *value) {
+    const struct mip_3dm_gnss_sbas_settings *v = (const struct mip_3dm_gnss_sbas_settings *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_sbas_settings[] = {
+    {&mip_3dm_gnss_sbas_settings_response_codec, asked_gnss_sbas_settings_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
     0x0C,
     MIP_3DM_GNSS_SBAS_SETTINGS_DESCRIPTOR,
@@ -1224,6 +1322,7 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
     read_gnss_sbas_settings,
     write_gnss_sbas_settings,
     NULL,
+    responses_gnss_sbas_settings,
 };
 
 mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sbas_settings *value,
@@ -1306,6 +1405,7 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec = {
     read_gnss_sbas_settings_response,
     write_gnss_sbas_settings_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_sbas_settings_response_decode(
@@ -1341,6 +1441,16 @@ static void write_pps_source_control(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->source, 1);
 }
 
+static bool asked_pps_source_control_1(const void *value) {
+    const struct mip_3dm_pps_source_control *v = (const struct mip_3dm_pps_source_control *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_pps_source_control[] = {
+    {&mip_3dm_pps_source_control_response_codec, asked_pps_source_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_pps_source_control_codec = {
     0x0C,
     MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR,
@@ -1350,6 +1460,7 @@ const struct mip_codec mip_3dm_pps_source_control_codec = {
     read_pps_source_control,
     write_pps_source_control,
     NULL,
+    responses_pps_source_control,
 };
 
 mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_source_control *value,
@@ -1420,6 +1531,7 @@ const struct mip_codec mip_3dm_pps_source_control_response_codec = {
     read_pps_source_control_response,
     write_pps_source_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_pps_source_control_response_decode(
@@ -1444,6 +1556,11 @@ static void write_get_supported_events(struct mip_writer *w, const void *value) 
     mip_write_u8(w, &v->query, 1);
 }
 
+static const struct mip_response responses_get_supported_events[] = {
+    {&mip_3dm_get_supported_events_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_supported_events_codec = {
     0x0C,
     MIP_3DM_GET_SUPPORTED_EVENTS_DESCRIPTOR,
@@ -1453,6 +1570,7 @@ const struct mip_codec mip_3dm_get_supported_events_codec = {
     read_get_supported_events,
     write_get_supported_events,
     NULL,
+    responses_get_supported_events,
 };
 
 mip_error mip_3dm_get_supported_events_decode(struct mip_3dm_get_supported_events *value,
@@ -1505,6 +1623,7 @@ const struct mip_codec mip_3dm_get_supported_events_response_codec = {
     read_get_supported_events_response,
     write_get_supported_events_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_get_supported_events_response_decode(
@@ -1543,6 +1662,16 @@ static void write_event_control(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->mode, 1);
 }
 
+static bool asked_event_control_1(const void *value) {
+    const struct mip_3dm_event_control *v = (const struct mip_3dm_event_control *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_event_control[] = {
+    {&mip_3dm_event_control_response_codec, asked_event_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_event_control_codec = {
     0x0C,
     MIP_3DM_EVENT_CONTROL_DESCRIPTOR,
@@ -1552,6 +1681,7 @@ const struct mip_codec mip_3dm_event_control_codec = {
     read_event_control,
     write_event_control,
     NULL,
+    responses_event_control,
 };
 
 mip_error mip_3dm_event_control_decode(struct mip_3dm_event_control *value,
@@ -1629,6 +1759,7 @@ const struct mip_codec mip_3dm_event_control_response_codec = {
     read_event_control_response,
     write_event_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_event_control_response_decode(struct mip_3dm_event_control_response *value,
@@ -1655,6 +1786,11 @@ static void write_get_event_trigger_status(struct mip_writer *w, const void *val
     mip_write_u8(w, v->requested_instances, mip_write_count(w, v->requested_count, 252));
 }
 
+static const struct mip_response responses_get_event_trigger_status[] = {
+    {&mip_3dm_get_event_trigger_status_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
     0x0C,
     MIP_3DM_GET_EVENT_TRIGGER_STATUS_DESCRIPTOR,
@@ -1664,6 +1800,7 @@ const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
     read_get_event_trigger_status,
     write_get_event_trigger_status,
     NULL,
+    responses_get_event_trigger_status,
 };
 
 mip_error mip_3dm_get_event_trigger_status_decode(struct mip_3dm_get_event_trigger_status *value,
@@ -1714,6 +1851,7 @@ const struct mip_codec mip_3dm_get_event_trigger_status_response_codec = {
     read_get_event_trigger_status_response,
     write_get_event_trigger_status_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_get_event_trigger_status_response_decode(
@@ -1741,6 +1879,11 @@ static void write_get_event_action_status(struct mip_writer *w, const void *valu
     mip_write_u8(w, v->requested_instances, mip_write_count(w, v->requested_count, 252));
 }
 
+static const struct mip_response responses_get_event_action_status[] = {
+    {&mip_3dm_get_event_action_status_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_event_action_status_codec = {
     0x0C,
     MIP_3DM_GET_EVENT_ACTION_STATUS_DESCRIPTOR,
@@ -1750,6 +1893,7 @@ const struct mip_codec mip_3dm_get_event_action_status_codec = {
     read_get_event_action_status,
     write_get_event_action_status,
     NULL,
+    responses_get_event_action_status,
 };
 
 mip_error mip_3dm_get_event_action_status_decode(struct mip_3dm_get_event_action_status *value,
@@ -1799,6 +1943,7 @@ const struct mip_codec mip_3dm_get_event_action_status_response_codec = {
     0,
     read_get_event_action_status_response,
     write_get_event_action_status_response,
+    NULL,
     NULL,
 };
 
@@ -1870,6 +2015,17 @@ static void write_event_trigger_configuration(struct mip_writer *w, const void *
     }
 }
 
+static bool asked_event_trigger_configuration_1(const void *value) {
+    const struct mip_3dm_event_trigger_configuration *v =
+        (const struct mip_3dm_event_trigger_configuration *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_event_trigger_configuration[] = {
+    {&mip_3dm_event_trigger_configuration_response_codec, asked_event_trigger_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_event_trigger_configuration_codec = {
     0x0C,
     MIP_3DM_EVENT_TRIGGER_CONFIGURATION_DESCRIPTOR,
@@ -1879,6 +2035,7 @@ const struct mip_codec mip_3dm_event_trigger_configuration_codec = {
     read_event_trigger_configuration,
     write_event_trigger_configuration,
     NULL,
+    responses_event_trigger_configuration,
 };
 
 mip_error mip_3dm_event_trigger_configuration_decode(
@@ -1991,6 +2148,7 @@ const struct mip_codec mip_3dm_event_trigger_configuration_response_codec = {
     read_event_trigger_configuration_response,
     write_event_trigger_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_event_trigger_configuration_response_decode(
@@ -2059,6 +2217,17 @@ static void write_event_action_configuration(struct mip_writer *w, const void *v
     }
 }
 
+static bool asked_event_action_configuration_1(const void *value) {
+    const struct mip_3dm_event_action_configuration *v =
+        (const struct mip_3dm_event_action_configuration *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_event_action_configuration[] = {
+    {&mip_3dm_event_action_configuration_response_codec, asked_event_action_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_event_action_configuration_codec = {
     0x0C,
     MIP_3DM_EVENT_ACTION_CONFIGURATION_DESCRIPTOR,
@@ -2068,6 +2237,7 @@ const struct mip_codec mip_3dm_event_action_configuration_codec = {
     read_event_action_configuration,
     write_event_action_configuration,
     NULL,
+    responses_event_action_configuration,
 };
 
 mip_error mip_3dm_event_action_configuration_decode(
@@ -2177,6 +2347,7 @@ const struct mip_codec mip_3dm_event_action_configuration_response_codec = {
     read_event_action_configuration_response,
     write_event_action_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_event_action_configuration_response_decode(
@@ -2210,6 +2381,7 @@ const struct mip_codec mip_3dm_device_start_up_settings_codec = {
     1000,
     read_device_start_up_settings,
     write_device_start_up_settings,
+    NULL,
     NULL,
 };
 
@@ -2278,6 +2450,18 @@ static void write_sensor_to_vehicle_frame_transformation_euler(struct mip_writer
     mip_write_float(w, &v->yaw, 1);
 }
 
+static bool asked_sensor_to_vehicle_frame_transformation_euler_1(const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *v =
+        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_frame_transformation_euler[] = {
+    {&mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_codec,
+     asked_sensor_to_vehicle_frame_transformation_euler_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_codec = {
     0x0C,
     MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_DESCRIPTOR,
@@ -2287,6 +2471,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_code
     read_sensor_to_vehicle_frame_transformation_euler,
     write_sensor_to_vehicle_frame_transformation_euler,
     NULL,
+    responses_sensor_to_vehicle_frame_transformation_euler,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_decode(
@@ -2374,6 +2559,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_resp
     read_sensor_to_vehicle_frame_transformation_euler_response,
     write_sensor_to_vehicle_frame_transformation_euler_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_decode(
@@ -2419,6 +2605,18 @@ static void write_sensor_to_vehicle_frame_transformation_quaternion(struct mip_w
     mip_write_float(w, v->q, 4);
 }
 
+static bool asked_sensor_to_vehicle_frame_transformation_quaternion_1(const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *v =
+        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_frame_transformation_quaternion[] = {
+    {&mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_codec,
+     asked_sensor_to_vehicle_frame_transformation_quaternion_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_codec = {
     0x0C,
     MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_DESCRIPTOR,
@@ -2428,6 +2626,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
     read_sensor_to_vehicle_frame_transformation_quaternion,
     write_sensor_to_vehicle_frame_transformation_quaternion,
     NULL,
+    responses_sensor_to_vehicle_frame_transformation_quaternion,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_decode(
@@ -2509,6 +2708,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
     read_sensor_to_vehicle_frame_transformation_quaternion_response,
     write_sensor_to_vehicle_frame_transformation_quaternion_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_decode(
@@ -2557,6 +2757,19 @@ static void write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
     mip_write_float(w, v->dcm, 9);
 }
 
+static bool asked_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_1(
+    const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *v =
+        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_frame_transformation_direction_cosine_matrix[] = {
+    {&mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_codec,
+     asked_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_codec = {
     0x0C,
     MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_DESCRIPTOR,
@@ -2566,6 +2779,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_direction_
     read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
     write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
     NULL,
+    responses_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_decode(
@@ -2649,6 +2863,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_direction_
     read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
     write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_decode(
@@ -2699,6 +2914,18 @@ static bool silent_accelerometer_bias_configuration(const void *value) {
     return v->function == MIP_FUNCTION_SELECTOR_APPLY;
 }
 
+static bool asked_accelerometer_bias_configuration_1(const void *value) {
+    const struct mip_3dm_accelerometer_bias_configuration *v =
+        (const struct mip_3dm_accelerometer_bias_configuration *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_accelerometer_bias_configuration[] = {
+    {&mip_3dm_accelerometer_bias_configuration_response_codec,
+     asked_accelerometer_bias_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_accelerometer_bias_configuration_codec = {
     0x0C,
     MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_DESCRIPTOR,
@@ -2708,6 +2935,7 @@ const struct mip_codec mip_3dm_accelerometer_bias_configuration_codec = {
     read_accelerometer_bias_configuration,
     write_accelerometer_bias_configuration,
     silent_accelerometer_bias_configuration,
+    responses_accelerometer_bias_configuration,
 };
 
 mip_error mip_3dm_accelerometer_bias_configuration_decode(
@@ -2794,6 +3022,7 @@ const struct mip_codec mip_3dm_accelerometer_bias_configuration_response_codec =
     read_accelerometer_bias_configuration_response,
     write_accelerometer_bias_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_accelerometer_bias_configuration_response_decode(
@@ -2841,6 +3070,17 @@ static bool silent_gyroscope_bias_configuration(const void *value) {
     return v->function == MIP_FUNCTION_SELECTOR_APPLY;
 }
 
+static bool asked_gyroscope_bias_configuration_1(const void *value) {
+    const struct mip_3dm_gyroscope_bias_configuration *v =
+        (const struct mip_3dm_gyroscope_bias_configuration *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gyroscope_bias_configuration[] = {
+    {&mip_3dm_gyroscope_bias_configuration_response_codec, asked_gyroscope_bias_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gyroscope_bias_configuration_codec = {
     0x0C,
     MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_DESCRIPTOR,
@@ -2850,6 +3090,7 @@ const struct mip_codec mip_3dm_gyroscope_bias_configuration_codec = {
     read_gyroscope_bias_configuration,
     write_gyroscope_bias_configuration,
     silent_gyroscope_bias_configuration,
+    responses_gyroscope_bias_configuration,
 };
 
 mip_error mip_3dm_gyroscope_bias_configuration_decode(
@@ -2930,6 +3171,7 @@ const struct mip_codec mip_3dm_gyroscope_bias_configuration_response_codec = {
     read_gyroscope_bias_configuration_response,
     write_gyroscope_bias_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gyroscope_bias_configuration_response_decode(
@@ -2956,6 +3198,11 @@ static void write_capture_gyroscope_bias(struct mip_writer *w, const void *value
     mip_write_u16(w, &v->averaging_time_ms, 1);
 }
 
+static const struct mip_response responses_capture_gyroscope_bias[] = {
+    {&mip_3dm_gyroscope_bias_configuration_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_capture_gyroscope_bias_codec = {
     0x0C,
     MIP_3DM_CAPTURE_GYROSCOPE_BIAS_DESCRIPTOR,
@@ -2965,6 +3212,7 @@ const struct mip_codec mip_3dm_capture_gyroscope_bias_codec = {
     read_capture_gyroscope_bias,
     write_capture_gyroscope_bias,
     NULL,
+    responses_capture_gyroscope_bias,
 };
 
 mip_error mip_3dm_capture_gyroscope_bias_decode(struct mip_3dm_capture_gyroscope_bias *value,
@@ -3010,6 +3258,17 @@ static void write_magnetometer_hard_iron_offset(struct mip_writer *w, const void
     mip_write_float(w, v->offset, 3);
 }
 
+static bool asked_magnetometer_hard_iron_offset_1(const void *value) {
+    const struct mip_3dm_magnetometer_hard_iron_offset *v =
+        (const struct mip_3dm_magnetometer_hard_iron_offset *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_magnetometer_hard_iron_offset[] = {
+    {&mip_3dm_magnetometer_hard_iron_offset_response_codec, asked_magnetometer_hard_iron_offset_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_codec = {
     0x0C,
     MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_DESCRIPTOR,
@@ -3019,6 +3278,7 @@ const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_codec = {
     read_magnetometer_hard_iron_offset,
     write_magnetometer_hard_iron_offset,
     NULL,
+    responses_magnetometer_hard_iron_offset,
 };
 
 mip_error mip_3dm_magnetometer_hard_iron_offset_decode(
@@ -3090,6 +3350,7 @@ const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_response_codec = {
     read_magnetometer_hard_iron_offset_response,
     write_magnetometer_hard_iron_offset_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_magnetometer_hard_iron_offset_response_decode(
@@ -3130,6 +3391,17 @@ static void write_magnetometer_soft_iron_matrix(struct mip_writer *w, const void
     mip_write_float(w, v->offset, 9);
 }
 
+static bool asked_magnetometer_soft_iron_matrix_1(const void *value) {
+    const struct mip_3dm_magnetometer_soft_iron_matrix *v =
+        (const struct mip_3dm_magnetometer_soft_iron_matrix *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_magnetometer_soft_iron_matrix[] = {
+    {&mip_3dm_magnetometer_soft_iron_matrix_response_codec, asked_magnetometer_soft_iron_matrix_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_codec = {
     0x0C,
     MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_DESCRIPTOR,
@@ -3139,6 +3411,7 @@ const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_codec = {
     read_magnetometer_soft_iron_matrix,
     write_magnetometer_soft_iron_matrix,
     NULL,
+    responses_magnetometer_soft_iron_matrix,
 };
 
 mip_error mip_3dm_magnetometer_soft_iron_matrix_decode(
@@ -3210,6 +3483,7 @@ const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_response_codec = {
     read_magnetometer_soft_iron_matrix_response,
     write_magnetometer_soft_iron_matrix_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_magnetometer_soft_iron_matrix_response_decode(
@@ -3250,6 +3524,17 @@ static void write_coning_and_sculling_enable(struct mip_writer *w, const void *v
     mip_write_bool(w, &v->enable, 1);
 }
 
+static bool asked_coning_and_sculling_enable_1(const void *value) {
+    const struct mip_3dm_coning_and_sculling_enable *v =
+        (const struct mip_3dm_coning_and_sculling_enable *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_coning_and_sculling_enable[] = {
+    {&mip_3dm_coning_and_sculling_enable_response_codec, asked_coning_and_sculling_enable_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_coning_and_sculling_enable_codec = {
     0x0C,
     MIP_3DM_CONING_AND_SCULLING_ENABLE_DESCRIPTOR,
@@ -3259,6 +3544,7 @@ const struct mip_codec mip_3dm_coning_and_sculling_enable_codec = {
     read_coning_and_sculling_enable,
     write_coning_and_sculling_enable,
     NULL,
+    responses_coning_and_sculling_enable,
 };
 
 mip_error mip_3dm_coning_and_sculling_enable_decode(
@@ -3330,6 +3616,7 @@ const struct mip_codec mip_3dm_coning_and_sculling_enable_response_codec = {
     read_coning_and_sculling_enable_response,
     write_coning_and_sculling_enable_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_coning_and_sculling_enable_response_decode(
@@ -3365,6 +3652,16 @@ static void write_uart_baud_rate(struct mip_writer *w, const void *value) {
     mip_write_u32(w, &v->baud, 1);
 }
 
+static bool asked_uart_baud_rate_1(const void *value) {
+    const struct mip_3dm_uart_baud_rate *v = (const struct mip_3dm_uart_baud_rate *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_uart_baud_rate[] = {
+    {&mip_3dm_uart_baud_rate_response_codec, asked_uart_baud_rate_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_uart_baud_rate_codec = {
     0x0C,
     MIP_3DM_UART_BAUD_RATE_DESCRIPTOR,
@@ -3374,6 +3671,7 @@ const struct mip_codec mip_3dm_uart_baud_rate_codec = {
     read_uart_baud_rate,
     write_uart_baud_rate,
     NULL,
+    responses_uart_baud_rate,
 };
 
 mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_rate *value,
@@ -3443,6 +3741,7 @@ const struct mip_codec mip_3dm_uart_baud_rate_response_codec = {
     read_uart_baud_rate_response,
     write_uart_baud_rate_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_uart_baud_rate_response_decode(struct mip_3dm_uart_baud_rate_response *value,
@@ -3490,6 +3789,16 @@ static void write_gpio_configuration(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->pin_mode, 1);
 }
 
+static bool asked_gpio_configuration_1(const void *value) {
+    const struct mip_3dm_gpio_configuration *v = (const struct mip_3dm_gpio_configuration *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gpio_configuration[] = {
+    {&mip_3dm_gpio_configuration_response_codec, asked_gpio_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gpio_configuration_codec = {
     0x0C,
     MIP_3DM_GPIO_CONFIGURATION_DESCRIPTOR,
@@ -3499,6 +3808,7 @@ const struct mip_codec mip_3dm_gpio_configuration_codec = {
     read_gpio_configuration,
     write_gpio_configuration,
     NULL,
+    responses_gpio_configuration,
 };
 
 mip_error mip_3dm_gpio_configuration_decode(struct mip_3dm_gpio_configuration *value,
@@ -3585,6 +3895,7 @@ const struct mip_codec mip_3dm_gpio_configuration_response_codec = {
     read_gpio_configuration_response,
     write_gpio_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gpio_configuration_response_decode(
@@ -3623,6 +3934,16 @@ static void write_gpio_state(struct mip_writer *w, const void *value) {
     mip_write_bool(w, &v->state, 1);
 }
 
+static bool asked_gpio_state_1(const void *value) {
+    const struct mip_3dm_gpio_state *v = (const struct mip_3dm_gpio_state *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gpio_state[] = {
+    {&mip_3dm_gpio_state_response_codec, asked_gpio_state_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gpio_state_codec = {
     0x0C,
     MIP_3DM_GPIO_STATE_DESCRIPTOR,
@@ -3632,6 +3953,7 @@ const struct mip_codec mip_3dm_gpio_state_codec = {
     read_gpio_state,
     write_gpio_state,
     NULL,
+    responses_gpio_state,
 };
 
 mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *value,
@@ -3682,6 +4004,7 @@ const struct mip_codec mip_3dm_gpio_state_response_codec = {
     read_gpio_state_response,
     write_gpio_state_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gpio_state_response_decode(struct mip_3dm_gpio_state_response *value,
@@ -3726,6 +4049,17 @@ static void write_odometer_configuration(struct mip_writer *w, const void *value
     mip_write_float(w, &v->uncertainty, 1);
 }
 
+static bool asked_odometer_configuration_1(const void *value) {
+    const struct mip_3dm_odometer_configuration *v =
+        (const struct mip_3dm_odometer_configuration *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_odometer_configuration[] = {
+    {&mip_3dm_odometer_configuration_response_codec, asked_odometer_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_odometer_configuration_codec = {
     0x0C,
     MIP_3DM_ODOMETER_CONFIGURATION_DESCRIPTOR,
@@ -3735,6 +4069,7 @@ const struct mip_codec mip_3dm_odometer_configuration_codec = {
     read_odometer_configuration,
     write_odometer_configuration,
     NULL,
+    responses_odometer_configuration,
 };
 
 mip_error mip_3dm_odometer_configuration_decode(struct mip_3dm_odometer_configuration *value,
@@ -3812,6 +4147,7 @@ const struct mip_codec mip_3dm_odometer_configuration_response_codec = {
     read_odometer_configuration_response,
     write_odometer_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_odometer_configuration_response_decode(
@@ -3866,6 +4202,18 @@ static void write_advanced_low_pass_filter_settings(struct mip_writer *w, const 
     mip_write_u8(w, &v->reserved, 1);
 }
 
+static bool asked_advanced_low_pass_filter_settings_1(const void *value) {
+    const struct mip_3dm_advanced_low_pass_filter_settings *v =
+        (const struct mip_3dm_advanced_low_pass_filter_settings *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_advanced_low_pass_filter_settings[] = {
+    {&mip_3dm_advanced_low_pass_filter_settings_response_codec,
+     asked_advanced_low_pass_filter_settings_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_codec = {
     0x0C,
     MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_DESCRIPTOR,
@@ -3875,6 +4223,7 @@ const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_codec = {
     read_advanced_low_pass_filter_settings,
     write_advanced_low_pass_filter_settings,
     NULL,
+    responses_advanced_low_pass_filter_settings,
 };
 
 mip_error mip_3dm_advanced_low_pass_filter_settings_decode(
@@ -3967,6 +4316,7 @@ const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_response_codec 
     read_advanced_low_pass_filter_settings_response,
     write_advanced_low_pass_filter_settings_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_advanced_low_pass_filter_settings_response_decode(
@@ -4020,6 +4370,18 @@ static void write_complementary_filter_configuration(struct mip_writer *w, const
     mip_write_float(w, &v->heading_time_constant, 1);
 }
 
+static bool asked_complementary_filter_configuration_1(const void *value) {
+    const struct mip_3dm_complementary_filter_configuration *v =
+        (const struct mip_3dm_complementary_filter_configuration *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_complementary_filter_configuration[] = {
+    {&mip_3dm_complementary_filter_configuration_response_codec,
+     asked_complementary_filter_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_complementary_filter_configuration_codec = {
     0x0C,
     MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_DESCRIPTOR,
@@ -4029,6 +4391,7 @@ const struct mip_codec mip_3dm_complementary_filter_configuration_codec = {
     read_complementary_filter_configuration,
     write_complementary_filter_configuration,
     NULL,
+    responses_complementary_filter_configuration,
 };
 
 mip_error mip_3dm_complementary_filter_configuration_decode(
@@ -4116,6 +4479,7 @@ const struct mip_codec mip_3dm_complementary_filter_configuration_response_codec
     read_complementary_filter_configuration_response,
     write_complementary_filter_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_complementary_filter_configuration_response_decode(
@@ -4158,6 +4522,16 @@ static void write_sensor_range(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->setting, 1);
 }
 
+static bool asked_sensor_range_1(const void *value) {
+    const struct mip_3dm_sensor_range *v = (const struct mip_3dm_sensor_range *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_range[] = {
+    {&mip_3dm_sensor_range_response_codec, asked_sensor_range_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_sensor_range_codec = {
     0x0C,
     MIP_3DM_SENSOR_RANGE_DESCRIPTOR,
@@ -4167,6 +4541,7 @@ const struct mip_codec mip_3dm_sensor_range_codec = {
     read_sensor_range,
     write_sensor_range,
     NULL,
+    responses_sensor_range,
 };
 
 mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range *value,
@@ -4244,6 +4619,7 @@ const struct mip_codec mip_3dm_sensor_range_response_codec = {
     read_sensor_range_response,
     write_sensor_range_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_range_response_decode(struct mip_3dm_sensor_range_response *value,
@@ -4269,6 +4645,11 @@ static void write_get_calibrated_sensor_ranges(struct mip_writer *w, const void 
     mip_write_u8(w, &v->sensor, 1);
 }
 
+static const struct mip_response responses_get_calibrated_sensor_ranges[] = {
+    {&mip_3dm_get_calibrated_sensor_ranges_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
     0x0C,
     MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_DESCRIPTOR,
@@ -4278,6 +4659,7 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
     read_get_calibrated_sensor_ranges,
     write_get_calibrated_sensor_ranges,
     NULL,
+    responses_get_calibrated_sensor_ranges,
 };
 
 mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
@@ -4327,6 +4709,7 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec = {
     0,
     read_get_calibrated_sensor_ranges_response,
     write_get_calibrated_sensor_ranges_response,
+    NULL,
     NULL,
 };
 
@@ -4383,6 +4766,17 @@ static void write_low_pass_anti_aliasing_filter(struct mip_writer *w, const void
     mip_write_float(w, &v->frequency, 1);
 }
 
+static bool asked_low_pass_anti_aliasing_filter_1(const void *value) {
+    const struct mip_3dm_low_pass_anti_aliasing_filter *v =
+        (const struct mip_3dm_low_pass_anti_aliasing_filter *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_low_pass_anti_aliasing_filter[] = {
+    {&mip_3dm_low_pass_anti_aliasing_filter_response_codec, asked_low_pass_anti_aliasing_filter_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_codec = {
     0x0C,
     MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_DESCRIPTOR,
@@ -4392,6 +4786,7 @@ const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_codec = {
     read_low_pass_anti_aliasing_filter,
     write_low_pass_anti_aliasing_filter,
     NULL,
+    responses_low_pass_anti_aliasing_filter,
 };
 
 mip_error mip_3dm_low_pass_anti_aliasing_filter_decode(
@@ -4487,6 +4882,7 @@ const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_response_codec = {
     read_low_pass_anti_aliasing_filter_response,
     write_low_pass_anti_aliasing_filter_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_low_pass_anti_aliasing_filter_response_decode(
@@ -4515,6 +4911,22 @@ static void write_device_status(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->status_selector, 1);
 }
 
+static bool asked_device_status_1(const void *value) {
+    const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
+    return v->status_selector == 1;
+}
+
+static bool asked_device_status_2(const void *value) {
+    const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
+    return v->status_selector == 2;
+}
+
+static const struct mip_response responses_device_status[] = {
+    {&mip_3dm_device_status_basic_response_codec, asked_device_status_1},
+    {&mip_3dm_device_status_diagnostic_response_codec, asked_device_status_2},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_device_status_codec = {
     0x0C,
     MIP_3DM_DEVICE_STATUS_DESCRIPTOR,
@@ -4524,6 +4936,7 @@ const struct mip_codec mip_3dm_device_status_codec = {
     read_device_status,
     write_device_status,
     NULL,
+    responses_device_status,
 };
 
 mip_error mip_3dm_device_status_decode(struct mip_3dm_device_status *value,
@@ -4573,6 +4986,7 @@ const struct mip_codec mip_3dm_device_status_basic_response_codec = {
     0,
     read_device_status_basic_response,
     write_device_status_basic_response,
+    NULL,
     NULL,
 };
 
@@ -4637,6 +5051,7 @@ const struct mip_codec mip_3dm_device_status_diagnostic_response_codec = {
     0,
     read_device_status_diagnostic_response,
     write_device_status_diagnostic_response,
+    NULL,
     NULL,
 };
 

@@ -12,6 +12,7 @@ const struct mip_codec mip_filter_reset_navigation_filter_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_reset_navigation_filter_decode(
@@ -48,6 +49,7 @@ const struct mip_codec mip_filter_set_initial_attitude_codec = {
     0,
     read_set_initial_attitude,
     write_set_initial_attitude,
+    NULL,
     NULL,
 };
 
@@ -93,6 +95,7 @@ const struct mip_codec mip_filter_set_initial_heading_control_codec = {
     read_set_initial_heading_control,
     write_set_initial_heading_control,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_set_initial_heading_control_decode(
@@ -122,6 +125,7 @@ const struct mip_codec mip_filter_run_navigation_filter_codec = {
     0,
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 
@@ -168,6 +172,18 @@ static void write_sensor_to_vehicle_frame_transformation(struct mip_writer *w, c
     mip_write_float(w, &v->yaw, 1);
 }
 
+static bool asked_sensor_to_vehicle_frame_transformation_1(const void *value) {
+    const struct mip_filter_sensor_to_vehicle_frame_transformation *v =
+        (const struct mip_filter_sensor_to_vehicle_frame_transformation *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_frame_transformation[] = {
+    {&mip_filter_sensor_to_vehicle_frame_transformation_response_codec,
+     asked_sensor_to_vehicle_frame_transformation_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_codec = {
     0x0D,
     MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DESCRIPTOR,
@@ -177,6 +193,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_codec =
     read_sensor_to_vehicle_frame_transformation,
     write_sensor_to_vehicle_frame_transformation,
     NULL,
+    responses_sensor_to_vehicle_frame_transformation,
 };
 
 mip_error mip_filter_sensor_to_vehicle_frame_transformation_decode(
@@ -264,6 +281,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_respons
     read_sensor_to_vehicle_frame_transformation_response,
     write_sensor_to_vehicle_frame_transformation_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_decode(
@@ -305,6 +323,17 @@ static void write_gnss_antenna_offset_control(struct mip_writer *w, const void *
     mip_write_float(w, v->offset, 3);
 }
 
+static bool asked_gnss_antenna_offset_control_1(const void *value) {
+    const struct mip_filter_gnss_antenna_offset_control *v =
+        (const struct mip_filter_gnss_antenna_offset_control *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_antenna_offset_control[] = {
+    {&mip_filter_gnss_antenna_offset_control_response_codec, asked_gnss_antenna_offset_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gnss_antenna_offset_control_codec = {
     0x0D,
     MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
@@ -314,6 +343,7 @@ const struct mip_codec mip_filter_gnss_antenna_offset_control_codec = {
     read_gnss_antenna_offset_control,
     write_gnss_antenna_offset_control,
     NULL,
+    responses_gnss_antenna_offset_control,
 };
 
 mip_error mip_filter_gnss_antenna_offset_control_decode(
@@ -385,6 +415,7 @@ const struct mip_codec mip_filter_gnss_antenna_offset_control_response_codec = {
     read_gnss_antenna_offset_control_response,
     write_gnss_antenna_offset_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gnss_antenna_offset_control_response_decode(
@@ -425,6 +456,17 @@ static void write_estimation_control_flags(struct mip_writer *w, const void *val
     mip_write_u16(w, &v->flags, 1);
 }
 
+static bool asked_estimation_control_flags_1(const void *value) {
+    const struct mip_filter_estimation_control_flags *v =
+        (const struct mip_filter_estimation_control_flags *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_estimation_control_flags[] = {
+    {&mip_filter_estimation_control_flags_response_codec, asked_estimation_control_flags_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_estimation_control_flags_codec = {
     0x0D,
     MIP_FILTER_ESTIMATION_CONTROL_FLAGS_DESCRIPTOR,
@@ -434,6 +476,7 @@ const struct mip_codec mip_filter_estimation_control_flags_codec = {
     read_estimation_control_flags,
     write_estimation_control_flags,
     NULL,
+    responses_estimation_control_flags,
 };
 
 mip_error mip_filter_estimation_control_flags_decode(
@@ -505,6 +548,7 @@ const struct mip_codec mip_filter_estimation_control_flags_response_codec = {
     read_estimation_control_flags_response,
     write_estimation_control_flags_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_estimation_control_flags_response_decode(
@@ -543,6 +587,17 @@ static void write_gnss_aiding_source_control(struct mip_writer *w, const void *v
     mip_write_u8(w, &v->source, 1);
 }
 
+static bool asked_gnss_aiding_source_control_1(const void *value) {
+    const struct mip_filter_gnss_aiding_source_control *v =
+        (const struct mip_filter_gnss_aiding_source_control *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_aiding_source_control[] = {
+    {&mip_filter_gnss_aiding_source_control_response_codec, asked_gnss_aiding_source_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gnss_aiding_source_control_codec = {
     0x0D,
     MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_DESCRIPTOR,
@@ -552,6 +607,7 @@ const struct mip_codec mip_filter_gnss_aiding_source_control_codec = {
     read_gnss_aiding_source_control,
     write_gnss_aiding_source_control,
     NULL,
+    responses_gnss_aiding_source_control,
 };
 
 mip_error mip_filter_gnss_aiding_source_control_decode(
@@ -623,6 +679,7 @@ const struct mip_codec mip_filter_gnss_aiding_source_control_response_codec = {
     read_gnss_aiding_source_control_response,
     write_gnss_aiding_source_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gnss_aiding_source_control_response_decode(
@@ -663,6 +720,7 @@ const struct mip_codec mip_filter_external_heading_update_codec = {
     0,
     read_external_heading_update,
     write_external_heading_update,
+    NULL,
     NULL,
 };
 
@@ -710,6 +768,17 @@ static void write_heading_update_control(struct mip_writer *w, const void *value
     mip_write_u8(w, &v->enable, 1);
 }
 
+static bool asked_heading_update_control_1(const void *value) {
+    const struct mip_filter_heading_update_control *v =
+        (const struct mip_filter_heading_update_control *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_heading_update_control[] = {
+    {&mip_filter_heading_update_control_response_codec, asked_heading_update_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_heading_update_control_codec = {
     0x0D,
     MIP_FILTER_HEADING_UPDATE_CONTROL_DESCRIPTOR,
@@ -719,6 +788,7 @@ const struct mip_codec mip_filter_heading_update_control_codec = {
     read_heading_update_control,
     write_heading_update_control,
     NULL,
+    responses_heading_update_control,
 };
 
 mip_error mip_filter_heading_update_control_decode(struct mip_filter_heading_update_control *value,
@@ -790,6 +860,7 @@ const struct mip_codec mip_filter_heading_update_control_response_codec = {
     read_heading_update_control_response,
     write_heading_update_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_heading_update_control_response_decode(
@@ -828,6 +899,17 @@ static void write_auto_initialization_control(struct mip_writer *w, const void *
     mip_write_u8(w, &v->enable, 1);
 }
 
+static bool asked_auto_initialization_control_1(const void *value) {
+    const struct mip_filter_auto_initialization_control *v =
+        (const struct mip_filter_auto_initialization_control *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_auto_initialization_control[] = {
+    {&mip_filter_auto_initialization_control_response_codec, asked_auto_initialization_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_auto_initialization_control_codec = {
     0x0D,
     MIP_FILTER_AUTO_INITIALIZATION_CONTROL_DESCRIPTOR,
@@ -837,6 +919,7 @@ const struct mip_codec mip_filter_auto_initialization_control_codec = {
     read_auto_initialization_control,
     write_auto_initialization_control,
     NULL,
+    responses_auto_initialization_control,
 };
 
 mip_error mip_filter_auto_initialization_control_decode(
@@ -908,6 +991,7 @@ const struct mip_codec mip_filter_auto_initialization_control_response_codec = {
     read_auto_initialization_control_response,
     write_auto_initialization_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_auto_initialization_control_response_decode(
@@ -948,6 +1032,18 @@ static void write_accelerometer_noise_standard_deviation(struct mip_writer *w, c
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_accelerometer_noise_standard_deviation_1(const void *value) {
+    const struct mip_filter_accelerometer_noise_standard_deviation *v =
+        (const struct mip_filter_accelerometer_noise_standard_deviation *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_accelerometer_noise_standard_deviation[] = {
+    {&mip_filter_accelerometer_noise_standard_deviation_response_codec,
+     asked_accelerometer_noise_standard_deviation_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_codec = {
     0x0D,
     MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
@@ -957,6 +1053,7 @@ const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_codec =
     read_accelerometer_noise_standard_deviation,
     write_accelerometer_noise_standard_deviation,
     NULL,
+    responses_accelerometer_noise_standard_deviation,
 };
 
 mip_error mip_filter_accelerometer_noise_standard_deviation_decode(
@@ -1038,6 +1135,7 @@ const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_respons
     read_accelerometer_noise_standard_deviation_response,
     write_accelerometer_noise_standard_deviation_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_accelerometer_noise_standard_deviation_response_decode(
@@ -1079,6 +1177,18 @@ static void write_gyroscope_noise_standard_deviation(struct mip_writer *w, const
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_gyroscope_noise_standard_deviation_1(const void *value) {
+    const struct mip_filter_gyroscope_noise_standard_deviation *v =
+        (const struct mip_filter_gyroscope_noise_standard_deviation *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gyroscope_noise_standard_deviation[] = {
+    {&mip_filter_gyroscope_noise_standard_deviation_response_codec,
+     asked_gyroscope_noise_standard_deviation_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_codec = {
     0x0D,
     MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
@@ -1088,6 +1198,7 @@ const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_codec = {
     read_gyroscope_noise_standard_deviation,
     write_gyroscope_noise_standard_deviation,
     NULL,
+    responses_gyroscope_noise_standard_deviation,
 };
 
 mip_error mip_filter_gyroscope_noise_standard_deviation_decode(
@@ -1166,6 +1277,7 @@ const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_response_co
     read_gyroscope_noise_standard_deviation_response,
     write_gyroscope_noise_standard_deviation_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gyroscope_noise_standard_deviation_response_decode(
@@ -1211,6 +1323,18 @@ static void write_accelerometer_bias_model_parameters(struct mip_writer *w, cons
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_accelerometer_bias_model_parameters_1(const void *value) {
+    const struct mip_filter_accelerometer_bias_model_parameters *v =
+        (const struct mip_filter_accelerometer_bias_model_parameters *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_accelerometer_bias_model_parameters[] = {
+    {&mip_filter_accelerometer_bias_model_parameters_response_codec,
+     asked_accelerometer_bias_model_parameters_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_accelerometer_bias_model_parameters_codec = {
     0x0D,
     MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
@@ -1220,6 +1344,7 @@ const struct mip_codec mip_filter_accelerometer_bias_model_parameters_codec = {
     read_accelerometer_bias_model_parameters,
     write_accelerometer_bias_model_parameters,
     NULL,
+    responses_accelerometer_bias_model_parameters,
 };
 
 mip_error mip_filter_accelerometer_bias_model_parameters_decode(
@@ -1302,6 +1427,7 @@ const struct mip_codec mip_filter_accelerometer_bias_model_parameters_response_c
     read_accelerometer_bias_model_parameters_response,
     write_accelerometer_bias_model_parameters_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_accelerometer_bias_model_parameters_response_decode(
@@ -1347,6 +1473,18 @@ static void write_gyroscope_bias_model_parameters(struct mip_writer *w, const vo
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_gyroscope_bias_model_parameters_1(const void *value) {
+    const struct mip_filter_gyroscope_bias_model_parameters *v =
+        (const struct mip_filter_gyroscope_bias_model_parameters *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gyroscope_bias_model_parameters[] = {
+    {&mip_filter_gyroscope_bias_model_parameters_response_codec,
+     asked_gyroscope_bias_model_parameters_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gyroscope_bias_model_parameters_codec = {
     0x0D,
     MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
@@ -1356,6 +1494,7 @@ const struct mip_codec mip_filter_gyroscope_bias_model_parameters_codec = {
     read_gyroscope_bias_model_parameters,
     write_gyroscope_bias_model_parameters,
     NULL,
+    responses_gyroscope_bias_model_parameters,
 };
 
 mip_error mip_filter_gyroscope_bias_model_parameters_decode(
@@ -1436,6 +1575,7 @@ const struct mip_codec mip_filter_gyroscope_bias_model_parameters_response_codec
     read_gyroscope_bias_model_parameters_response,
     write_gyroscope_bias_model_parameters_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gyroscope_bias_model_parameters_response_decode(
@@ -1481,6 +1621,7 @@ const struct mip_codec mip_filter_external_heading_update_with_time_codec = {
     0,
     read_external_heading_update_with_time,
     write_external_heading_update_with_time,
+    NULL,
     NULL,
 };
 
@@ -1538,6 +1679,18 @@ static void write_zero_angular_rate_update_control(struct mip_writer *w, const v
     mip_write_float(w, &v->threshold, 1);
 }
 
+static bool asked_zero_angular_rate_update_control_1(const void *value) {
+    const struct mip_filter_zero_angular_rate_update_control *v =
+        (const struct mip_filter_zero_angular_rate_update_control *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_zero_angular_rate_update_control[] = {
+    {&mip_filter_zero_angular_rate_update_control_response_codec,
+     asked_zero_angular_rate_update_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_zero_angular_rate_update_control_codec = {
     0x0D,
     MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_DESCRIPTOR,
@@ -1547,6 +1700,7 @@ const struct mip_codec mip_filter_zero_angular_rate_update_control_codec = {
     read_zero_angular_rate_update_control,
     write_zero_angular_rate_update_control,
     NULL,
+    responses_zero_angular_rate_update_control,
 };
 
 mip_error mip_filter_zero_angular_rate_update_control_decode(
@@ -1627,6 +1781,7 @@ const struct mip_codec mip_filter_zero_angular_rate_update_control_response_code
     read_zero_angular_rate_update_control_response,
     write_zero_angular_rate_update_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_zero_angular_rate_update_control_response_decode(
@@ -1673,6 +1828,7 @@ const struct mip_codec mip_filter_tare_orientation_codec = {
     0,
     read_tare_orientation,
     write_tare_orientation,
+    NULL,
     NULL,
 };
 
@@ -1725,6 +1881,7 @@ const struct mip_codec mip_filter_commanded_zero_angular_rate_update_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_commanded_zero_angular_rate_update_decode(
@@ -1774,6 +1931,17 @@ static void write_set_reference_position(struct mip_writer *w, const void *value
     mip_write_double(w, &v->altitude, 1);
 }
 
+static bool asked_set_reference_position_1(const void *value) {
+    const struct mip_filter_set_reference_position *v =
+        (const struct mip_filter_set_reference_position *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_set_reference_position[] = {
+    {&mip_filter_set_reference_position_response_codec, asked_set_reference_position_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_set_reference_position_codec = {
     0x0D,
     MIP_FILTER_SET_REFERENCE_POSITION_DESCRIPTOR,
@@ -1783,6 +1951,7 @@ const struct mip_codec mip_filter_set_reference_position_codec = {
     read_set_reference_position,
     write_set_reference_position,
     NULL,
+    responses_set_reference_position,
 };
 
 mip_error mip_filter_set_reference_position_decode(struct mip_filter_set_reference_position *value,
@@ -1865,6 +2034,7 @@ const struct mip_codec mip_filter_set_reference_position_response_codec = {
     read_set_reference_position_response,
     write_set_reference_position_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_set_reference_position_response_decode(
@@ -1903,6 +2073,18 @@ static void write_gravity_noise_standard_deviation(struct mip_writer *w, const v
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_gravity_noise_standard_deviation_1(const void *value) {
+    const struct mip_filter_gravity_noise_standard_deviation *v =
+        (const struct mip_filter_gravity_noise_standard_deviation *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gravity_noise_standard_deviation[] = {
+    {&mip_filter_gravity_noise_standard_deviation_response_codec,
+     asked_gravity_noise_standard_deviation_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gravity_noise_standard_deviation_codec = {
     0x0D,
     MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
@@ -1912,6 +2094,7 @@ const struct mip_codec mip_filter_gravity_noise_standard_deviation_codec = {
     read_gravity_noise_standard_deviation,
     write_gravity_noise_standard_deviation,
     NULL,
+    responses_gravity_noise_standard_deviation,
 };
 
 mip_error mip_filter_gravity_noise_standard_deviation_decode(
@@ -1989,6 +2172,7 @@ const struct mip_codec mip_filter_gravity_noise_standard_deviation_response_code
     read_gravity_noise_standard_deviation_response,
     write_gravity_noise_standard_deviation_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gravity_noise_standard_deviation_response_decode(
@@ -2030,6 +2214,17 @@ static void write_enable_disable_measurements(struct mip_writer *w, const void *
     mip_write_u16(w, &v->control, 1);
 }
 
+static bool asked_enable_disable_measurements_1(const void *value) {
+    const struct mip_filter_enable_disable_measurements *v =
+        (const struct mip_filter_enable_disable_measurements *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_enable_disable_measurements[] = {
+    {&mip_filter_enable_disable_measurements_response_codec, asked_enable_disable_measurements_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_enable_disable_measurements_codec = {
     0x0D,
     MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_DESCRIPTOR,
@@ -2039,6 +2234,7 @@ const struct mip_codec mip_filter_enable_disable_measurements_codec = {
     read_enable_disable_measurements,
     write_enable_disable_measurements,
     NULL,
+    responses_enable_disable_measurements,
 };
 
 mip_error mip_filter_enable_disable_measurements_decode(
@@ -2110,6 +2306,7 @@ const struct mip_codec mip_filter_enable_disable_measurements_response_codec = {
     read_enable_disable_measurements_response,
     write_enable_disable_measurements_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_enable_disable_measurements_response_decode(
@@ -2155,6 +2352,18 @@ static void write_magnetic_field_declination_source_control(struct mip_writer *w
     mip_write_float(w, &v->declination, 1);
 }
 
+static bool asked_magnetic_field_declination_source_control_1(const void *value) {
+    const struct mip_filter_magnetic_field_declination_source_control *v =
+        (const struct mip_filter_magnetic_field_declination_source_control *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_magnetic_field_declination_source_control[] = {
+    {&mip_filter_magnetic_field_declination_source_control_response_codec,
+     asked_magnetic_field_declination_source_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_magnetic_field_declination_source_control_codec = {
     0x0D,
     MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_DESCRIPTOR,
@@ -2164,6 +2373,7 @@ const struct mip_codec mip_filter_magnetic_field_declination_source_control_code
     read_magnetic_field_declination_source_control,
     write_magnetic_field_declination_source_control,
     NULL,
+    responses_magnetic_field_declination_source_control,
 };
 
 mip_error mip_filter_magnetic_field_declination_source_control_decode(
@@ -2249,6 +2459,7 @@ const struct mip_codec mip_filter_magnetic_field_declination_source_control_resp
     read_magnetic_field_declination_source_control_response,
     write_magnetic_field_declination_source_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_magnetic_field_declination_source_control_response_decode(
@@ -2315,6 +2526,18 @@ static void write_gravity_magnitude_error_adaptive_measurement(struct mip_writer
     mip_write_float(w, &v->minimum_uncertainty, 1);
 }
 
+static bool asked_gravity_magnitude_error_adaptive_measurement_1(const void *value) {
+    const struct mip_filter_gravity_magnitude_error_adaptive_measurement *v =
+        (const struct mip_filter_gravity_magnitude_error_adaptive_measurement *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gravity_magnitude_error_adaptive_measurement[] = {
+    {&mip_filter_gravity_magnitude_error_adaptive_measurement_response_codec,
+     asked_gravity_magnitude_error_adaptive_measurement_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_codec = {
     0x0D,
     MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
@@ -2324,6 +2547,7 @@ const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_c
     read_gravity_magnitude_error_adaptive_measurement,
     write_gravity_magnitude_error_adaptive_measurement,
     NULL,
+    responses_gravity_magnitude_error_adaptive_measurement,
 };
 
 mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_decode(
@@ -2418,6 +2642,7 @@ const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_r
     read_gravity_magnitude_error_adaptive_measurement_response,
     write_gravity_magnitude_error_adaptive_measurement_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_decode(
@@ -2459,6 +2684,17 @@ static void write_pitch_roll_aiding_control(struct mip_writer *w, const void *va
     mip_write_u8(w, &v->aiding, 1);
 }
 
+static bool asked_pitch_roll_aiding_control_1(const void *value) {
+    const struct mip_filter_pitch_roll_aiding_control *v =
+        (const struct mip_filter_pitch_roll_aiding_control *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_pitch_roll_aiding_control[] = {
+    {&mip_filter_pitch_roll_aiding_control_response_codec, asked_pitch_roll_aiding_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_pitch_roll_aiding_control_codec = {
     0x0D,
     MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_DESCRIPTOR,
@@ -2468,6 +2704,7 @@ const struct mip_codec mip_filter_pitch_roll_aiding_control_codec = {
     read_pitch_roll_aiding_control,
     write_pitch_roll_aiding_control,
     NULL,
+    responses_pitch_roll_aiding_control,
 };
 
 mip_error mip_filter_pitch_roll_aiding_control_decode(
@@ -2539,6 +2776,7 @@ const struct mip_codec mip_filter_pitch_roll_aiding_control_response_codec = {
     read_pitch_roll_aiding_control_response,
     write_pitch_roll_aiding_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_pitch_roll_aiding_control_response_decode(
@@ -2582,6 +2820,17 @@ static void write_aiding_measurement_control(struct mip_writer *w, const void *v
     mip_write_bool(w, &v->enable, 1);
 }
 
+static bool asked_aiding_measurement_control_1(const void *value) {
+    const struct mip_filter_aiding_measurement_control *v =
+        (const struct mip_filter_aiding_measurement_control *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_aiding_measurement_control[] = {
+    {&mip_filter_aiding_measurement_control_response_codec, asked_aiding_measurement_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_aiding_measurement_control_codec = {
     0x0D,
     MIP_FILTER_AIDING_MEASUREMENT_CONTROL_DESCRIPTOR,
@@ -2591,6 +2840,7 @@ const struct mip_codec mip_filter_aiding_measurement_control_codec = {
     read_aiding_measurement_control,
     write_aiding_measurement_control,
     NULL,
+    responses_aiding_measurement_control,
 };
 
 mip_error mip_filter_aiding_measurement_control_decode(
@@ -2673,6 +2923,7 @@ const struct mip_codec mip_filter_aiding_measurement_control_response_codec = {
     read_aiding_measurement_control_response,
     write_aiding_measurement_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_aiding_measurement_control_response_decode(
@@ -2745,6 +2996,18 @@ static void write_navigation_filter_initialization(struct mip_writer *w, const v
     mip_write_u8(w, &v->reference_frame_selector, 1);
 }
 
+static bool asked_navigation_filter_initialization_1(const void *value) {
+    const struct mip_filter_navigation_filter_initialization *v =
+        (const struct mip_filter_navigation_filter_initialization *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_navigation_filter_initialization[] = {
+    {&mip_filter_navigation_filter_initialization_response_codec,
+     asked_navigation_filter_initialization_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_navigation_filter_initialization_codec = {
     0x0D,
     MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_DESCRIPTOR,
@@ -2754,6 +3017,7 @@ const struct mip_codec mip_filter_navigation_filter_initialization_codec = {
     read_navigation_filter_initialization,
     write_navigation_filter_initialization,
     NULL,
+    responses_navigation_filter_initialization,
 };
 
 mip_error mip_filter_navigation_filter_initialization_decode(
@@ -2859,6 +3123,7 @@ const struct mip_codec mip_filter_navigation_filter_initialization_response_code
     read_navigation_filter_initialization_response,
     write_navigation_filter_initialization_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_navigation_filter_initialization_response_decode(
@@ -2904,6 +3169,17 @@ static void write_adaptive_filter_control(struct mip_writer *w, const void *valu
     mip_write_u16(w, &v->time_limit, 1);
 }
 
+static bool asked_adaptive_filter_control_1(const void *value) {
+    const struct mip_filter_adaptive_filter_control *v =
+        (const struct mip_filter_adaptive_filter_control *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_adaptive_filter_control[] = {
+    {&mip_filter_adaptive_filter_control_response_codec, asked_adaptive_filter_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_adaptive_filter_control_codec = {
     0x0D,
     MIP_FILTER_ADAPTIVE_FILTER_CONTROL_DESCRIPTOR,
@@ -2913,6 +3189,7 @@ const struct mip_codec mip_filter_adaptive_filter_control_codec = {
     read_adaptive_filter_control,
     write_adaptive_filter_control,
     NULL,
+    responses_adaptive_filter_control,
 };
 
 mip_error mip_filter_adaptive_filter_control_decode(
@@ -2987,6 +3264,7 @@ const struct mip_codec mip_filter_adaptive_filter_control_response_codec = {
     read_adaptive_filter_control_response,
     write_adaptive_filter_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_adaptive_filter_control_response_decode(
@@ -3029,6 +3307,18 @@ static void write_gnss_multi_antenna_offset_control(struct mip_writer *w, const 
     mip_write_float(w, v->antenna_offset, 3);
 }
 
+static bool asked_gnss_multi_antenna_offset_control_1(const void *value) {
+    const struct mip_filter_gnss_multi_antenna_offset_control *v =
+        (const struct mip_filter_gnss_multi_antenna_offset_control *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_multi_antenna_offset_control[] = {
+    {&mip_filter_gnss_multi_antenna_offset_control_response_codec,
+     asked_gnss_multi_antenna_offset_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_codec = {
     0x0D,
     MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
@@ -3038,6 +3328,7 @@ const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_codec = {
     read_gnss_multi_antenna_offset_control,
     write_gnss_multi_antenna_offset_control,
     NULL,
+    responses_gnss_multi_antenna_offset_control,
 };
 
 mip_error mip_filter_gnss_multi_antenna_offset_control_decode(
@@ -3123,6 +3414,7 @@ const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_response_cod
     read_gnss_multi_antenna_offset_control_response,
     write_gnss_multi_antenna_offset_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gnss_multi_antenna_offset_control_response_decode(
@@ -3172,6 +3464,18 @@ static void write_relative_position_configuration(struct mip_writer *w, const vo
     mip_write_double(w, v->reference_coordinates, 3);
 }
 
+static bool asked_relative_position_configuration_1(const void *value) {
+    const struct mip_filter_relative_position_configuration *v =
+        (const struct mip_filter_relative_position_configuration *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_relative_position_configuration[] = {
+    {&mip_filter_relative_position_configuration_response_codec,
+     asked_relative_position_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_relative_position_configuration_codec = {
     0x0D,
     MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_DESCRIPTOR,
@@ -3181,6 +3485,7 @@ const struct mip_codec mip_filter_relative_position_configuration_codec = {
     read_relative_position_configuration,
     write_relative_position_configuration,
     NULL,
+    responses_relative_position_configuration,
 };
 
 mip_error mip_filter_relative_position_configuration_decode(
@@ -3265,6 +3570,7 @@ const struct mip_codec mip_filter_relative_position_configuration_response_codec
     read_relative_position_configuration_response,
     write_relative_position_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_relative_position_configuration_response_decode(
@@ -3310,6 +3616,17 @@ static void write_reference_point_lever_arm(struct mip_writer *w, const void *va
     mip_write_float(w, v->lever_arm_offset, 3);
 }
 
+static bool asked_reference_point_lever_arm_1(const void *value) {
+    const struct mip_filter_reference_point_lever_arm *v =
+        (const struct mip_filter_reference_point_lever_arm *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_reference_point_lever_arm[] = {
+    {&mip_filter_reference_point_lever_arm_response_codec, asked_reference_point_lever_arm_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
     0x0D,
     MIP_FILTER_REFERENCE_POINT_LEVER_ARM_DESCRIPTOR,
@@ -3319,6 +3636,7 @@ const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
     read_reference_point_lever_arm,
     write_reference_point_lever_arm,
     NULL,
+    responses_reference_point_lever_arm,
 };
 
 mip_error mip_filter_reference_point_lever_arm_decode(
@@ -3393,6 +3711,7 @@ const struct mip_codec mip_filter_reference_point_lever_arm_response_codec = {
     read_reference_point_lever_arm_response,
     write_reference_point_lever_arm_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_reference_point_lever_arm_response_decode(
@@ -3436,6 +3755,17 @@ static void write_measurement_speed_lever_arm(struct mip_writer *w, const void *
     mip_write_float(w, v->lever_arm_offset, 3);
 }
 
+static bool asked_measurement_speed_lever_arm_1(const void *value) {
+    const struct mip_filter_measurement_speed_lever_arm *v =
+        (const struct mip_filter_measurement_speed_lever_arm *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_measurement_speed_lever_arm[] = {
+    {&mip_filter_measurement_speed_lever_arm_response_codec, asked_measurement_speed_lever_arm_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_measurement_speed_lever_arm_codec = {
     0x0D,
     MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_DESCRIPTOR,
@@ -3445,6 +3775,7 @@ const struct mip_codec mip_filter_measurement_speed_lever_arm_codec = {
     read_measurement_speed_lever_arm,
     write_measurement_speed_lever_arm,
     NULL,
+    responses_measurement_speed_lever_arm,
 };
 
 mip_error mip_filter_measurement_speed_lever_arm_decode(
@@ -3523,6 +3854,7 @@ const struct mip_codec mip_filter_measurement_speed_lever_arm_response_codec = {
     read_measurement_speed_lever_arm_response,
     write_measurement_speed_lever_arm_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_measurement_speed_lever_arm_response_decode(
@@ -3563,6 +3895,18 @@ static void write_wheeled_vehicle_constraint_control(struct mip_writer *w, const
     mip_write_u8(w, &v->enable, 1);
 }
 
+static bool asked_wheeled_vehicle_constraint_control_1(const void *value) {
+    const struct mip_filter_wheeled_vehicle_constraint_control *v =
+        (const struct mip_filter_wheeled_vehicle_constraint_control *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_wheeled_vehicle_constraint_control[] = {
+    {&mip_filter_wheeled_vehicle_constraint_control_response_codec,
+     asked_wheeled_vehicle_constraint_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec = {
     0x0D,
     MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR,
@@ -3572,6 +3916,7 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec = {
     read_wheeled_vehicle_constraint_control,
     write_wheeled_vehicle_constraint_control,
     NULL,
+    responses_wheeled_vehicle_constraint_control,
 };
 
 mip_error mip_filter_wheeled_vehicle_constraint_control_decode(
@@ -3650,6 +3995,7 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_co
     read_wheeled_vehicle_constraint_control_response,
     write_wheeled_vehicle_constraint_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode(
@@ -3695,6 +4041,18 @@ static void write_gnss_antenna_offset_calibration_control(struct mip_writer *w, 
     mip_write_float(w, &v->max_offset, 1);
 }
 
+static bool asked_gnss_antenna_offset_calibration_control_1(const void *value) {
+    const struct mip_filter_gnss_antenna_offset_calibration_control *v =
+        (const struct mip_filter_gnss_antenna_offset_calibration_control *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_antenna_offset_calibration_control[] = {
+    {&mip_filter_gnss_antenna_offset_calibration_control_response_codec,
+     asked_gnss_antenna_offset_calibration_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_codec = {
     0x0D,
     MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_DESCRIPTOR,
@@ -3704,6 +4062,7 @@ const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_codec 
     read_gnss_antenna_offset_calibration_control,
     write_gnss_antenna_offset_calibration_control,
     NULL,
+    responses_gnss_antenna_offset_calibration_control,
 };
 
 mip_error mip_filter_gnss_antenna_offset_calibration_control_decode(
@@ -3787,6 +4146,7 @@ const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_respon
     0,
     read_gnss_antenna_offset_calibration_control_response,
     write_gnss_antenna_offset_calibration_control_response,
+    NULL,
     NULL,
 };
 

@@ -29,6 +29,7 @@ const struct mip_codec mip_filter_data_llh_position_codec = {
     read_llh_position,
     write_llh_position,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_llh_position_decode(struct mip_filter_data_llh_position *value,
@@ -68,6 +69,7 @@ const struct mip_codec mip_filter_data_velocity_ned_codec = {
     read_velocity_ned,
     write_velocity_ned,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_velocity_ned_decode(struct mip_filter_data_velocity_ned *value,
@@ -104,6 +106,7 @@ const struct mip_codec mip_filter_data_attitude_quaternion_codec = {
     read_attitude_quaternion,
     write_attitude_quaternion,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_attitude_quaternion_decode(
@@ -138,6 +141,7 @@ const struct mip_codec mip_filter_data_attitude_dcm_codec = {
     0,
     read_attitude_dcm,
     write_attitude_dcm,
+    NULL,
     NULL,
 };
 
@@ -178,6 +182,7 @@ const struct mip_codec mip_filter_data_euler_angles_codec = {
     read_euler_angles,
     write_euler_angles,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_euler_angles_decode(struct mip_filter_data_euler_angles *value,
@@ -212,6 +217,7 @@ const struct mip_codec mip_filter_data_gyro_bias_codec = {
     read_gyro_bias,
     write_gyro_bias,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_gyro_bias_decode(struct mip_filter_data_gyro_bias *value,
@@ -245,6 +251,7 @@ const struct mip_codec mip_filter_data_accel_bias_codec = {
     0,
     read_accel_bias,
     write_accel_bias,
+    NULL,
     NULL,
 };
 
@@ -286,6 +293,7 @@ const struct mip_codec mip_filter_data_llh_position_uncertainty_codec = {
     read_llh_position_uncertainty,
     write_llh_position_uncertainty,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_llh_position_uncertainty_decode(
@@ -325,6 +333,7 @@ const struct mip_codec mip_filter_data_ned_velocity_uncertainty_codec = {
     0,
     read_ned_velocity_uncertainty,
     write_ned_velocity_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -366,6 +375,7 @@ const struct mip_codec mip_filter_data_euler_angles_uncertainty_codec = {
     read_euler_angles_uncertainty,
     write_euler_angles_uncertainty,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_euler_angles_uncertainty_decode(
@@ -401,6 +411,7 @@ const struct mip_codec mip_filter_data_gyro_bias_uncertainty_codec = {
     0,
     read_gyro_bias_uncertainty,
     write_gyro_bias_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -438,6 +449,7 @@ const struct mip_codec mip_filter_data_accel_bias_uncertainty_codec = {
     read_accel_bias_uncertainty,
     write_accel_bias_uncertainty,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_accel_bias_uncertainty_decode(
@@ -472,6 +484,7 @@ const struct mip_codec mip_filter_data_linear_accel_codec = {
     0,
     read_linear_accel,
     write_linear_accel,
+    NULL,
     NULL,
 };
 
@@ -508,6 +521,7 @@ const struct mip_codec mip_filter_data_comp_angular_rate_codec = {
     read_comp_angular_rate,
     write_comp_angular_rate,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_comp_angular_rate_decode(struct mip_filter_data_comp_angular_rate *value,
@@ -543,6 +557,7 @@ const struct mip_codec mip_filter_data_wgs84_local_gravity_magnitude_codec = {
     0,
     read_wgs84_local_gravity_magnitude,
     write_wgs84_local_gravity_magnitude,
+    NULL,
     NULL,
 };
 
@@ -581,6 +596,7 @@ const struct mip_codec mip_filter_data_status_codec = {
     read_status,
     write_status,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_status_decode(struct mip_filter_data_status *value,
@@ -615,6 +631,7 @@ const struct mip_codec mip_filter_data_timestamp_codec = {
     0,
     read_timestamp,
     write_timestamp,
+    NULL,
     NULL,
 };
 
@@ -651,6 +668,7 @@ const struct mip_codec mip_filter_data_quaternion_attitude_uncertainty_codec = {
     0,
     read_quaternion_attitude_uncertainty,
     write_quaternion_attitude_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -689,6 +707,7 @@ const struct mip_codec mip_filter_data_gravity_vector_codec = {
     0,
     read_gravity_vector,
     write_gravity_vector,
+    NULL,
     NULL,
 };
 
@@ -729,6 +748,7 @@ const struct mip_codec mip_filter_data_heading_update_source_state_codec = {
     0,
     read_heading_update_source_state,
     write_heading_update_source_state,
+    NULL,
     NULL,
 };
 
@@ -773,6 +793,7 @@ const struct mip_codec mip_filter_data_magnetic_model_codec = {
     read_magnetic_model,
     write_magnetic_model,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_magnetic_model_decode(struct mip_filter_data_magnetic_model *value,
@@ -809,6 +830,7 @@ const struct mip_codec mip_filter_data_compensated_acceleration_codec = {
     read_compensated_acceleration,
     write_compensated_acceleration,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_compensated_acceleration_decode(
@@ -843,6 +865,7 @@ const struct mip_codec mip_filter_data_pressure_altitude_codec = {
     0,
     read_pressure_altitude,
     write_pressure_altitude,
+    NULL,
     NULL,
 };
 
@@ -881,6 +904,7 @@ const struct mip_codec mip_filter_data_multi_antenna_offset_correction_codec = {
     0,
     read_multi_antenna_offset_correction,
     write_multi_antenna_offset_correction,
+    NULL,
     NULL,
 };
 
@@ -924,6 +948,7 @@ const struct mip_codec mip_filter_data_multi_antenna_offset_correction_uncertain
     read_multi_antenna_offset_correction_uncertainty,
     write_multi_antenna_offset_correction_uncertainty,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_decode(
@@ -964,6 +989,7 @@ const struct mip_codec mip_filter_data_ecef_position_uncertainty_codec = {
     read_ecef_position_uncertainty,
     write_ecef_position_uncertainty,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_ecef_position_uncertainty_decode(
@@ -1000,6 +1026,7 @@ const struct mip_codec mip_filter_data_ecef_velocity_uncertainty_codec = {
     read_ecef_velocity_uncertainty,
     write_ecef_velocity_uncertainty,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_ecef_velocity_uncertainty_decode(
@@ -1034,6 +1061,7 @@ const struct mip_codec mip_filter_data_ecef_position_codec = {
     0,
     read_ecef_position,
     write_ecef_position,
+    NULL,
     NULL,
 };
 
@@ -1070,6 +1098,7 @@ const struct mip_codec mip_filter_data_ecef_velocity_codec = {
     read_ecef_velocity,
     write_ecef_velocity,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_ecef_velocity_decode(struct mip_filter_data_ecef_velocity *value,
@@ -1105,6 +1134,7 @@ const struct mip_codec mip_filter_data_ned_relative_position_codec = {
     0,
     read_ned_relative_position,
     write_ned_relative_position,
+    NULL,
     NULL,
 };
 
@@ -1146,6 +1176,7 @@ const struct mip_codec mip_filter_data_gnss_position_aiding_status_codec = {
     read_gnss_position_aiding_status,
     write_gnss_position_aiding_status,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_gnss_position_aiding_status_decode(
@@ -1186,6 +1217,7 @@ const struct mip_codec mip_filter_data_aiding_measurement_summary_codec = {
     read_aiding_measurement_summary,
     write_aiding_measurement_summary,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_aiding_measurement_summary_decode(
@@ -1222,6 +1254,7 @@ const struct mip_codec mip_filter_data_odometer_scale_factor_error_codec = {
     read_odometer_scale_factor_error,
     write_odometer_scale_factor_error,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_odometer_scale_factor_error_decode(
@@ -1257,6 +1290,7 @@ const struct mip_codec mip_filter_data_odometer_scale_factor_error_uncertainty_c
     0,
     read_odometer_scale_factor_error_uncertainty,
     write_odometer_scale_factor_error_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -1306,6 +1340,7 @@ const struct mip_codec mip_filter_data_gnss_dual_antenna_status_codec = {
     read_gnss_dual_antenna_status,
     write_gnss_dual_antenna_status,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_gnss_dual_antenna_status_decode(
@@ -1343,6 +1378,7 @@ const struct mip_codec mip_filter_data_aiding_frame_configuration_error_codec = 
     0,
     read_aiding_frame_configuration_error,
     write_aiding_frame_configuration_error,
+    NULL,
     NULL,
 };
 
@@ -1385,6 +1421,7 @@ const struct mip_codec mip_filter_data_aiding_frame_configuration_error_uncertai
     0,
     read_aiding_frame_configuration_error_uncertainty,
     write_aiding_frame_configuration_error_uncertainty,
+    NULL,
     NULL,
 };
 

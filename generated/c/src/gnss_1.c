@@ -35,6 +35,7 @@ const struct mip_codec mip_gnss_1_gnss_llh_position_codec = {
     read_gnss_llh_position,
     write_gnss_llh_position,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_gnss_llh_position_decode(struct mip_gnss_1_gnss_llh_position *value,
@@ -71,6 +72,7 @@ const struct mip_codec mip_gnss_1_gnss_ecef_position_codec = {
     0,
     read_gnss_ecef_position,
     write_gnss_ecef_position,
+    NULL,
     NULL,
 };
 
@@ -116,6 +118,7 @@ const struct mip_codec mip_gnss_1_ned_velocity_codec = {
     read_ned_velocity,
     write_ned_velocity,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_ned_velocity_decode(struct mip_gnss_1_ned_velocity *value,
@@ -152,6 +155,7 @@ const struct mip_codec mip_gnss_1_gnss_ecef_velocity_codec = {
     0,
     read_gnss_ecef_velocity,
     write_gnss_ecef_velocity,
+    NULL,
     NULL,
 };
 
@@ -199,6 +203,7 @@ const struct mip_codec mip_gnss_1_dop_codec = {
     read_dop,
     write_dop,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_dop_decode(struct mip_gnss_1_dop *value, const struct mip_field *field) {
@@ -242,6 +247,7 @@ const struct mip_codec mip_gnss_1_utc_time_codec = {
     read_utc_time,
     write_utc_time,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_utc_time_decode(struct mip_gnss_1_utc_time *value,
@@ -276,6 +282,7 @@ const struct mip_codec mip_gnss_1_gps_time_codec = {
     0,
     read_gps_time,
     write_gps_time,
+    NULL,
     NULL,
 };
 
@@ -314,6 +321,7 @@ const struct mip_codec mip_gnss_1_fix_info_codec = {
     read_fix_info,
     write_fix_info,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_fix_info_decode(struct mip_gnss_1_fix_info *value,
@@ -351,6 +359,7 @@ const struct mip_codec mip_gnss_1_gnss_hardware_status_codec = {
     0,
     read_gnss_hardware_status,
     write_gnss_hardware_status,
+    NULL,
     NULL,
 };
 
@@ -392,6 +401,7 @@ const struct mip_codec mip_gnss_1_clock_info_2_codec = {
     read_clock_info_2,
     write_clock_info_2,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_clock_info_2_decode(struct mip_gnss_1_clock_info_2 *value,
@@ -425,6 +435,7 @@ const struct mip_codec mip_gnss_1_gps_leap_seconds_codec = {
     0,
     read_gps_leap_seconds,
     write_gps_leap_seconds,
+    NULL,
     NULL,
 };
 
@@ -469,6 +480,7 @@ const struct mip_codec mip_gnss_1_sbas_info_codec = {
     0,
     read_sbas_info,
     write_sbas_info,
+    NULL,
     NULL,
 };
 
@@ -518,6 +530,7 @@ const struct mip_codec mip_gnss_1_satellite_status_codec = {
     0,
     read_satellite_status,
     write_satellite_status,
+    NULL,
     NULL,
 };
 
@@ -586,6 +599,7 @@ const struct mip_codec mip_gnss_1_raw_codec = {
     0,
     read_raw,
     write_raw,
+    NULL,
     NULL,
 };
 
@@ -682,6 +696,7 @@ const struct mip_codec mip_gnss_1_gps_ephemeris_codec = {
     read_gps_ephemeris,
     write_gps_ephemeris,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_gps_ephemeris_decode(struct mip_gnss_1_gps_ephemeris *value,
@@ -762,6 +777,7 @@ const struct mip_codec mip_gnss_1_glonass_ephemeris_codec = {
     0,
     read_glonass_ephemeris,
     write_glonass_ephemeris,
+    NULL,
     NULL,
 };
 
@@ -862,6 +878,7 @@ const struct mip_codec mip_gnss_1_galileo_ephemeris_codec = {
     read_galileo_ephemeris,
     write_galileo_ephemeris,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_galileo_ephemeris_decode(struct mip_gnss_1_galileo_ephemeris *value,
@@ -959,6 +976,7 @@ const struct mip_codec mip_gnss_1_beidou_ephemeris_codec = {
     0,
     read_beidou_ephemeris,
     write_beidou_ephemeris,
+    NULL,
     NULL,
 };
 

@@ -36,6 +36,7 @@ const struct mip_codec mip_gnss_corrections_base_station_info_codec = {
     read_base_station_info,
     write_base_station_info,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_corrections_base_station_info_decode(
@@ -87,6 +88,7 @@ const struct mip_codec mip_gnss_corrections_rtk_corrections_status_codec = {
     0,
     read_rtk_corrections_status,
     write_rtk_corrections_status,
+    NULL,
     NULL,
 };
 

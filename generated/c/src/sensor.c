@@ -22,6 +22,7 @@ const struct mip_codec mip_sensor_scaled_accel_codec = {
     read_scaled_accel,
     write_scaled_accel,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_scaled_accel_decode(struct mip_sensor_scaled_accel *value,
@@ -53,6 +54,7 @@ const struct mip_codec mip_sensor_scaled_gyro_codec = {
     0,
     read_scaled_gyro,
     write_scaled_gyro,
+    NULL,
     NULL,
 };
 
@@ -86,6 +88,7 @@ const struct mip_codec mip_sensor_scaled_mag_codec = {
     read_scaled_mag,
     write_scaled_mag,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_scaled_mag_decode(struct mip_sensor_scaled_mag *value,
@@ -118,6 +121,7 @@ const struct mip_codec mip_sensor_delta_theta_codec = {
     read_delta_theta,
     write_delta_theta,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_delta_theta_decode(struct mip_sensor_delta_theta *value,
@@ -149,6 +153,7 @@ const struct mip_codec mip_sensor_delta_velocity_codec = {
     0,
     read_delta_velocity,
     write_delta_velocity,
+    NULL,
     NULL,
 };
 
@@ -183,6 +188,7 @@ const struct mip_codec mip_sensor_complementary_filter_orientation_matrix_codec 
     0,
     read_complementary_filter_orientation_matrix,
     write_complementary_filter_orientation_matrix,
+    NULL,
     NULL,
 };
 
@@ -221,6 +227,7 @@ const struct mip_codec mip_sensor_complementary_filter_quaternion_codec = {
     0,
     read_complementary_filter_quaternion,
     write_complementary_filter_quaternion,
+    NULL,
     NULL,
 };
 
@@ -261,6 +268,7 @@ const struct mip_codec mip_sensor_complementary_filter_euler_angles_codec = {
     read_complementary_filter_euler_angles,
     write_complementary_filter_euler_angles,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_complementary_filter_euler_angles_decode(
@@ -296,6 +304,7 @@ const struct mip_codec mip_sensor_complementary_filter_stabilized_north_vector_c
     0,
     read_complementary_filter_stabilized_north_vector,
     write_complementary_filter_stabilized_north_vector,
+    NULL,
     NULL,
 };
 
@@ -335,6 +344,7 @@ const struct mip_codec mip_sensor_complementary_filter_stabilized_up_vector_code
     0,
     read_complementary_filter_stabilized_up_vector,
     write_complementary_filter_stabilized_up_vector,
+    NULL,
     NULL,
 };
 
@@ -376,6 +386,7 @@ const struct mip_codec mip_sensor_gps_timestamp_codec = {
     read_gps_timestamp,
     write_gps_timestamp,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_gps_timestamp_decode(struct mip_sensor_gps_timestamp *value,
@@ -413,6 +424,7 @@ const struct mip_codec mip_sensor_temperature_statistics_codec = {
     read_temperature_statistics,
     write_temperature_statistics,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_temperature_statistics_decode(struct mip_sensor_temperature_statistics *value,
@@ -445,6 +457,7 @@ const struct mip_codec mip_sensor_scaled_pressure_codec = {
     read_scaled_pressure,
     write_scaled_pressure,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_scaled_pressure_decode(struct mip_sensor_scaled_pressure *value,
@@ -476,6 +489,7 @@ const struct mip_codec mip_sensor_overrange_status_codec = {
     0,
     read_overrange_status,
     write_overrange_status,
+    NULL,
     NULL,
 };
 
@@ -512,6 +526,7 @@ const struct mip_codec mip_sensor_odometer_codec = {
     0,
     read_odometer,
     write_odometer,
+    NULL,
     NULL,
 };
 

@@ -22,6 +22,7 @@ const struct mip_codec mip_shared_event_source_codec = {
     read_event_source,
     write_event_source,
     NULL,
+    NULL,
 };
 
 mip_error mip_shared_event_source_decode(struct mip_shared_event_source *value,
@@ -58,6 +59,7 @@ const struct mip_codec mip_shared_gps_timestamp_codec = {
     read_gps_timestamp,
     write_gps_timestamp,
     NULL,
+    NULL,
 };
 
 mip_error mip_shared_gps_timestamp_decode(struct mip_shared_gps_timestamp *value,
@@ -89,6 +91,7 @@ const struct mip_codec mip_shared_delta_time_codec = {
     0,
     read_delta_time,
     write_delta_time,
+    NULL,
     NULL,
 };
 
@@ -123,6 +126,7 @@ const struct mip_codec mip_shared_reference_timestamp_codec = {
     read_reference_timestamp,
     write_reference_timestamp,
     NULL,
+    NULL,
 };
 
 mip_error mip_shared_reference_timestamp_decode(struct mip_shared_reference_timestamp *value,
@@ -155,6 +159,7 @@ const struct mip_codec mip_shared_reference_time_delta_codec = {
     0,
     read_reference_time_delta,
     write_reference_time_delta,
+    NULL,
     NULL,
 };
 
@@ -191,6 +196,7 @@ const struct mip_codec mip_shared_external_timestamp_codec = {
     read_external_timestamp,
     write_external_timestamp,
     NULL,
+    NULL,
 };
 
 mip_error mip_shared_external_timestamp_decode(struct mip_shared_external_timestamp *value,
@@ -225,6 +231,7 @@ const struct mip_codec mip_shared_external_time_delta_codec = {
     0,
     read_external_time_delta,
     write_external_time_delta,
+    NULL,
     NULL,
 };
 

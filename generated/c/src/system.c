@@ -26,6 +26,17 @@ static void write_communication_mode(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->mode, 1);
 }
 
+static bool asked_communication_mode_1(const void *value) {
+    const struct mip_system_communication_mode *v =
+        (const struct mip_system_communication_mode *)value;
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_communication_mode[] = {
+    {&mip_system_communication_mode_response_codec, asked_communication_mode_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_system_communication_mode_codec = {
     0x7F,
     MIP_SYSTEM_COMMUNICATION_MODE_DESCRIPTOR,
@@ -35,6 +46,7 @@ const struct mip_codec mip_system_communication_mode_codec = {
     read_communication_mode,
     write_communication_mode,
     NULL,
+    responses_communication_mode,
 };
 
 mip_error mip_system_communication_mode_decode(struct mip_system_communication_mode *value,
@@ -105,6 +117,7 @@ const struct mip_codec mip_system_communication_mode_response_codec = {
     0,
     read_communication_mode_response,
     write_communication_mode_response,
+    NULL,
     NULL,
 };
 

@@ -6,7 +6,7 @@ gnss_external, system_data, shared);
 """
 
 from .client import Answer, Client, Received, TimedOut
-from .errors import DecodeError, EncodeError, MipError, PacketError, Truncated
+from .errors import DecodeError, EncodeError, MipError, MissingResponse, PacketError, Truncated
 from .field import Command, Data, Field, Response
 from .packet import Packet, PacketBuilder, RawField, checksum
 from .parser import Parser
@@ -27,6 +27,7 @@ __all__ = [
     "Field",
     "FunctionSelector",
     "MipError",
+    "MissingResponse",
     "Packet",
     "PacketBuilder",
     "PacketError",

@@ -645,6 +645,12 @@ class CommPortSpeed(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, port=port)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return CommPortSpeedResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CommPortSpeed, int]:
         port: int | None = None
@@ -741,6 +747,14 @@ class GpsTimeUpdate(Command):
     @property
     def answered(self) -> bool:
         return not (self.function == 6)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2 and self.field_id == 1:
+            return GpsTimeUpdateWeekNumberResponse
+        if self.function == 2 and self.field_id == 2:
+            return GpsTimeUpdateTimeOfWeekResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdate, int]:

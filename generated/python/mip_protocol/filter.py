@@ -1471,6 +1471,12 @@ class SensorToVehicleFrameTransformation(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return SensorToVehicleFrameTransformationResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformation, int]:
         roll: float | None = None
@@ -1575,6 +1581,12 @@ class GnssAntennaOffsetControl(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return GnssAntennaOffsetControlResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetControl, int]:
         offset: types.Vector3f | None = None
@@ -1656,6 +1668,12 @@ class EstimationControlFlags(Command):
     def default(cls) -> EstimationControlFlags:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return EstimationControlFlagsResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EstimationControlFlags, int]:
@@ -1740,6 +1758,12 @@ class GnssAidingSourceControl(Command):
     def default(cls) -> GnssAidingSourceControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return GnssAidingSourceControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAidingSourceControl, int]:
@@ -1870,6 +1894,12 @@ class HeadingUpdateControl(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return HeadingUpdateControlResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HeadingUpdateControl, int]:
         enable: HeadingUpdateSource | None = None
@@ -1952,6 +1982,12 @@ class AutoInitializationControl(Command):
     def default(cls) -> AutoInitializationControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return AutoInitializationControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoInitializationControl, int]:
@@ -2036,6 +2072,12 @@ class AccelerometerNoiseStandardDeviation(Command):
     def default(cls) -> AccelerometerNoiseStandardDeviation:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return AccelerometerNoiseStandardDeviationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerNoiseStandardDeviation, int]:
@@ -2122,6 +2164,12 @@ class GyroscopeNoiseStandardDeviation(Command):
     def default(cls) -> GyroscopeNoiseStandardDeviation:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return GyroscopeNoiseStandardDeviationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeNoiseStandardDeviation, int]:
@@ -2210,6 +2258,12 @@ class AccelerometerBiasModelParameters(Command):
     def default(cls) -> AccelerometerBiasModelParameters:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return AccelerometerBiasModelParametersResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasModelParameters, int]:
@@ -2310,6 +2364,12 @@ class GyroscopeBiasModelParameters(Command):
     def default(cls) -> GyroscopeBiasModelParameters:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return GyroscopeBiasModelParametersResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasModelParameters, int]:
@@ -2465,6 +2525,12 @@ class ZeroAngularRateUpdateControl(Command):
     def default(cls) -> ZeroAngularRateUpdateControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return ZeroAngularRateUpdateControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ZeroAngularRateUpdateControl, int]:
@@ -2680,6 +2746,12 @@ class SetReferencePosition(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return SetReferencePositionResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetReferencePosition, int]:
         enable: int | None = None
@@ -2791,6 +2863,12 @@ class GravityNoiseStandardDeviation(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return GravityNoiseStandardDeviationResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GravityNoiseStandardDeviation, int]:
         noise: types.Vector3f | None = None
@@ -2872,6 +2950,12 @@ class EnableDisableMeasurements(Command):
     def default(cls) -> EnableDisableMeasurements:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return EnableDisableMeasurementsResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EnableDisableMeasurements, int]:
@@ -2963,6 +3047,12 @@ class MagneticFieldDeclinationSourceControl(Command):
     def default(cls) -> MagneticFieldDeclinationSourceControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return MagneticFieldDeclinationSourceControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticFieldDeclinationSourceControl, int]:
@@ -3103,6 +3193,12 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
     def default(cls) -> GravityMagnitudeErrorAdaptiveMeasurement:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return GravityMagnitudeErrorAdaptiveMeasurementResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GravityMagnitudeErrorAdaptiveMeasurement, int]:
@@ -3251,6 +3347,12 @@ class PitchRollAidingControl(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return PitchRollAidingControlResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAidingControl, int]:
         aiding: PitchRollAidingSource | None = None
@@ -3335,6 +3437,12 @@ class AidingMeasurementControl(Command):
     def default(cls, aiding_source: AidingSource) -> AidingMeasurementControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, aiding_source=aiding_source)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return AidingMeasurementControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementControl, int]:
@@ -3496,6 +3604,12 @@ class NavigationFilterInitialization(Command):
     def default(cls) -> NavigationFilterInitialization:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return NavigationFilterInitializationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NavigationFilterInitialization, int]:
@@ -3669,6 +3783,12 @@ class AdaptiveFilterControl(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return AdaptiveFilterControlResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterControl, int]:
         level: AdaptiveLevel | None = None
@@ -3770,6 +3890,12 @@ class GnssMultiAntennaOffsetControl(Command):
     def default(cls, receiver_id: int) -> GnssMultiAntennaOffsetControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, receiver_id=receiver_id)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return GnssMultiAntennaOffsetControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssMultiAntennaOffsetControl, int]:
@@ -3887,6 +4013,12 @@ class RelativePositionConfiguration(Command):
     def default(cls) -> RelativePositionConfiguration:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return RelativePositionConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfiguration, int]:
@@ -4006,6 +4138,12 @@ class ReferencePointLeverArm(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return ReferencePointLeverArmResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArm, int]:
         ref_point_sel: ReferencePoint | None = None
@@ -4105,6 +4243,12 @@ class MeasurementSpeedLeverArm(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, source=1)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return MeasurementSpeedLeverArmResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MeasurementSpeedLeverArm, int]:
         source: int | None = None
@@ -4200,6 +4344,12 @@ class WheeledVehicleConstraintControl(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return WheeledVehicleConstraintControlResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[WheeledVehicleConstraintControl, int]:
         enable: int | None = None
@@ -4290,6 +4440,12 @@ class GnssAntennaOffsetCalibrationControl(Command):
     def default(cls) -> GnssAntennaOffsetCalibrationControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return GnssAntennaOffsetCalibrationControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetCalibrationControl, int]:

@@ -458,6 +458,12 @@ class SignalConfiguration(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return SignalConfigurationResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SignalConfiguration, int]:
         gps_enable: GpsSignals | None = None
@@ -701,6 +707,12 @@ class SpartnConfiguration(Command):
     def default(cls) -> SpartnConfiguration:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return SpartnConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfiguration, int]:

@@ -2045,6 +2045,12 @@ class ImuMessageFormat(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return ImuMessageFormatResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ImuMessageFormat, int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
@@ -2137,6 +2143,12 @@ class EstimationFilterMessageFormat(Command):
     def default(cls) -> EstimationFilterMessageFormat:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return EstimationFilterMessageFormatResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EstimationFilterMessageFormat, int]:
@@ -2254,6 +2266,12 @@ class NmeaMessageFormat(Command):
     def default(cls) -> NmeaMessageFormat:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return NmeaMessageFormatResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessageFormat, int]:
@@ -2442,6 +2460,12 @@ class MessageFormat(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, desc_set=desc_set)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return MessageFormatResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MessageFormat, int]:
         desc_set: int | None = None
@@ -2587,6 +2611,12 @@ class DataStreamControl(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, desc_set=desc_set)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return DataStreamControlResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControl, int]:
         desc_set: int | None = None
@@ -2694,6 +2724,12 @@ class GnssSbasSettings(Command):
     def default(cls) -> GnssSbasSettings:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return GnssSbasSettingsResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssSbasSettings, int]:
@@ -2804,6 +2840,12 @@ class PpsSourceControl(Command):
     def default(cls) -> PpsSourceControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return PpsSourceControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControl, int]:
@@ -2925,6 +2967,12 @@ class EventControl(Command):
     def default(cls, instance: int) -> EventControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return EventControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventControl, int]:
@@ -3126,6 +3174,12 @@ class EventTriggerConfiguration(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return EventTriggerConfigurationResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfiguration, int]:
         instance: int | None = None
@@ -3273,6 +3327,12 @@ class EventActionConfiguration(Command):
     def default(cls, instance: int) -> EventActionConfiguration:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return EventActionConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfiguration, int]:
@@ -3467,6 +3527,12 @@ class SensorToVehicleFrameTransformationEuler(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return SensorToVehicleFrameTransformationEulerResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformationEuler, int]:
         roll: float | None = None
@@ -3570,6 +3636,12 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return SensorToVehicleFrameTransformationQuaternionResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformationQuaternion, int]:
         q: types.Quatf | None = None
@@ -3661,6 +3733,12 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
     def default(cls) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return SensorToVehicleFrameTransformationDirectionCosineMatrixResponse
+        return None
 
     @classmethod
     def _read(
@@ -3761,6 +3839,12 @@ class AccelerometerBiasConfiguration(Command):
     def answered(self) -> bool:
         return not (self.function == 6)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return AccelerometerBiasConfigurationResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasConfiguration, int]:
         bias: types.Vector3f | None = None
@@ -3853,6 +3937,12 @@ class GyroscopeBiasConfiguration(Command):
     @property
     def answered(self) -> bool:
         return not (self.function == 6)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return GyroscopeBiasConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasConfiguration, int]:
@@ -3977,6 +4067,12 @@ class MagnetometerHardIronOffset(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return MagnetometerHardIronOffsetResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerHardIronOffset, int]:
         offset: types.Vector3f | None = None
@@ -4071,6 +4167,12 @@ class MagnetometerSoftIronMatrix(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return MagnetometerSoftIronMatrixResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerSoftIronMatrix, int]:
         offset: types.Matrix3f | None = None
@@ -4152,6 +4254,12 @@ class ConingAndScullingEnable(Command):
     def default(cls) -> ConingAndScullingEnable:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return ConingAndScullingEnableResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ConingAndScullingEnable, int]:
@@ -4240,6 +4348,12 @@ class UartBaudRate(Command):
     def default(cls) -> UartBaudRate:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return UartBaudRateResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRate, int]:
@@ -4360,6 +4474,12 @@ class GpioConfiguration(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, pin=pin)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return GpioConfigurationResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpioConfiguration, int]:
         pin: int | None = None
@@ -4461,6 +4581,12 @@ class GpioState(Command):
     def read(cls, pin: int) -> GpioState:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, pin=pin)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return GpioStateResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpioState, int]:
@@ -4564,6 +4690,12 @@ class OdometerConfiguration(Command):
     def default(cls) -> OdometerConfiguration:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return OdometerConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfiguration, int]:
@@ -4701,6 +4833,12 @@ class AdvancedLowPassFilterSettings(Command):
     def default(cls, target_descriptor: int) -> AdvancedLowPassFilterSettings:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, target_descriptor=target_descriptor)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return AdvancedLowPassFilterSettingsResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AdvancedLowPassFilterSettings, int]:
@@ -4858,6 +4996,12 @@ class ComplementaryFilterConfiguration(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return ComplementaryFilterConfigurationResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterConfiguration, int]:
         pitch_roll_enable: bool | None = None
@@ -4977,6 +5121,12 @@ class SensorRange(Command):
     def default(cls, sensor: SensorRangeType) -> SensorRange:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, sensor=sensor)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return SensorRangeResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorRange, int]:
@@ -5131,6 +5281,12 @@ class LowPassAntiAliasingFilter(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, desc_set=desc_set, field_desc=field_desc)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return LowPassAntiAliasingFilterResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[LowPassAntiAliasingFilter, int]:
         desc_set: int | None = None
@@ -5225,6 +5381,14 @@ class DeviceStatus(Command):
     @classmethod
     def matches(cls, data: bytes) -> bool:
         return data[0:2] == b"\x18\x6e"
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.status_selector == 1:
+            return DeviceStatusBasicResponse
+        if self.status_selector == 2:
+            return DeviceStatusDiagnosticResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatus, int]:

@@ -113,6 +113,12 @@ class CommunicationMode(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return CommunicationModeResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CommunicationMode, int]:
         mode: ProtocolMode | None = None

@@ -534,8 +534,11 @@ impl Field for SensorToVehicleFrameTransformation {
 impl Command for SensorToVehicleFrameTransformation {
     type Response = SensorToVehicleFrameTransformationResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<SensorToVehicleFrameTransformationResponse>)
     }
 }
 
@@ -634,8 +637,11 @@ impl Field for GnssAntennaOffsetControl {
 impl Command for GnssAntennaOffsetControl {
     type Response = GnssAntennaOffsetControlResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<GnssAntennaOffsetControlResponse>)
     }
 }
 
@@ -727,8 +733,11 @@ impl Field for EstimationControlFlags {
 impl Command for EstimationControlFlags {
     type Response = EstimationControlFlagsResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<EstimationControlFlagsResponse>)
     }
 }
 
@@ -823,8 +832,11 @@ impl Field for GnssAidingSourceControl {
 impl Command for GnssAidingSourceControl {
     type Response = GnssAidingSourceControlResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<GnssAidingSourceControlResponse>)
     }
 }
 
@@ -982,8 +994,11 @@ impl Field for HeadingUpdateControl {
 impl Command for HeadingUpdateControl {
     type Response = HeadingUpdateControlResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<HeadingUpdateControlResponse>)
     }
 }
 
@@ -1079,8 +1094,11 @@ impl Field for AutoInitializationControl {
 impl Command for AutoInitializationControl {
     type Response = AutoInitializationControlResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<AutoInitializationControlResponse>)
     }
 }
 
@@ -1177,8 +1195,11 @@ impl Field for AccelerometerNoiseStandardDeviation {
 impl Command for AccelerometerNoiseStandardDeviation {
     type Response = AccelerometerNoiseStandardDeviationResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<AccelerometerNoiseStandardDeviationResponse>)
     }
 }
 
@@ -1278,8 +1299,11 @@ impl Field for GyroscopeNoiseStandardDeviation {
 impl Command for GyroscopeNoiseStandardDeviation {
     type Response = GyroscopeNoiseStandardDeviationResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<GyroscopeNoiseStandardDeviationResponse>)
     }
 }
 
@@ -1385,8 +1409,11 @@ impl Field for AccelerometerBiasModelParameters {
 impl Command for AccelerometerBiasModelParameters {
     type Response = AccelerometerBiasModelParametersResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<AccelerometerBiasModelParametersResponse>)
     }
 }
 
@@ -1493,8 +1520,11 @@ impl Field for GyroscopeBiasModelParameters {
 impl Command for GyroscopeBiasModelParameters {
     type Response = GyroscopeBiasModelParametersResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<GyroscopeBiasModelParametersResponse>)
     }
 }
 
@@ -1688,8 +1718,11 @@ impl Field for ZeroAngularRateUpdateControl {
 impl Command for ZeroAngularRateUpdateControl {
     type Response = ZeroAngularRateUpdateControlResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<ZeroAngularRateUpdateControlResponse>)
     }
 }
 
@@ -1957,8 +1990,11 @@ impl Field for SetReferencePosition {
 impl Command for SetReferencePosition {
     type Response = SetReferencePositionResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<SetReferencePositionResponse>)
     }
 }
 
@@ -2055,8 +2091,11 @@ impl Field for GravityNoiseStandardDeviation {
 impl Command for GravityNoiseStandardDeviation {
     type Response = GravityNoiseStandardDeviationResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<GravityNoiseStandardDeviationResponse>)
     }
 }
 
@@ -2148,8 +2187,11 @@ impl Field for EnableDisableMeasurements {
 impl Command for EnableDisableMeasurements {
     type Response = EnableDisableMeasurementsResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<EnableDisableMeasurementsResponse>)
     }
 }
 
@@ -2253,8 +2295,11 @@ impl Field for MagneticFieldDeclinationSourceControl {
 impl Command for MagneticFieldDeclinationSourceControl {
     type Response = MagneticFieldDeclinationSourceControlResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<MagneticFieldDeclinationSourceControlResponse>)
     }
 }
 
@@ -2487,8 +2532,11 @@ impl Field for GravityMagnitudeErrorAdaptiveMeasurement {
 impl Command for GravityMagnitudeErrorAdaptiveMeasurement {
     type Response = GravityMagnitudeErrorAdaptiveMeasurementResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<GravityMagnitudeErrorAdaptiveMeasurementResponse>)
     }
 }
 
@@ -2583,8 +2631,11 @@ impl Field for PitchRollAidingControl {
 impl Command for PitchRollAidingControl {
     type Response = PitchRollAidingControlResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<PitchRollAidingControlResponse>)
     }
 }
 
@@ -2701,8 +2752,11 @@ impl Field for AidingMeasurementControl {
 impl Command for AidingMeasurementControl {
     type Response = AidingMeasurementControlResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<AidingMeasurementControlResponse>)
     }
 }
 
@@ -2924,8 +2978,11 @@ impl Field for NavigationFilterInitialization {
 impl Command for NavigationFilterInitialization {
     type Response = NavigationFilterInitializationResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<NavigationFilterInitializationResponse>)
     }
 }
 
@@ -3029,8 +3086,11 @@ impl Field for AdaptiveFilterControl {
 impl Command for AdaptiveFilterControl {
     type Response = AdaptiveFilterControlResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<AdaptiveFilterControlResponse>)
     }
 }
 
@@ -3153,8 +3213,11 @@ impl Field for GnssMultiAntennaOffsetControl {
 impl Command for GnssMultiAntennaOffsetControl {
     type Response = GnssMultiAntennaOffsetControlResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<GnssMultiAntennaOffsetControlResponse>)
     }
 }
 
@@ -3286,8 +3349,11 @@ impl Field for RelativePositionConfiguration {
 impl Command for RelativePositionConfiguration {
     type Response = RelativePositionConfigurationResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<RelativePositionConfigurationResponse>)
     }
 }
 
@@ -3413,8 +3479,11 @@ impl Field for ReferencePointLeverArm {
 impl Command for ReferencePointLeverArm {
     type Response = ReferencePointLeverArmResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<ReferencePointLeverArmResponse>)
     }
 }
 
@@ -3521,8 +3590,11 @@ impl Field for MeasurementSpeedLeverArm {
 impl Command for MeasurementSpeedLeverArm {
     type Response = MeasurementSpeedLeverArmResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<MeasurementSpeedLeverArmResponse>)
     }
 }
 
@@ -3619,8 +3691,11 @@ impl Field for WheeledVehicleConstraintControl {
 impl Command for WheeledVehicleConstraintControl {
     type Response = WheeledVehicleConstraintControlResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<WheeledVehicleConstraintControlResponse>)
     }
 }
 
@@ -3725,8 +3800,11 @@ impl Field for GnssAntennaOffsetCalibrationControl {
 impl Command for GnssAntennaOffsetCalibrationControl {
     type Response = GnssAntennaOffsetCalibrationControlResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<GnssAntennaOffsetCalibrationControlResponse>)
     }
 }
 

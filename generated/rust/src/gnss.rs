@@ -164,8 +164,8 @@ impl Field for ReceiverInfo {
 impl Command for ReceiverInfo {
     type Response = ReceiverInfoResponse;
 
-    fn expects_response(&self) -> bool {
-        true
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        Some(crate::field::check::<ReceiverInfoResponse>)
     }
 }
 
@@ -321,8 +321,11 @@ impl Field for SignalConfiguration {
 impl Command for SignalConfiguration {
     type Response = SignalConfigurationResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<SignalConfigurationResponse>)
     }
 }
 
@@ -529,8 +532,11 @@ impl Field for SpartnConfiguration {
 impl Command for SpartnConfiguration {
     type Response = SpartnConfigurationResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<SpartnConfigurationResponse>)
     }
 }
 

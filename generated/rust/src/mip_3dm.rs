@@ -547,8 +547,8 @@ impl Field for GetImuDataBaseRate {
 impl Command for GetImuDataBaseRate {
     type Response = GetImuDataBaseRateResponse;
 
-    fn expects_response(&self) -> bool {
-        true
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        Some(crate::field::check::<GetImuDataBaseRateResponse>)
     }
 }
 
@@ -652,8 +652,11 @@ impl Field for ImuMessageFormat {
 impl Command for ImuMessageFormat {
     type Response = ImuMessageFormatResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<ImuMessageFormatResponse>)
     }
 }
 
@@ -757,8 +760,11 @@ impl Field for EstimationFilterMessageFormat {
 impl Command for EstimationFilterMessageFormat {
     type Response = EstimationFilterMessageFormatResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<EstimationFilterMessageFormatResponse>)
     }
 }
 
@@ -805,8 +811,8 @@ impl Field for GetEstimationFilterDataBaseRate {
 impl Command for GetEstimationFilterDataBaseRate {
     type Response = GetEstimationFilterDataBaseRateResponse;
 
-    fn expects_response(&self) -> bool {
-        true
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        Some(crate::field::check::<GetEstimationFilterDataBaseRateResponse>)
     }
 }
 
@@ -911,8 +917,11 @@ impl Field for NmeaMessageFormat {
 impl Command for NmeaMessageFormat {
     type Response = NmeaMessageFormatResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<NmeaMessageFormatResponse>)
     }
 }
 
@@ -1038,8 +1047,8 @@ impl Field for GetDataBaseRate {
 impl Command for GetDataBaseRate {
     type Response = GetDataBaseRateResponse;
 
-    fn expects_response(&self) -> bool {
-        true
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        Some(crate::field::check::<GetDataBaseRateResponse>)
     }
 }
 
@@ -1171,8 +1180,11 @@ impl Field for MessageFormat {
 impl Command for MessageFormat {
     type Response = MessageFormatResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<MessageFormatResponse>)
     }
 }
 
@@ -1338,8 +1350,11 @@ impl Field for DataStreamControl {
 impl Command for DataStreamControl {
     type Response = DataStreamControlResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<DataStreamControlResponse>)
     }
 }
 
@@ -1477,8 +1492,11 @@ impl Field for GnssSbasSettings {
 impl Command for GnssSbasSettings {
     type Response = GnssSbasSettingsResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<GnssSbasSettingsResponse>)
     }
 }
 
@@ -1575,8 +1593,11 @@ impl Field for PpsSourceControl {
 impl Command for PpsSourceControl {
     type Response = PpsSourceControlResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<PpsSourceControlResponse>)
     }
 }
 
@@ -1628,8 +1649,8 @@ impl Field for GetSupportedEvents {
 impl Command for GetSupportedEvents {
     type Response = GetSupportedEventsResponse;
 
-    fn expects_response(&self) -> bool {
-        true
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        Some(crate::field::check::<GetSupportedEventsResponse>)
     }
 }
 
@@ -1735,8 +1756,11 @@ impl Field for EventControl {
 impl Command for EventControl {
     type Response = EventControlResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<EventControlResponse>)
     }
 }
 
@@ -1790,8 +1814,8 @@ impl Field for GetEventTriggerStatus {
 impl Command for GetEventTriggerStatus {
     type Response = GetEventTriggerStatusResponse;
 
-    fn expects_response(&self) -> bool {
-        true
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        Some(crate::field::check::<GetEventTriggerStatusResponse>)
     }
 }
 
@@ -1845,8 +1869,8 @@ impl Field for GetEventActionStatus {
 impl Command for GetEventActionStatus {
     type Response = GetEventActionStatusResponse;
 
-    fn expects_response(&self) -> bool {
-        true
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        Some(crate::field::check::<GetEventActionStatusResponse>)
     }
 }
 
@@ -2039,8 +2063,11 @@ impl Field for EventTriggerConfiguration {
 impl Command for EventTriggerConfiguration {
     type Response = EventTriggerConfigurationResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<EventTriggerConfigurationResponse>)
     }
 }
 
@@ -2241,8 +2268,11 @@ impl Field for EventActionConfiguration {
 impl Command for EventActionConfiguration {
     type Response = EventActionConfigurationResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<EventActionConfigurationResponse>)
     }
 }
 
@@ -2428,8 +2458,11 @@ impl Field for SensorToVehicleFrameTransformationEuler {
 impl Command for SensorToVehicleFrameTransformationEuler {
     type Response = SensorToVehicleFrameTransformationEulerResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<SensorToVehicleFrameTransformationEulerResponse>)
     }
 }
 
@@ -2530,8 +2563,11 @@ impl Field for SensorToVehicleFrameTransformationQuaternion {
 impl Command for SensorToVehicleFrameTransformationQuaternion {
     type Response = SensorToVehicleFrameTransformationQuaternionResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<SensorToVehicleFrameTransformationQuaternionResponse>)
     }
 }
 
@@ -2635,8 +2671,11 @@ impl Field for SensorToVehicleFrameTransformationDirectionCosineMatrix {
 impl Command for SensorToVehicleFrameTransformationDirectionCosineMatrix {
     type Response = SensorToVehicleFrameTransformationDirectionCosineMatrixResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<SensorToVehicleFrameTransformationDirectionCosineMatrixResponse>)
     }
 }
 
@@ -2745,8 +2784,11 @@ impl Command for AccelerometerBiasConfiguration {
         !matches!(self.function, types::FunctionSelector::APPLY)
     }
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<AccelerometerBiasConfigurationResponse>)
     }
 }
 
@@ -2852,8 +2894,11 @@ impl Command for GyroscopeBiasConfiguration {
         !matches!(self.function, types::FunctionSelector::APPLY)
     }
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<GyroscopeBiasConfigurationResponse>)
     }
 }
 
@@ -2915,8 +2960,8 @@ impl Command for CaptureGyroscopeBias {
     type Response = GyroscopeBiasConfigurationResponse;
     const TIMEOUT_MS: Option<u32> = Some(31000);
 
-    fn expects_response(&self) -> bool {
-        true
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        Some(crate::field::check::<GyroscopeBiasConfigurationResponse>)
     }
 }
 
@@ -3012,8 +3057,11 @@ impl Field for MagnetometerHardIronOffset {
 impl Command for MagnetometerHardIronOffset {
     type Response = MagnetometerHardIronOffsetResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<MagnetometerHardIronOffsetResponse>)
     }
 }
 
@@ -3109,8 +3157,11 @@ impl Field for MagnetometerSoftIronMatrix {
 impl Command for MagnetometerSoftIronMatrix {
     type Response = MagnetometerSoftIronMatrixResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<MagnetometerSoftIronMatrixResponse>)
     }
 }
 
@@ -3204,8 +3255,11 @@ impl Field for ConingAndScullingEnable {
 impl Command for ConingAndScullingEnable {
     type Response = ConingAndScullingEnableResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<ConingAndScullingEnableResponse>)
     }
 }
 
@@ -3308,8 +3362,11 @@ impl Field for UartBaudRate {
 impl Command for UartBaudRate {
     type Response = UartBaudRateResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<UartBaudRateResponse>)
     }
 }
 
@@ -3500,8 +3557,11 @@ impl Field for GpioConfiguration {
 impl Command for GpioConfiguration {
     type Response = GpioConfigurationResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<GpioConfigurationResponse>)
     }
 }
 
@@ -3587,8 +3647,11 @@ impl Field for GpioState {
 impl Command for GpioState {
     type Response = GpioStateResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<GpioStateResponse>)
     }
 }
 
@@ -3719,8 +3782,11 @@ impl Field for OdometerConfiguration {
 impl Command for OdometerConfiguration {
     type Response = OdometerConfigurationResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<OdometerConfigurationResponse>)
     }
 }
 
@@ -3885,8 +3951,11 @@ impl Field for AdvancedLowPassFilterSettings {
 impl Command for AdvancedLowPassFilterSettings {
     type Response = AdvancedLowPassFilterSettingsResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<AdvancedLowPassFilterSettingsResponse>)
     }
 }
 
@@ -4046,8 +4115,11 @@ impl Field for ComplementaryFilterConfiguration {
 impl Command for ComplementaryFilterConfiguration {
     type Response = ComplementaryFilterConfigurationResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<ComplementaryFilterConfigurationResponse>)
     }
 }
 
@@ -4151,8 +4223,11 @@ impl Field for SensorRange {
 impl Command for SensorRange {
     type Response = SensorRangeResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<SensorRangeResponse>)
     }
 }
 
@@ -4204,8 +4279,8 @@ impl Field for GetCalibratedSensorRanges {
 impl Command for GetCalibratedSensorRanges {
     type Response = GetCalibratedSensorRangesResponse;
 
-    fn expects_response(&self) -> bool {
-        true
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        Some(crate::field::check::<GetCalibratedSensorRangesResponse>)
     }
 }
 
@@ -4354,8 +4429,11 @@ impl Field for LowPassAntiAliasingFilter {
 impl Command for LowPassAntiAliasingFilter {
     type Response = LowPassAntiAliasingFilterResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<LowPassAntiAliasingFilterResponse>)
     }
 }
 
@@ -4412,8 +4490,14 @@ impl Field for DeviceStatus {
 impl Command for DeviceStatus {
     type Response = DeviceStatusResponses;
 
-    fn expects_response(&self) -> bool {
-        true
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if self.status_selector == DeviceStatusSelector::BASIC {
+            return Some(crate::field::check::<DeviceStatusBasicResponse>);
+        }
+        if self.status_selector == DeviceStatusSelector::DIAGNOSTIC {
+            return Some(crate::field::check::<DeviceStatusDiagnosticResponse>);
+        }
+        None
     }
 }
 

@@ -2,6 +2,7 @@
 //!
 //! A program that names the types that it decodes does not pay for this module.
 
+use crate::client::{Request, RequestError, Ticket};
 use crate::codec::{DecodeError, EncodeError};
 use crate::field::{Field, RawField, Role};
 use crate::macros::registry;

@@ -113,8 +113,11 @@ impl Field for CommunicationMode {
 impl Command for CommunicationMode {
     type Response = CommunicationModeResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<CommunicationModeResponse>)
     }
 }
 

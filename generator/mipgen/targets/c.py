@@ -11,6 +11,7 @@ from .. import codec
 from .. import model as m
 from ..naming import Escape, Identifier, upper
 from ..render import ROOT, File, language
+from ..replies import replies
 
 TITLE = "C99, library mip"
 WIDTH = 100
@@ -146,6 +147,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "constructors": constructors,
         "assignment": assignment,
         "silent": silent,
+        "asked": lambda f: asked(f, model),
         "milliseconds": lambda seconds: round(seconds * 1000) if seconds else 0,
         "in_order": lambda s: list(_in_order(s)),
         "repeated": lambda s: list(repeated(s, model)),
@@ -380,6 +382,19 @@ def silent(f: m.Field) -> str:
     if len(tests) > 1:
         tests = [f"({t})" if "&&" in t else t for t in tests]
     return " || ".join(tests)
+
+
+def asked(f: m.Field, model: m.Model) -> list[tuple[str, m.Field]]:
+    """The responses of a command, each with the condition on the structure `v` under which it is sent."""
+    found = []
+    for reply in replies(f, model):
+        functions = [f"v->function == {macro('mip_function_selector')}_{macro(x.name)}" for x in reply.functions]
+        tests = [" || ".join(functions)] if functions else []
+        tests += [f"v->{_member(c.parameter)} == {c.value}" for c in reply.when]
+        if len(tests) > 1:
+            tests = [f"({t})" if "||" in t else t for t in tests]
+        found.append((" && ".join(tests), reply.response))
+    return found
 
 
 # --------------------------------------------------------------------------- order

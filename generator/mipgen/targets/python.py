@@ -12,6 +12,7 @@ from typing import Any
 from .. import model as m
 from ..naming import Escape, Identifier, pascal, upper
 from ..render import File, language
+from ..replies import replies
 
 TITLE = "Python >= 3.10, package mip_protocol"
 WIDTH = 100
@@ -97,6 +98,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "readings": lambda f: [p for p in f.parameters if p.reading],
         "reading_items": reading_items,
         "silent": silent,
+        "asked": lambda f, s: asked(f, model) if s else [],
         "constant_bytes": lambda op: "".join(f"\\x{b:02x}" for b in op.value.to_bytes(op.size, "big")),
         "device_modules": device_modules,
         "device_fields": lambda d: device_fields(d, model),
@@ -622,6 +624,19 @@ def silent(f: m.Field) -> str:
     if f.silent_when:
         tests.append(" and ".join(f"self.{_member(c.parameter)} == {c.value}" for c in f.silent_when))
     return " or ".join(tests)
+
+
+def asked(f: m.Field, model: m.Model) -> list[tuple[str, str]]:
+    """The responses of a command, each with the condition under which it is sent; none if there are no conditions."""
+    found = []
+    for reply in replies(f, model):
+        functions = [f"self.function == {x.value}" for x in reply.functions]
+        tests = [" or ".join(functions)] if functions else []
+        tests += [f"self.{_member(c.parameter)} == {c.value}" for c in reply.when]
+        if len(tests) > 1:
+            tests = [f"({t})" if " or " in t else t for t in tests]
+        found.append((" and ".join(tests) or "True", class_name(reply.response)))
+    return found if any(condition != "True" for condition, _ in found) else []
 
 
 # --------------------------------------------------------------------------- devices

@@ -11,6 +11,7 @@ from typing import Any
 from .. import model as m
 from ..naming import Escape, Identifier, pascal, upper
 from ..render import File, language
+from ..replies import replies
 
 TITLE = "Rust, no_std"
 
@@ -724,6 +725,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "hex": lambda n: f"0x{n:02X}",
         "some": lambda name: f"Some({name})",
         "reference": lambda name: f"&{name}",
+        "replies": lambda f: replies(f, model),
         "condition_text": lambda c: f"`{c.parameter}` is {c.label}",
     }
     return plain | {f.__name__: f for f in offered}

@@ -24,6 +24,7 @@ const struct mip_codec mip_measurements_accel_codec = {
     read_accel,
     write_accel,
     NULL,
+    NULL,
 };
 
 mip_error mip_measurements_accel_decode(struct mip_measurements_accel *value,
@@ -77,6 +78,7 @@ const struct mip_codec mip_measurements_numbers_codec = {
     read_numbers,
     write_numbers,
     NULL,
+    NULL,
 };
 
 mip_error mip_measurements_numbers_decode(struct mip_measurements_numbers *value,
@@ -116,6 +118,7 @@ const struct mip_codec mip_measurements_strings_codec = {
     read_strings,
     write_strings,
     NULL,
+    NULL,
 };
 
 mip_error mip_measurements_strings_decode(struct mip_measurements_strings *value,
@@ -149,6 +152,7 @@ const struct mip_codec mip_measurements_health_codec = {
     0,
     read_health,
     write_health,
+    NULL,
     NULL,
 };
 
@@ -199,6 +203,7 @@ const struct mip_codec mip_measurements_arrays_codec = {
     read_arrays,
     write_arrays,
     NULL,
+    NULL,
 };
 
 mip_error mip_measurements_arrays_decode(struct mip_measurements_arrays *value,
@@ -239,6 +244,7 @@ const struct mip_codec mip_measurements_growing_codec = {
     0,
     read_growing,
     write_growing,
+    NULL,
     NULL,
 };
 

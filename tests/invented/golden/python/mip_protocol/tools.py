@@ -717,6 +717,12 @@ class Settings(Command):
     def answered(self) -> bool:
         return not (self.function == 6)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return SettingsResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Settings, int]:
         port: int | None = None
@@ -833,6 +839,14 @@ class SetTime(Command):
     def answered(self) -> bool:
         return not (self.function == 6)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2 and self.part == 1:
+            return SetTimeFastResponse
+        if self.function == 2 and self.part == 2:
+            return SetTimeSlowResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetTime, int]:
         part: types.Mode | None = None
@@ -900,6 +914,14 @@ class Status(Command):
     @classmethod
     def matches(cls, data: bytes) -> bool:
         return data[0:2] == b"\x12\x67"
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.selector == 1:
+            return StatusShort
+        if self.selector == 2:
+            return StatusLong
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Status, int]:
@@ -969,6 +991,12 @@ class Bias(Command):
     def default(cls) -> Bias:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return BiasVector
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Bias, int]:
@@ -1129,6 +1157,12 @@ class Choice(Command):
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, instance=instance)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return ChoiceResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Choice, int]:
         instance: int | None = None
@@ -1245,6 +1279,12 @@ class List(Command):
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return ListResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[List, int]:
         items: tuple[int, ...] | None = None
@@ -1348,6 +1388,12 @@ class Pin(Command):
     def read(cls, drive: Drive) -> Pin:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, drive=drive)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == 2:
+            return PinResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Pin, int]:

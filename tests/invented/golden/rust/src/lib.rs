@@ -46,9 +46,9 @@ pub mod shared;
 pub mod tools;
 
 pub use bits::Bits;
-pub use client::{Answer, Client, Event, RequestError, Ticket};
+pub use client::{Answer, Client, Event, Outcome, RequestError, Ticket};
 pub use codec::{Bool, DecodeError, EncodeError, Reader, Union, Wire, Writer};
-pub use field::{Command, Field, RawField, Response, ResponseOf, Role};
+pub use field::{Command, Field, RawField, Response, ResponseCheck, ResponseOf, Role};
 pub use list::{CapacityError, List};
 pub use packet::{checksum, FieldLengthError, Packet, PacketBuilder, PacketError};
 pub use parser::Parser;

@@ -494,8 +494,11 @@ impl Command for Settings {
         !matches!(self.function, types::FunctionSelector::APPLY)
     }
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<SettingsResponse>)
     }
 }
 
@@ -587,8 +590,17 @@ impl Command for SetTime {
         !matches!(self.function, types::FunctionSelector::APPLY)
     }
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        if self.part == Some(types::Mode::FAST) {
+            return Some(crate::field::check::<SetTimeFastResponse>);
+        }
+        if self.part == Some(types::Mode::SLOW) {
+            return Some(crate::field::check::<SetTimeSlowResponse>);
+        }
+        None
     }
 }
 
@@ -659,8 +671,14 @@ impl Command for Status {
     type Response = StatusResponses;
     const TIMEOUT_MS: Option<u32> = Some(2500);
 
-    fn expects_response(&self) -> bool {
-        true
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if self.selector == 1 {
+            return Some(crate::field::check::<StatusShort>);
+        }
+        if self.selector == 2 {
+            return Some(crate::field::check::<StatusLong>);
+        }
+        None
     }
 }
 
@@ -766,8 +784,11 @@ impl Field for Bias {
 impl Command for Bias {
     type Response = BiasVector;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<BiasVector>)
     }
 }
 
@@ -821,8 +842,8 @@ impl Field for CaptureBias {
 impl Command for CaptureBias {
     type Response = BiasVector;
 
-    fn expects_response(&self) -> bool {
-        true
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        Some(crate::field::check::<BiasVector>)
     }
 }
 
@@ -1046,8 +1067,11 @@ impl Field for Choice {
 impl Command for Choice {
     type Response = ChoiceResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<ChoiceResponse>)
     }
 }
 
@@ -1133,8 +1157,11 @@ impl Field for List {
 impl Command for List {
     type Response = ListResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<ListResponse>)
     }
 }
 
@@ -1181,8 +1208,8 @@ impl Field for Inventory {
 impl Command for Inventory {
     type Response = InventoryResponse;
 
-    fn expects_response(&self) -> bool {
-        true
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        Some(crate::field::check::<InventoryResponse>)
     }
 }
 
@@ -1274,8 +1301,11 @@ impl Field for Pin {
 impl Command for Pin {
     type Response = PinResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<PinResponse>)
     }
 }
 
