@@ -149,6 +149,23 @@ def test_random_bytes_in_every_field(language: str, spec: str) -> None:
             assert {"op": "decode", "packet": answer["packet"]} in requests
 
 
+@each
+def test_counts_at_and_beyond_what_a_field_holds(language: str, spec: str) -> None:
+    """The fullest field decodes; one element more is a wrong count, though its bytes are there."""
+    of, requests, wanted = model(spec), [], []
+    for f in all_fields(of):
+        for op in f.operations:
+            if isinstance(op, (m.ArrayOp, m.TextOp)) and op.counter and f.operations[0].member == op.counter:  # type: ignore[union-attr]
+                for count in (op.capacity - 1, op.capacity, op.capacity + 1):
+                    size = f.max_size if count <= op.capacity else 253
+                    data = bytes([count]) + bytes(size - 1)
+                    requests.append(decode_request(codec.build(of, set_of(f, of), [(f.descriptor, data)])))
+                    wanted.append("count" if count > op.capacity else None)
+    answers = compare(language, spec, requests)
+    assert [a["fields"][0].get("error") for a in answers] == wanted
+    assert wanted or spec == "real"
+
+
 def samples(f: Any, chance: random.Random) -> list[bytes]:
     """Whole data of a field: the bytes of some random values, one for each function."""
     found = []

@@ -127,7 +127,7 @@ class ReceiverInfoResponse(Response):
         v = _RECEIVER_INFO_RESPONSE_0.read(raw, at)
         at += 1
         num_receivers = v[0]
-        n = codec.counted(raw, at, num_receivers, 34)
+        n = codec.counted(raw, at, num_receivers, 34, 7)
         receiver_info, at = codec.read_structures(ReceiverInfoEntry, raw, at, n)
         return cls(receiver_info), at
 

@@ -257,7 +257,7 @@ class ImuMessageFormatResponse(Response):
         v = _IMU_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
         at += 1
         num_descriptors = v[0]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 84)
         descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
         return cls(descriptors), at
 
@@ -295,7 +295,7 @@ class EstimationFilterMessageFormatResponse(Response):
         v = _ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
         at += 1
         num_descriptors = v[0]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 84)
         descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
         return cls(descriptors), at
 
@@ -533,7 +533,7 @@ class NmeaMessageFormatResponse(Response):
         v = _NMEA_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
         at += 1
         count = v[0]
-        n = codec.counted(raw, at, count, 5)
+        n = codec.counted(raw, at, count, 5, 50)
         format_entries, at = codec.read_structures(types.NmeaMessage, raw, at, n)
         return cls(format_entries), at
 
@@ -614,7 +614,7 @@ class MessageFormatResponse(Response):
         at += 2
         desc_set = v[0]
         num_descriptors = v[1]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 83)
         descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
         return cls(desc_set, descriptors), at
 
@@ -1095,7 +1095,7 @@ class GnssSbasSettingsResponse(Response):
         enable_sbas = v[0]
         sbas_options = SbasOptions(v[1])
         num_included_prns = v[2]
-        n = codec.counted(raw, at, num_included_prns, 2)
+        n = codec.counted(raw, at, num_included_prns, 2, 124)
         included_prns = codec.read_numbers("H", raw, at, n)
         at += n * 2
         return cls(enable_sbas, sbas_options, included_prns), at
@@ -1300,7 +1300,7 @@ class GetSupportedEventsResponse(Response):
         query = SupportedEventsQuery(v[0])
         max_instances = v[1]
         num_entries = v[2]
-        n = codec.counted(raw, at, num_entries, 2)
+        n = codec.counted(raw, at, num_entries, 2, 125)
         entries, at = codec.read_structures(SupportedEventInfo, raw, at, n)
         return cls(query, max_instances, entries), at
 
@@ -1376,7 +1376,7 @@ class GetEventTriggerStatusResponse(Response):
         v = _GET_EVENT_TRIGGER_STATUS_RESPONSE_0.read(raw, at)
         at += 1
         count = v[0]
-        n = codec.counted(raw, at, count, 2)
+        n = codec.counted(raw, at, count, 2, 126)
         triggers, at = codec.read_structures(EventTriggerStatusEntry, raw, at, n)
         return cls(triggers), at
 
@@ -1416,7 +1416,7 @@ class GetEventActionStatusResponse(Response):
         v = _GET_EVENT_ACTION_STATUS_RESPONSE_0.read(raw, at)
         at += 1
         count = v[0]
-        n = codec.counted(raw, at, count, 2)
+        n = codec.counted(raw, at, count, 2, 126)
         actions, at = codec.read_structures(EventActionStatusEntry, raw, at, n)
         return cls(actions), at
 
@@ -1749,7 +1749,7 @@ class GetCalibratedSensorRangesResponse(Response):
         at += 2
         sensor = SensorRangeType(v[0])
         num_ranges = v[1]
-        n = codec.counted(raw, at, num_ranges, 5)
+        n = codec.counted(raw, at, num_ranges, 5, 50)
         ranges, at = codec.read_structures(SensorRangeEntry, raw, at, n)
         return cls(sensor, ranges), at
 
@@ -1848,7 +1848,7 @@ class PollImuData(Command):
         at += 2
         suppress_ack = codec.truth(v[0])
         num_descriptors = v[1]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 83)
         descriptors, at = codec.read_structures(PollEntry, raw, at, n)
         return cls(suppress_ack, descriptors), at
 
@@ -1898,7 +1898,7 @@ class PollEstimationFilterData(Command):
         at += 2
         suppress_ack = codec.truth(v[0])
         num_descriptors = v[1]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 83)
         descriptors, at = codec.read_structures(PollEntry, raw, at, n)
         return cls(suppress_ack, descriptors), at
 
@@ -1949,7 +1949,7 @@ class PollNmeaData(Command):
         at += 2
         suppress_ack = codec.truth(v[0])
         count = v[1]
-        n = codec.counted(raw, at, count, 5)
+        n = codec.counted(raw, at, count, 5, 50)
         format_entries, at = codec.read_structures(types.NmeaMessage, raw, at, n)
         return cls(suppress_ack, format_entries), at
 
@@ -2065,7 +2065,7 @@ class ImuMessageFormat(Command):
             v = _IMU_MESSAGE_FORMAT_1.read(raw, at)
             at += 1
             num_descriptors = v[0]
-            n = codec.counted(raw, at, num_descriptors, 3)
+            n = codec.counted(raw, at, num_descriptors, 3, 83)
             descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
             done, end = 2, at
         except Truncated:
@@ -2164,7 +2164,7 @@ class EstimationFilterMessageFormat(Command):
             v = _ESTIMATION_FILTER_MESSAGE_FORMAT_1.read(raw, at)
             at += 1
             num_descriptors = v[0]
-            n = codec.counted(raw, at, num_descriptors, 3)
+            n = codec.counted(raw, at, num_descriptors, 3, 83)
             descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
             done, end = 2, at
         except Truncated:
@@ -2287,7 +2287,7 @@ class NmeaMessageFormat(Command):
             v = _NMEA_MESSAGE_FORMAT_1.read(raw, at)
             at += 1
             count = v[0]
-            n = codec.counted(raw, at, count, 5)
+            n = codec.counted(raw, at, count, 5, 50)
             format_entries, at = codec.read_structures(types.NmeaMessage, raw, at, n)
             done, end = 2, at
         except Truncated:
@@ -2352,7 +2352,7 @@ class PollData(Command):
         desc_set = v[0]
         suppress_ack = codec.truth(v[1])
         num_descriptors = v[2]
-        n = codec.counted(raw, at, num_descriptors, 1)
+        n = codec.counted(raw, at, num_descriptors, 1, 250)
         descriptors = codec.read_numbers("B", raw, at, n)
         at += n
         return cls(desc_set, suppress_ack, descriptors), at
@@ -2487,7 +2487,7 @@ class MessageFormat(Command):
             v = _MESSAGE_FORMAT_2.read(raw, at)
             at += 1
             num_descriptors = v[0]
-            n = codec.counted(raw, at, num_descriptors, 3)
+            n = codec.counted(raw, at, num_descriptors, 3, 83)
             descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
             done, end = 3, at
         except Truncated:
@@ -2759,7 +2759,7 @@ class GnssSbasSettings(Command):
             v = _GNSS_SBAS_SETTINGS_3.read(raw, at)
             at += 1
             num_included_prns = v[0]
-            n = codec.counted(raw, at, num_included_prns, 2)
+            n = codec.counted(raw, at, num_included_prns, 2, 124)
             included_prns = codec.read_numbers("H", raw, at, n)
             at += n * 2
             done, end = 4, at
@@ -3040,7 +3040,7 @@ class GetEventTriggerStatus(Command):
         v = _GET_EVENT_TRIGGER_STATUS_0.read(raw, at)
         at += 1
         requested_count = v[0]
-        n = codec.counted(raw, at, requested_count, 1)
+        n = codec.counted(raw, at, requested_count, 1, 252)
         requested_instances = codec.read_numbers("B", raw, at, n)
         at += n
         return cls(requested_instances), at
@@ -3084,7 +3084,7 @@ class GetEventActionStatus(Command):
         v = _GET_EVENT_ACTION_STATUS_0.read(raw, at)
         at += 1
         requested_count = v[0]
-        n = codec.counted(raw, at, requested_count, 1)
+        n = codec.counted(raw, at, requested_count, 1, 252)
         requested_instances = codec.read_numbers("B", raw, at, n)
         at += n
         return cls(requested_instances), at

@@ -258,3 +258,43 @@ mip_error mip_measurements_growing_encode(const struct mip_measurements_growing 
     return mip_encode_field(builder, 0x80, MIP_MEASUREMENTS_GROWING_DESCRIPTOR, write_growing,
                             value);
 }
+
+static void read_cloud(struct mip_reader *r, void *value) {
+    struct mip_measurements_cloud *v = (struct mip_measurements_cloud *)value;
+    mip_read_u8(r, &v->num_points, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->num_points, 61, 4); i < n; i++) {
+        mip_point_read(r, &v->points[i]);
+    }
+    mip_read_u64(r, &v->stamp, 1);
+}
+
+static void write_cloud(struct mip_writer *w, const void *value) {
+    const struct mip_measurements_cloud *v = (const struct mip_measurements_cloud *)value;
+    mip_write_u8(w, &v->num_points, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->num_points, 61); i < n; i++) {
+        mip_point_write(w, &v->points[i]);
+    }
+    mip_write_u64(w, &v->stamp, 1);
+}
+
+const struct mip_codec mip_measurements_cloud_codec = {
+    0x80,
+    MIP_MEASUREMENTS_CLOUD_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_measurements_cloud),
+    0,
+    read_cloud,
+    write_cloud,
+    NULL,
+    NULL,
+};
+
+mip_error mip_measurements_cloud_decode(struct mip_measurements_cloud *value,
+                                        const struct mip_field *field) {
+    return mip_decode_field(field, read_cloud, value, sizeof(*value), NULL);
+}
+
+mip_error mip_measurements_cloud_encode(const struct mip_measurements_cloud *value,
+                                        struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_MEASUREMENTS_CLOUD_DESCRIPTOR, write_cloud, value);
+}

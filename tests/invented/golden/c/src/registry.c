@@ -71,6 +71,8 @@ const struct mip_entry mip_registry[] = {
      &mip_measurements_arrays_codec},
     {0x80, 0x06, MIP_DATA, 0, 0, 22, NULL, MIP_MEASUREMENTS_GROWING_NAME,
      &mip_measurements_growing_codec},
+    {0x80, 0x07, MIP_DATA, 0, 0, 22, NULL, MIP_MEASUREMENTS_CLOUD_NAME,
+     &mip_measurements_cloud_codec},
     {0x81, 0x01, MIP_DATA, 0, 0, 22, NULL, MIP_MORE_ACCEL_NAME, &mip_more_accel_codec},
     {0x81, 0x03, MIP_DATA, 0, 0, 22, NULL, MIP_MORE_STRINGS_NAME, &mip_more_strings_codec},
     {0x81, 0x07, MIP_DATA, 0, 0, 22, NULL, MIP_MORE_OWN_NAME, &mip_more_own_codec},

@@ -176,7 +176,7 @@ class Strings(Data):
         v = _STRINGS_0.read(raw, at)
         at += 1
         length = v[0]
-        n = codec.counted(raw, at, length, 1)
+        n = codec.counted(raw, at, length, 1, 236)
         name = codec.take(raw, at, n).decode("latin-1")
         at += n
         n = codec.remaining(raw, at, 1)
@@ -378,6 +378,51 @@ class Growing(Data):
         return codec.finished(out)
 
 
+_CLOUD_0 = codec.Block("B", "num_points")
+_CLOUD_1 = codec.Block("Q", "stamp")
+
+
+@dataclass(slots=True)
+class Cloud(Data):
+    """Cloud (0x80,0x07).
+
+    The count can exceed what a field holds beside the value behind the array.
+    Supported by Model A.
+
+    - guide: Cloud
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x07
+    NAME = "measurements.cloud"
+    ROLE = "data"
+
+    points: tuple[types.Point, ...]
+    """The points."""
+    stamp: int
+    """Behind an array that fills the field."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Cloud, int]:
+        v = _CLOUD_0.read(raw, at)
+        at += 1
+        num_points = v[0]
+        n = codec.counted(raw, at, num_points, 4, 61)
+        points, at = codec.read_structures(types.Point, raw, at, n)
+        v = _CLOUD_1.read(raw, at)
+        at += 8
+        stamp = v[0]
+        return cls(points, stamp), at
+
+    def _write(self) -> bytes:
+        out = _CLOUD_0.write(codec.count("points", self.points, 61))
+        out += codec.write_structures(
+            "points", codec.at_most("points", self.points, 61), types.Point
+        )
+        out += _CLOUD_1.write(self.stamp)
+        return codec.finished(out)
+
+
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Accel,),
@@ -386,4 +431,5 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x04: (Health,),
     0x05: (Arrays,),
     0x06: (Growing,),
+    0x07: (Cloud,),
 }

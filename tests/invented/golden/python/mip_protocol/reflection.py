@@ -247,6 +247,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("second", "second", "scalar", scalar="u16"),
         Parameter("third", "third", "scalar", scalar="float"),
     ),
+    measurements.Cloud: (
+        Parameter("num_points", "num_points", "counter", scalar="u8", counts="points"),
+        Parameter("points", "points", "array", length="num_points", type=types.Point),
+        Parameter("stamp", "stamp", "scalar", scalar="u64"),
+    ),
     more.Own: (Parameter("mode", "mode", "scalar", scalar="u8", type=types.Mode),),
     shared.Timestamp: (
         Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),

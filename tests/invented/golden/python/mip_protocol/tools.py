@@ -139,7 +139,7 @@ class Path(Structure):
         at += 2
         closed = codec.truth(v[0])
         num_points = v[1]
-        n = codec.counted(raw, at, num_points, 4)
+        n = codec.counted(raw, at, num_points, 4, 62)
         points, at = codec.read_structures(types.Point, raw, at, n)
         return cls(closed, points), at
 
@@ -383,7 +383,7 @@ class ListResponse(Response):
         v = _LIST_RESPONSE_0.read(raw, at)
         at += 1
         count = v[0]
-        n = codec.counted(raw, at, count, 2)
+        n = codec.counted(raw, at, count, 2, 126)
         items = codec.read_numbers("H", raw, at, n)
         at += n * 2
         return cls(items), at
@@ -1098,7 +1098,7 @@ class Formats(Command):
         suppress_ack = codec.truth(v[0])
         num_segments = v[1]
         checkpoint = v[2]
-        n = codec.counted(raw, at, num_segments, 10)
+        n = codec.counted(raw, at, num_segments, 10, 25)
         segments, at = codec.read_structures(types.Segment, raw, at, n)
         return cls(suppress_ack, checkpoint, segments), at
 
@@ -1299,7 +1299,7 @@ class List(Command):
             v = _LIST_1.read(raw, at)
             at += 1
             count = v[0]
-            n = codec.counted(raw, at, count, 2)
+            n = codec.counted(raw, at, count, 2, 125)
             items = codec.read_numbers("H", raw, at, n)
             at += n * 2
             done, end = 2, at

@@ -323,3 +323,44 @@ impl Field for Growing {
     const DESCRIPTOR: u8 = 0x06;
     const NAME: &'static str = "measurements.growing";
 }
+
+/// Cloud (0x80,0x07).
+///
+/// The count can exceed what a field holds beside the value behind the array.
+///
+/// Supported by Model A.
+///
+/// - Manual guide: Cloud
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Cloud {
+    /// The points.
+    pub points: crate::List<types::Point, 61>,
+    /// Behind an array that fills the field.
+    pub stamp: u64,
+}
+
+impl Wire for Cloud {
+    const SIZE: usize = 253;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let num_points = reader.read::<u8>()?;
+        let points = reader.list(num_points)?;
+        let stamp = reader.read()?;
+        Ok(Self { points, stamp })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.count::<u8>(self.points.len())?;
+        self.points.encode_items(writer)?;
+        writer.write(&self.stamp)?;
+        Ok(())
+    }
+}
+
+impl Field for Cloud {
+    const SET: u8 = 0x80;
+    const DESCRIPTOR: u8 = 0x07;
+    const NAME: &'static str = "measurements.cloud";
+}

@@ -175,6 +175,10 @@ registry! {
     MeasurementsGrowing(crate::measurements::Growing),
         Data 0x80, 0x06, in 0x80..=0x80, of 1,
         "measurements.growing", "Growing", [];
+    /// Cloud (0x80,0x07).
+    MeasurementsCloud(crate::measurements::Cloud),
+        Data 0x80, 0x07, in 0x80..=0x80, of 1,
+        "measurements.cloud", "Cloud", [];
     /// Second acceleration (0x81,0x01).
     MoreAccel(crate::more::Accel),
         Data 0x81, 0x01, in 0x81..=0x81, of 1,

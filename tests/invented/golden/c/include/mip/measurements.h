@@ -214,6 +214,33 @@ mip_error mip_measurements_growing_decode(struct mip_measurements_growing *value
 mip_error mip_measurements_growing_encode(const struct mip_measurements_growing *value,
                                           struct mip_builder *builder);
 
+/**
+ * Cloud: data (0x80,0x07).
+ *
+ * The count can exceed what a field holds beside the value behind the array.
+ *
+ * Supported by Model A.
+ *
+ * - guide: Cloud
+ */
+struct mip_measurements_cloud {
+    /** Number of points. */
+    uint8_t num_points;
+    /** The points. */
+    struct mip_point points[61];
+    /** Behind an array that fills the field. */
+    uint64_t stamp;
+};
+
+#define MIP_MEASUREMENTS_CLOUD_DESCRIPTOR 0x07
+#define MIP_MEASUREMENTS_CLOUD_NAME "measurements.cloud"
+
+extern const struct mip_codec mip_measurements_cloud_codec;
+mip_error mip_measurements_cloud_decode(struct mip_measurements_cloud *value,
+                                        const struct mip_field *field);
+mip_error mip_measurements_cloud_encode(const struct mip_measurements_cloud *value,
+                                        struct mip_builder *builder);
+
 #ifdef __cplusplus
 }
 #endif

@@ -52,3 +52,10 @@ record! {
     "second" => some_value(second);
     "third" => some_value(third);
 }
+
+record! {
+    crate::measurements::Cloud { points, stamp }
+    "num_points" => counter(points, "points");
+    "points" => value(points);
+    "stamp" => value(stamp);
+}
