@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import fcntl
 import json
 import os
@@ -47,6 +48,29 @@ def need(tool: str) -> str:
     path = shutil.which(tool)
     assert path is not None, f"{tool} is missing; `make test` says how to get it"
     return path
+
+
+def another_python(version: str) -> str:
+    """A Python of this version. Where there is none, the test is left out and the summary says so; where all
+    tests must run (`make test-all` sets MIPGEN_TEST_ALL), that is an error."""
+    home = Path.home() / ".pyenv/versions"
+    found = [shutil.which(f"python{version}"), *sorted(str(p) for p in home.glob(f"{version}.*/bin/python"))]
+    for python in found:
+        if python and subprocess.run([python, "-c", "pass"], capture_output=True).returncode == 0:
+            return python
+    message = f"left out: Python {version} is not on this machine"
+    if os.environ.get("MIPGEN_TEST_ALL"):
+        pytest.fail(message)
+    pytest.skip(message)
+
+
+def parse_as(version: str, folder: Path) -> None:
+    """All files of a folder are the language of that version; a SyntaxError says where one is not."""
+    minor = int(version.partition(".")[2])
+    paths = sorted(folder.rglob("*.py"))
+    assert paths
+    for path in paths:
+        ast.parse(path.read_text("utf-8"), feature_version=(3, minor))
 
 
 @dataclass(frozen=True)
