@@ -4,11 +4,24 @@ from __future__ import annotations
 
 from typing import Any
 
+from hypothesis import HealthCheck, Phase, settings
 from hypothesis import strategies as st
 from mipgen import codec
 from mipgen import model as m
 
 Values = dict[str, Any]
+
+
+def relaxed(examples: int) -> Any:
+    """The same values in every run, and nothing but values: they are sent to the drivers in one batch."""
+    return settings(
+        max_examples=examples,
+        deadline=None,
+        database=None,
+        derandomize=True,
+        phases=[Phase.generate],
+        suppress_health_check=list(HealthCheck),
+    )
 
 
 def numbers(op: m.ScalarOp | m.CounterOp) -> st.SearchStrategy[Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import fcntl
 import json
 import os
@@ -31,6 +32,13 @@ SPECS = {
 }
 
 
+def each(test: Any) -> Any:
+    """For every language and both specifications."""
+    for mark in (pytest.mark.parametrize("language", LANGUAGES), pytest.mark.parametrize("spec", sorted(SPECS))):
+        test = mark(test)
+    return test
+
+
 @cache
 def model(spec: str) -> m.Model:
     return load_model(SPECS[spec][0])
@@ -49,6 +57,29 @@ def heavy(what: str) -> pytest.MarkDecorator:
     `make test` leaves it out and names it in its last line, `make test-all` runs it.
     """
     return pytest.mark.heavy(what)
+
+
+def another_python(version: str) -> str:
+    """A Python of this version. Where there is none, the test is left out and the summary says so; where all
+    tests must run (`make test-all` sets MIPGEN_TEST_ALL), that is an error."""
+    home = Path.home() / ".pyenv/versions"
+    found = [shutil.which(f"python{version}"), *sorted(str(p) for p in home.glob(f"{version}.*/bin/python"))]
+    for python in found:
+        if python and subprocess.run([python, "-c", "pass"], capture_output=True).returncode == 0:
+            return python
+    message = f"left out: Python {version} is not on this machine"
+    if os.environ.get("MIPGEN_TEST_ALL"):
+        pytest.fail(message)
+    pytest.skip(message)
+
+
+def parse_as(version: str, folder: Path) -> None:
+    """All files of a folder are the language of that version; a SyntaxError says where one is not."""
+    minor = int(version.partition(".")[2])
+    paths = sorted(folder.rglob("*.py"))
+    assert paths
+    for path in paths:
+        ast.parse(path.read_text("utf-8"), feature_version=(3, minor))
 
 
 @dataclass(frozen=True)
@@ -105,6 +136,10 @@ def expected(of: m.Model, request: dict[str, Any]) -> dict[str, Any]:
         return expected_parse(bytes.fromhex(request["stream"]))
     if request["op"] == "decode":
         return expected_decode(of, bytes.fromhex(request["packet"]))
+    if request["op"] == "client":
+        from conformance.client_model import expected_client  # it needs this module itself
+
+        return expected_client(of, request)
     return expected_encode(of, request)
 
 

@@ -174,6 +174,8 @@ def _count(op: m.TextOp | m.ArrayOp, size: int, reader: _Reader, values: Values)
     count: int = values[op.counter]
     if count * size > left:
         raise CodecError("count", f"{op.counter} is {count}, but {left} bytes follow")
+    if count > op.capacity:
+        raise CodecError("count", f"{op.counter} is {count}, but a field holds {op.capacity}")
     return count
 
 

@@ -510,6 +510,16 @@ class Field:
 
 
 @dataclass(frozen=True, slots=True)
+class Reply:
+    """A response of a command. It is sent if the function is one of `functions`, where the command has a selector,
+    and if all of `when` holds."""
+
+    response: Field
+    functions: tuple[Function, ...]
+    when: tuple[Condition, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Named:
     """A descriptor that a source names without a layout: nothing can be made of its data."""
 
@@ -761,6 +771,12 @@ class Model:
     def responses(self, command: Field) -> tuple[Field, ...]:
         """What a command may be answered with."""
         return tuple(self._fields[f"{command.set_name}.{name}"] for name in command.responses)
+
+    def replies(self, command: Field) -> tuple[Reply, ...]:
+        """What a command is answered with, and when. Conditions are on the parameters of the command that owns a
+        response; another command that has the same response is answered with it always."""
+        functions = tuple(f for f in command.functions if f.responds)
+        return tuple(Reply(r, functions, r.when if r.command == command.name else ()) for r in self.responses(command))
 
     def commands(self, response: Field) -> tuple[Field, ...]:
         """The commands that a response answers."""

@@ -535,11 +535,13 @@ def test_readme_shows_programs_that_run(tmp_path: Path) -> None:
     program = tmp_path / "client.c"
     outside = (
         "uint32_t milliseconds(void);\nvoid transmit(struct mip_packet packet);\n"
-        "bool receive(struct mip_packet *packet);\n"
+        "size_t receive(uint8_t *bytes, size_t size);\n"
     )
     includes, _, code = blocks[1].rpartition("#include")
     header, _, rest = code.partition("\n")
-    prototype = "bool set_pps_source(struct mip_client *client, mip_3dm_pps_source source);\n"
+    prototype = (
+        "bool set_pps_source(struct mip_client *client, struct mip_parser *parser, mip_3dm_pps_source source);\n"
+    )
     program.write_text(f"{includes}#include{header}\n{outside}{prototype}{rest}")
     run(need("cc"), "-std=c99", *WARNINGS, include("real"), "-fsyntax-only", program)
 

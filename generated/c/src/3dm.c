@@ -110,6 +110,7 @@ const struct mip_codec mip_3dm_poll_imu_data_codec = {
     read_poll_imu_data,
     write_poll_imu_data,
     silent_poll_imu_data,
+    NULL,
 };
 
 mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_data *value,
@@ -166,6 +167,7 @@ const struct mip_codec mip_3dm_poll_gnss_data_codec = {
     read_poll_gnss_data,
     write_poll_gnss_data,
     silent_poll_gnss_data,
+    NULL,
 };
 
 mip_error mip_3dm_poll_gnss_data_decode(struct mip_3dm_poll_gnss_data *value,
@@ -225,6 +227,7 @@ const struct mip_codec mip_3dm_poll_estimation_filter_data_codec = {
     read_poll_estimation_filter_data,
     write_poll_estimation_filter_data,
     silent_poll_estimation_filter_data,
+    NULL,
 };
 
 mip_error mip_3dm_poll_estimation_filter_data_decode(
@@ -281,6 +284,7 @@ const struct mip_codec mip_3dm_poll_nmea_data_codec = {
     read_poll_nmea_data,
     write_poll_nmea_data,
     silent_poll_nmea_data,
+    NULL,
 };
 
 mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_data *value,
@@ -305,6 +309,11 @@ struct mip_3dm_poll_nmea_data mip_3dm_poll_nmea_data_make(
     return v;
 }
 
+static const struct mip_response responses_get_imu_data_base_rate[] = {
+    {&mip_3dm_get_imu_data_base_rate_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_imu_data_base_rate_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_GET_IMU_DATA_BASE_RATE_DESCRIPTOR,
@@ -314,6 +323,7 @@ const struct mip_codec mip_3dm_get_imu_data_base_rate_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_imu_data_base_rate,
 };
 
 mip_error mip_3dm_get_imu_data_base_rate_decode(struct mip_3dm_get_imu_data_base_rate *value,
@@ -348,6 +358,7 @@ const struct mip_codec mip_3dm_get_imu_data_base_rate_response_codec = {
     read_get_imu_data_base_rate_response,
     write_get_imu_data_base_rate_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_get_imu_data_base_rate_response_decode(
@@ -362,6 +373,11 @@ mip_error mip_3dm_get_imu_data_base_rate_response_encode(
                             write_get_imu_data_base_rate_response, value);
 }
 
+static const struct mip_response responses_get_gnss_data_base_rate[] = {
+    {&mip_3dm_get_gnss_data_base_rate_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_gnss_data_base_rate_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_GET_GNSS_DATA_BASE_RATE_DESCRIPTOR,
@@ -371,6 +387,7 @@ const struct mip_codec mip_3dm_get_gnss_data_base_rate_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_gnss_data_base_rate,
 };
 
 mip_error mip_3dm_get_gnss_data_base_rate_decode(struct mip_3dm_get_gnss_data_base_rate *value,
@@ -404,6 +421,7 @@ const struct mip_codec mip_3dm_get_gnss_data_base_rate_response_codec = {
     0, /* time-out */
     read_get_gnss_data_base_rate_response,
     write_get_gnss_data_base_rate_response,
+    NULL,
     NULL,
 };
 
@@ -447,6 +465,17 @@ static void write_imu_message_format(struct mip_writer *w, const void *value) {
     }
 }
 
+static bool asked_imu_message_format_1(const void *value) {
+    const struct mip_3dm_imu_message_format *v = (const struct mip_3dm_imu_message_format *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_imu_message_format[] = {
+    {&mip_3dm_imu_message_format_response_codec, asked_imu_message_format_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_imu_message_format_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_IMU_MESSAGE_FORMAT_DESCRIPTOR,
@@ -456,6 +485,7 @@ const struct mip_codec mip_3dm_imu_message_format_codec = {
     read_imu_message_format,
     write_imu_message_format,
     NULL,
+    responses_imu_message_format,
 };
 
 mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_message_format *value,
@@ -535,6 +565,7 @@ const struct mip_codec mip_3dm_imu_message_format_response_codec = {
     read_imu_message_format_response,
     write_imu_message_format_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_imu_message_format_response_decode(
@@ -576,6 +607,17 @@ static void write_gnss_message_format(struct mip_writer *w, const void *value) {
     }
 }
 
+static bool asked_gnss_message_format_1(const void *value) {
+    const struct mip_3dm_gnss_message_format *v = (const struct mip_3dm_gnss_message_format *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_message_format[] = {
+    {&mip_3dm_gnss_message_format_response_codec, asked_gnss_message_format_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gnss_message_format_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_GNSS_MESSAGE_FORMAT_DESCRIPTOR,
@@ -585,6 +627,7 @@ const struct mip_codec mip_3dm_gnss_message_format_codec = {
     read_gnss_message_format,
     write_gnss_message_format,
     NULL,
+    responses_gnss_message_format,
 };
 
 mip_error mip_3dm_gnss_message_format_decode(struct mip_3dm_gnss_message_format *value,
@@ -664,6 +707,7 @@ const struct mip_codec mip_3dm_gnss_message_format_response_codec = {
     read_gnss_message_format_response,
     write_gnss_message_format_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_message_format_response_decode(
@@ -707,6 +751,19 @@ static void write_estimation_filter_message_format(struct mip_writer *w, const v
     }
 }
 
+static bool asked_estimation_filter_message_format_1(const void *value) {
+    const struct mip_3dm_estimation_filter_message_format *v =
+        (const struct mip_3dm_estimation_filter_message_format *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_estimation_filter_message_format[] = {
+    {&mip_3dm_estimation_filter_message_format_response_codec,
+     asked_estimation_filter_message_format_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_estimation_filter_message_format_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_DESCRIPTOR,
@@ -716,6 +773,7 @@ const struct mip_codec mip_3dm_estimation_filter_message_format_codec = {
     read_estimation_filter_message_format,
     write_estimation_filter_message_format,
     NULL,
+    responses_estimation_filter_message_format,
 };
 
 mip_error mip_3dm_estimation_filter_message_format_decode(
@@ -801,6 +859,7 @@ const struct mip_codec mip_3dm_estimation_filter_message_format_response_codec =
     read_estimation_filter_message_format_response,
     write_estimation_filter_message_format_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_estimation_filter_message_format_response_decode(
@@ -818,6 +877,11 @@ mip_error mip_3dm_estimation_filter_message_format_response_encode(
                             write_estimation_filter_message_format_response, value);
 }
 
+static const struct mip_response responses_get_estimation_filter_data_base_rate[] = {
+    {&mip_3dm_get_estimation_filter_data_base_rate_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_DESCRIPTOR,
@@ -827,6 +891,7 @@ const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_estimation_filter_data_base_rate,
 };
 
 mip_error mip_3dm_get_estimation_filter_data_base_rate_decode(
@@ -861,6 +926,7 @@ const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_response_cod
     0, /* time-out */
     read_get_estimation_filter_data_base_rate_response,
     write_get_estimation_filter_data_base_rate_response,
+    NULL,
     NULL,
 };
 
@@ -907,6 +973,17 @@ static void write_nmea_message_format(struct mip_writer *w, const void *value) {
     }
 }
 
+static bool asked_nmea_message_format_1(const void *value) {
+    const struct mip_3dm_nmea_message_format *v = (const struct mip_3dm_nmea_message_format *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_nmea_message_format[] = {
+    {&mip_3dm_nmea_message_format_response_codec, asked_nmea_message_format_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_nmea_message_format_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_NMEA_MESSAGE_FORMAT_DESCRIPTOR,
@@ -916,6 +993,7 @@ const struct mip_codec mip_3dm_nmea_message_format_codec = {
     read_nmea_message_format,
     write_nmea_message_format,
     NULL,
+    responses_nmea_message_format,
 };
 
 mip_error mip_3dm_nmea_message_format_decode(struct mip_3dm_nmea_message_format *value,
@@ -995,6 +1073,7 @@ const struct mip_codec mip_3dm_nmea_message_format_response_codec = {
     read_nmea_message_format_response,
     write_nmea_message_format_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_nmea_message_format_response_decode(
@@ -1038,6 +1117,7 @@ const struct mip_codec mip_3dm_poll_data_codec = {
     read_poll_data,
     write_poll_data,
     silent_poll_data,
+    NULL,
 };
 
 mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value, const struct mip_field *field) {
@@ -1072,6 +1152,11 @@ static void write_get_data_base_rate(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->desc_set, 1);
 }
 
+static const struct mip_response responses_get_data_base_rate[] = {
+    {&mip_3dm_get_data_base_rate_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_data_base_rate_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_GET_DATA_BASE_RATE_DESCRIPTOR,
@@ -1081,6 +1166,7 @@ const struct mip_codec mip_3dm_get_data_base_rate_codec = {
     read_get_data_base_rate,
     write_get_data_base_rate,
     NULL,
+    responses_get_data_base_rate,
 };
 
 mip_error mip_3dm_get_data_base_rate_decode(struct mip_3dm_get_data_base_rate *value,
@@ -1123,6 +1209,7 @@ const struct mip_codec mip_3dm_get_data_base_rate_response_codec = {
     0, /* time-out */
     read_get_data_base_rate_response,
     write_get_data_base_rate_response,
+    NULL,
     NULL,
 };
 
@@ -1168,6 +1255,17 @@ static void write_message_format(struct mip_writer *w, const void *value) {
     }
 }
 
+static bool asked_message_format_1(const void *value) {
+    const struct mip_3dm_message_format *v = (const struct mip_3dm_message_format *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_message_format[] = {
+    {&mip_3dm_message_format_response_codec, asked_message_format_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_message_format_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR,
@@ -1177,6 +1275,7 @@ const struct mip_codec mip_3dm_message_format_codec = {
     read_message_format,
     write_message_format,
     NULL,
+    responses_message_format,
 };
 
 mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
@@ -1262,6 +1361,7 @@ const struct mip_codec mip_3dm_message_format_response_codec = {
     read_message_format_response,
     write_message_format_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_message_format_response_decode(struct mip_3dm_message_format_response *value,
@@ -1295,6 +1395,7 @@ const struct mip_codec mip_3dm_factory_streaming_codec = {
     0, /* time-out */
     read_factory_streaming,
     write_factory_streaming,
+    NULL,
     NULL,
 };
 
@@ -1343,6 +1444,17 @@ static void write_data_stream_control(struct mip_writer *w, const void *value) {
     mip_write_bool(w, &v->enable, 1);
 }
 
+static bool asked_data_stream_control_1(const void *value) {
+    const struct mip_3dm_data_stream_control *v = (const struct mip_3dm_data_stream_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_data_stream_control[] = {
+    {&mip_3dm_data_stream_control_response_codec, asked_data_stream_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_data_stream_control_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR,
@@ -1352,6 +1464,7 @@ const struct mip_codec mip_3dm_data_stream_control_codec = {
     read_data_stream_control,
     write_data_stream_control,
     NULL,
+    responses_data_stream_control,
 };
 
 mip_error mip_3dm_data_stream_control_decode(struct mip_3dm_data_stream_control *value,
@@ -1430,6 +1543,7 @@ const struct mip_codec mip_3dm_data_stream_control_response_codec = {
     read_data_stream_control_response,
     write_data_stream_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_data_stream_control_response_decode(
@@ -1476,6 +1590,18 @@ static void write_constellation_settings(struct mip_writer *w, const void *value
     }
 }
 
+static bool asked_constellation_settings_1(const void *value) {
+    const struct mip_3dm_constellation_settings *v =
+        (const struct mip_3dm_constellation_settings *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_constellation_settings[] = {
+    {&mip_3dm_constellation_settings_response_codec, asked_constellation_settings_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_constellation_settings_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_CONSTELLATION_SETTINGS_DESCRIPTOR,
@@ -1485,6 +1611,7 @@ const struct mip_codec mip_3dm_constellation_settings_codec = {
     read_constellation_settings,
     write_constellation_settings,
     NULL,
+    responses_constellation_settings,
 };
 
 mip_error mip_3dm_constellation_settings_decode(struct mip_3dm_constellation_settings *value,
@@ -1569,6 +1696,7 @@ const struct mip_codec mip_3dm_constellation_settings_response_codec = {
     read_constellation_settings_response,
     write_constellation_settings_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_constellation_settings_response_decode(
@@ -1615,6 +1743,17 @@ static void write_gnss_sbas_settings(struct mip_writer *w, const void *value) {
     mip_write_u16(w, v->included_prns, mip_write_count(w, v->num_included_prns, 124));
 }
 
+static bool asked_gnss_sbas_settings_1(const void *value) {
+    const struct mip_3dm_gnss_sbas_settings *v = (const struct mip_3dm_gnss_sbas_settings *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_sbas_settings[] = {
+    {&mip_3dm_gnss_sbas_settings_response_codec, asked_gnss_sbas_settings_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_GNSS_SBAS_SETTINGS_DESCRIPTOR,
@@ -1624,6 +1763,7 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
     read_gnss_sbas_settings,
     write_gnss_sbas_settings,
     NULL,
+    responses_gnss_sbas_settings,
 };
 
 mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sbas_settings *value,
@@ -1706,6 +1846,7 @@ const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec = {
     read_gnss_sbas_settings_response,
     write_gnss_sbas_settings_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_sbas_settings_response_decode(
@@ -1745,6 +1886,17 @@ static void write_gnss_assisted_fix(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->flags, 1);
 }
 
+static bool asked_gnss_assisted_fix_1(const void *value) {
+    const struct mip_3dm_gnss_assisted_fix *v = (const struct mip_3dm_gnss_assisted_fix *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_assisted_fix[] = {
+    {&mip_3dm_gnss_assisted_fix_response_codec, asked_gnss_assisted_fix_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_GNSS_ASSISTED_FIX_DESCRIPTOR,
@@ -1754,6 +1906,7 @@ const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {
     read_gnss_assisted_fix,
     write_gnss_assisted_fix,
     NULL,
+    responses_gnss_assisted_fix,
 };
 
 mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_assisted_fix *value,
@@ -1832,6 +1985,7 @@ const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec = {
     read_gnss_assisted_fix_response,
     write_gnss_assisted_fix_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_assisted_fix_response_decode(
@@ -1876,6 +2030,18 @@ static void write_gnss_time_assistance(struct mip_writer *w, const void *value) 
     mip_write_float(w, &v->accuracy, 1);
 }
 
+static bool asked_gnss_time_assistance_1(const void *value) {
+    const struct mip_3dm_gnss_time_assistance *v =
+        (const struct mip_3dm_gnss_time_assistance *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_time_assistance[] = {
+    {&mip_3dm_gnss_time_assistance_response_codec, asked_gnss_time_assistance_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gnss_time_assistance_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_GNSS_TIME_ASSISTANCE_DESCRIPTOR,
@@ -1885,6 +2051,7 @@ const struct mip_codec mip_3dm_gnss_time_assistance_codec = {
     read_gnss_time_assistance,
     write_gnss_time_assistance,
     NULL,
+    responses_gnss_time_assistance,
 };
 
 mip_error mip_3dm_gnss_time_assistance_decode(struct mip_3dm_gnss_time_assistance *value,
@@ -1942,6 +2109,7 @@ const struct mip_codec mip_3dm_gnss_time_assistance_response_codec = {
     read_gnss_time_assistance_response,
     write_gnss_time_assistance_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gnss_time_assistance_response_decode(
@@ -1977,6 +2145,17 @@ static void write_pps_source_control(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->source, 1);
 }
 
+static bool asked_pps_source_control_1(const void *value) {
+    const struct mip_3dm_pps_source_control *v = (const struct mip_3dm_pps_source_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_pps_source_control[] = {
+    {&mip_3dm_pps_source_control_response_codec, asked_pps_source_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_pps_source_control_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR,
@@ -1986,6 +2165,7 @@ const struct mip_codec mip_3dm_pps_source_control_codec = {
     read_pps_source_control,
     write_pps_source_control,
     NULL,
+    responses_pps_source_control,
 };
 
 mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_source_control *value,
@@ -2056,6 +2236,7 @@ const struct mip_codec mip_3dm_pps_source_control_response_codec = {
     read_pps_source_control_response,
     write_pps_source_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_pps_source_control_response_decode(
@@ -2080,6 +2261,11 @@ static void write_get_supported_events(struct mip_writer *w, const void *value) 
     mip_write_u8(w, &v->query, 1);
 }
 
+static const struct mip_response responses_get_supported_events[] = {
+    {&mip_3dm_get_supported_events_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_supported_events_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_GET_SUPPORTED_EVENTS_DESCRIPTOR,
@@ -2089,6 +2275,7 @@ const struct mip_codec mip_3dm_get_supported_events_codec = {
     read_get_supported_events,
     write_get_supported_events,
     NULL,
+    responses_get_supported_events,
 };
 
 mip_error mip_3dm_get_supported_events_decode(struct mip_3dm_get_supported_events *value,
@@ -2141,6 +2328,7 @@ const struct mip_codec mip_3dm_get_supported_events_response_codec = {
     read_get_supported_events_response,
     write_get_supported_events_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_get_supported_events_response_decode(
@@ -2179,6 +2367,17 @@ static void write_event_control(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->mode, 1);
 }
 
+static bool asked_event_control_1(const void *value) {
+    const struct mip_3dm_event_control *v = (const struct mip_3dm_event_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_event_control[] = {
+    {&mip_3dm_event_control_response_codec, asked_event_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_event_control_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_EVENT_CONTROL_DESCRIPTOR,
@@ -2188,6 +2387,7 @@ const struct mip_codec mip_3dm_event_control_codec = {
     read_event_control,
     write_event_control,
     NULL,
+    responses_event_control,
 };
 
 mip_error mip_3dm_event_control_decode(struct mip_3dm_event_control *value,
@@ -2265,6 +2465,7 @@ const struct mip_codec mip_3dm_event_control_response_codec = {
     read_event_control_response,
     write_event_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_event_control_response_decode(struct mip_3dm_event_control_response *value,
@@ -2291,6 +2492,11 @@ static void write_get_event_trigger_status(struct mip_writer *w, const void *val
     mip_write_u8(w, v->requested_instances, mip_write_count(w, v->requested_count, 252));
 }
 
+static const struct mip_response responses_get_event_trigger_status[] = {
+    {&mip_3dm_get_event_trigger_status_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_TRIGGER_STATUS_DESCRIPTOR,
@@ -2300,6 +2506,7 @@ const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
     read_get_event_trigger_status,
     write_get_event_trigger_status,
     NULL,
+    responses_get_event_trigger_status,
 };
 
 mip_error mip_3dm_get_event_trigger_status_decode(struct mip_3dm_get_event_trigger_status *value,
@@ -2350,6 +2557,7 @@ const struct mip_codec mip_3dm_get_event_trigger_status_response_codec = {
     read_get_event_trigger_status_response,
     write_get_event_trigger_status_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_get_event_trigger_status_response_decode(
@@ -2377,6 +2585,11 @@ static void write_get_event_action_status(struct mip_writer *w, const void *valu
     mip_write_u8(w, v->requested_instances, mip_write_count(w, v->requested_count, 252));
 }
 
+static const struct mip_response responses_get_event_action_status[] = {
+    {&mip_3dm_get_event_action_status_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_event_action_status_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_ACTION_STATUS_DESCRIPTOR,
@@ -2386,6 +2599,7 @@ const struct mip_codec mip_3dm_get_event_action_status_codec = {
     read_get_event_action_status,
     write_get_event_action_status,
     NULL,
+    responses_get_event_action_status,
 };
 
 mip_error mip_3dm_get_event_action_status_decode(struct mip_3dm_get_event_action_status *value,
@@ -2435,6 +2649,7 @@ const struct mip_codec mip_3dm_get_event_action_status_response_codec = {
     0, /* time-out */
     read_get_event_action_status_response,
     write_get_event_action_status_response,
+    NULL,
     NULL,
 };
 
@@ -2506,6 +2721,18 @@ static void write_event_trigger_configuration(struct mip_writer *w, const void *
     }
 }
 
+static bool asked_event_trigger_configuration_1(const void *value) {
+    const struct mip_3dm_event_trigger_configuration *v =
+        (const struct mip_3dm_event_trigger_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_event_trigger_configuration[] = {
+    {&mip_3dm_event_trigger_configuration_response_codec, asked_event_trigger_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_event_trigger_configuration_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_EVENT_TRIGGER_CONFIGURATION_DESCRIPTOR,
@@ -2515,6 +2742,7 @@ const struct mip_codec mip_3dm_event_trigger_configuration_codec = {
     read_event_trigger_configuration,
     write_event_trigger_configuration,
     NULL,
+    responses_event_trigger_configuration,
 };
 
 mip_error mip_3dm_event_trigger_configuration_decode(
@@ -2627,6 +2855,7 @@ const struct mip_codec mip_3dm_event_trigger_configuration_response_codec = {
     read_event_trigger_configuration_response,
     write_event_trigger_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_event_trigger_configuration_response_decode(
@@ -2695,6 +2924,18 @@ static void write_event_action_configuration(struct mip_writer *w, const void *v
     }
 }
 
+static bool asked_event_action_configuration_1(const void *value) {
+    const struct mip_3dm_event_action_configuration *v =
+        (const struct mip_3dm_event_action_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_event_action_configuration[] = {
+    {&mip_3dm_event_action_configuration_response_codec, asked_event_action_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_event_action_configuration_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_EVENT_ACTION_CONFIGURATION_DESCRIPTOR,
@@ -2704,6 +2945,7 @@ const struct mip_codec mip_3dm_event_action_configuration_codec = {
     read_event_action_configuration,
     write_event_action_configuration,
     NULL,
+    responses_event_action_configuration,
 };
 
 mip_error mip_3dm_event_action_configuration_decode(
@@ -2813,6 +3055,7 @@ const struct mip_codec mip_3dm_event_action_configuration_response_codec = {
     read_event_action_configuration_response,
     write_event_action_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_event_action_configuration_response_decode(
@@ -2846,6 +3089,7 @@ const struct mip_codec mip_3dm_device_start_up_settings_codec = {
     1000, /* time-out */
     read_device_start_up_settings,
     write_device_start_up_settings,
+    NULL,
     NULL,
 };
 
@@ -2914,6 +3158,19 @@ static void write_sensor_to_vehicle_frame_transformation_euler(struct mip_writer
     mip_write_float(w, &v->yaw, 1);
 }
 
+static bool asked_sensor_to_vehicle_frame_transformation_euler_1(const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *v =
+        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_frame_transformation_euler[] = {
+    {&mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_codec,
+     asked_sensor_to_vehicle_frame_transformation_euler_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_DESCRIPTOR,
@@ -2923,6 +3180,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_code
     read_sensor_to_vehicle_frame_transformation_euler,
     write_sensor_to_vehicle_frame_transformation_euler,
     NULL,
+    responses_sensor_to_vehicle_frame_transformation_euler,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_decode(
@@ -3010,6 +3268,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_resp
     read_sensor_to_vehicle_frame_transformation_euler_response,
     write_sensor_to_vehicle_frame_transformation_euler_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_decode(
@@ -3055,6 +3314,19 @@ static void write_sensor_to_vehicle_frame_transformation_quaternion(struct mip_w
     mip_write_float(w, v->q, 4);
 }
 
+static bool asked_sensor_to_vehicle_frame_transformation_quaternion_1(const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *v =
+        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_frame_transformation_quaternion[] = {
+    {&mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_codec,
+     asked_sensor_to_vehicle_frame_transformation_quaternion_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_DESCRIPTOR,
@@ -3064,6 +3336,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
     read_sensor_to_vehicle_frame_transformation_quaternion,
     write_sensor_to_vehicle_frame_transformation_quaternion,
     NULL,
+    responses_sensor_to_vehicle_frame_transformation_quaternion,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_decode(
@@ -3145,6 +3418,7 @@ const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion
     read_sensor_to_vehicle_frame_transformation_quaternion_response,
     write_sensor_to_vehicle_frame_transformation_quaternion_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_decode(
@@ -3194,6 +3468,22 @@ static void write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
     mip_write_float(w, v->dcm, 9);
 }
 
+static bool
+asked_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_1(const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *v =
+        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *)
+            value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response
+    responses_sensor_to_vehicle_frame_transformation_direction_cosine_matrix[] = {
+        {&mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_codec,
+         asked_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_1},
+        {NULL, NULL},
+};
+
 const struct mip_codec
     mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_codec = {
         0x0C, /* descriptor set */
@@ -3204,6 +3494,7 @@ const struct mip_codec
         read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
         write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
         NULL,
+        responses_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_decode(
@@ -3292,6 +3583,7 @@ const struct mip_codec
         read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
         write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
         NULL,
+        NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_decode(
@@ -3342,6 +3634,19 @@ static bool silent_accelerometer_bias_configuration(const void *value) {
     return v->function == MIP_FUNCTION_SELECTOR_APPLY;
 }
 
+static bool asked_accelerometer_bias_configuration_1(const void *value) {
+    const struct mip_3dm_accelerometer_bias_configuration *v =
+        (const struct mip_3dm_accelerometer_bias_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_accelerometer_bias_configuration[] = {
+    {&mip_3dm_accelerometer_bias_configuration_response_codec,
+     asked_accelerometer_bias_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_accelerometer_bias_configuration_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_DESCRIPTOR,
@@ -3351,6 +3656,7 @@ const struct mip_codec mip_3dm_accelerometer_bias_configuration_codec = {
     read_accelerometer_bias_configuration,
     write_accelerometer_bias_configuration,
     silent_accelerometer_bias_configuration,
+    responses_accelerometer_bias_configuration,
 };
 
 mip_error mip_3dm_accelerometer_bias_configuration_decode(
@@ -3437,6 +3743,7 @@ const struct mip_codec mip_3dm_accelerometer_bias_configuration_response_codec =
     read_accelerometer_bias_configuration_response,
     write_accelerometer_bias_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_accelerometer_bias_configuration_response_decode(
@@ -3484,6 +3791,18 @@ static bool silent_gyroscope_bias_configuration(const void *value) {
     return v->function == MIP_FUNCTION_SELECTOR_APPLY;
 }
 
+static bool asked_gyroscope_bias_configuration_1(const void *value) {
+    const struct mip_3dm_gyroscope_bias_configuration *v =
+        (const struct mip_3dm_gyroscope_bias_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gyroscope_bias_configuration[] = {
+    {&mip_3dm_gyroscope_bias_configuration_response_codec, asked_gyroscope_bias_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gyroscope_bias_configuration_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_DESCRIPTOR,
@@ -3493,6 +3812,7 @@ const struct mip_codec mip_3dm_gyroscope_bias_configuration_codec = {
     read_gyroscope_bias_configuration,
     write_gyroscope_bias_configuration,
     silent_gyroscope_bias_configuration,
+    responses_gyroscope_bias_configuration,
 };
 
 mip_error mip_3dm_gyroscope_bias_configuration_decode(
@@ -3573,6 +3893,7 @@ const struct mip_codec mip_3dm_gyroscope_bias_configuration_response_codec = {
     read_gyroscope_bias_configuration_response,
     write_gyroscope_bias_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gyroscope_bias_configuration_response_decode(
@@ -3599,6 +3920,11 @@ static void write_capture_gyroscope_bias(struct mip_writer *w, const void *value
     mip_write_u16(w, &v->averaging_time_ms, 1);
 }
 
+static const struct mip_response responses_capture_gyroscope_bias[] = {
+    {&mip_3dm_gyroscope_bias_configuration_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_capture_gyroscope_bias_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_CAPTURE_GYROSCOPE_BIAS_DESCRIPTOR,
@@ -3608,6 +3934,7 @@ const struct mip_codec mip_3dm_capture_gyroscope_bias_codec = {
     read_capture_gyroscope_bias,
     write_capture_gyroscope_bias,
     NULL,
+    responses_capture_gyroscope_bias,
 };
 
 mip_error mip_3dm_capture_gyroscope_bias_decode(struct mip_3dm_capture_gyroscope_bias *value,
@@ -3653,6 +3980,18 @@ static void write_magnetometer_hard_iron_offset(struct mip_writer *w, const void
     mip_write_float(w, v->offset, 3);
 }
 
+static bool asked_magnetometer_hard_iron_offset_1(const void *value) {
+    const struct mip_3dm_magnetometer_hard_iron_offset *v =
+        (const struct mip_3dm_magnetometer_hard_iron_offset *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_magnetometer_hard_iron_offset[] = {
+    {&mip_3dm_magnetometer_hard_iron_offset_response_codec, asked_magnetometer_hard_iron_offset_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_DESCRIPTOR,
@@ -3662,6 +4001,7 @@ const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_codec = {
     read_magnetometer_hard_iron_offset,
     write_magnetometer_hard_iron_offset,
     NULL,
+    responses_magnetometer_hard_iron_offset,
 };
 
 mip_error mip_3dm_magnetometer_hard_iron_offset_decode(
@@ -3733,6 +4073,7 @@ const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_response_codec = {
     read_magnetometer_hard_iron_offset_response,
     write_magnetometer_hard_iron_offset_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_magnetometer_hard_iron_offset_response_decode(
@@ -3773,6 +4114,18 @@ static void write_magnetometer_soft_iron_matrix(struct mip_writer *w, const void
     mip_write_float(w, v->offset, 9);
 }
 
+static bool asked_magnetometer_soft_iron_matrix_1(const void *value) {
+    const struct mip_3dm_magnetometer_soft_iron_matrix *v =
+        (const struct mip_3dm_magnetometer_soft_iron_matrix *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_magnetometer_soft_iron_matrix[] = {
+    {&mip_3dm_magnetometer_soft_iron_matrix_response_codec, asked_magnetometer_soft_iron_matrix_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_DESCRIPTOR,
@@ -3782,6 +4135,7 @@ const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_codec = {
     read_magnetometer_soft_iron_matrix,
     write_magnetometer_soft_iron_matrix,
     NULL,
+    responses_magnetometer_soft_iron_matrix,
 };
 
 mip_error mip_3dm_magnetometer_soft_iron_matrix_decode(
@@ -3853,6 +4207,7 @@ const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_response_codec = {
     read_magnetometer_soft_iron_matrix_response,
     write_magnetometer_soft_iron_matrix_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_magnetometer_soft_iron_matrix_response_decode(
@@ -3893,6 +4248,18 @@ static void write_coning_and_sculling_enable(struct mip_writer *w, const void *v
     mip_write_bool(w, &v->enable, 1);
 }
 
+static bool asked_coning_and_sculling_enable_1(const void *value) {
+    const struct mip_3dm_coning_and_sculling_enable *v =
+        (const struct mip_3dm_coning_and_sculling_enable *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_coning_and_sculling_enable[] = {
+    {&mip_3dm_coning_and_sculling_enable_response_codec, asked_coning_and_sculling_enable_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_coning_and_sculling_enable_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_CONING_AND_SCULLING_ENABLE_DESCRIPTOR,
@@ -3902,6 +4269,7 @@ const struct mip_codec mip_3dm_coning_and_sculling_enable_codec = {
     read_coning_and_sculling_enable,
     write_coning_and_sculling_enable,
     NULL,
+    responses_coning_and_sculling_enable,
 };
 
 mip_error mip_3dm_coning_and_sculling_enable_decode(
@@ -3973,6 +4341,7 @@ const struct mip_codec mip_3dm_coning_and_sculling_enable_response_codec = {
     read_coning_and_sculling_enable_response,
     write_coning_and_sculling_enable_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_coning_and_sculling_enable_response_decode(
@@ -4008,6 +4377,17 @@ static void write_uart_baud_rate(struct mip_writer *w, const void *value) {
     mip_write_u32(w, &v->baud, 1);
 }
 
+static bool asked_uart_baud_rate_1(const void *value) {
+    const struct mip_3dm_uart_baud_rate *v = (const struct mip_3dm_uart_baud_rate *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_uart_baud_rate[] = {
+    {&mip_3dm_uart_baud_rate_response_codec, asked_uart_baud_rate_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_uart_baud_rate_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_UART_BAUD_RATE_DESCRIPTOR,
@@ -4017,6 +4397,7 @@ const struct mip_codec mip_3dm_uart_baud_rate_codec = {
     read_uart_baud_rate,
     write_uart_baud_rate,
     NULL,
+    responses_uart_baud_rate,
 };
 
 mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_rate *value,
@@ -4086,6 +4467,7 @@ const struct mip_codec mip_3dm_uart_baud_rate_response_codec = {
     read_uart_baud_rate_response,
     write_uart_baud_rate_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_uart_baud_rate_response_decode(struct mip_3dm_uart_baud_rate_response *value,
@@ -4133,6 +4515,17 @@ static void write_gpio_configuration(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->pin_mode, 1);
 }
 
+static bool asked_gpio_configuration_1(const void *value) {
+    const struct mip_3dm_gpio_configuration *v = (const struct mip_3dm_gpio_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gpio_configuration[] = {
+    {&mip_3dm_gpio_configuration_response_codec, asked_gpio_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gpio_configuration_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_GPIO_CONFIGURATION_DESCRIPTOR,
@@ -4142,6 +4535,7 @@ const struct mip_codec mip_3dm_gpio_configuration_codec = {
     read_gpio_configuration,
     write_gpio_configuration,
     NULL,
+    responses_gpio_configuration,
 };
 
 mip_error mip_3dm_gpio_configuration_decode(struct mip_3dm_gpio_configuration *value,
@@ -4228,6 +4622,7 @@ const struct mip_codec mip_3dm_gpio_configuration_response_codec = {
     read_gpio_configuration_response,
     write_gpio_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gpio_configuration_response_decode(
@@ -4266,6 +4661,17 @@ static void write_gpio_state(struct mip_writer *w, const void *value) {
     mip_write_bool(w, &v->state, 1);
 }
 
+static bool asked_gpio_state_1(const void *value) {
+    const struct mip_3dm_gpio_state *v = (const struct mip_3dm_gpio_state *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gpio_state[] = {
+    {&mip_3dm_gpio_state_response_codec, asked_gpio_state_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gpio_state_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_GPIO_STATE_DESCRIPTOR,
@@ -4275,6 +4681,7 @@ const struct mip_codec mip_3dm_gpio_state_codec = {
     read_gpio_state,
     write_gpio_state,
     NULL,
+    responses_gpio_state,
 };
 
 mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *value,
@@ -4325,6 +4732,7 @@ const struct mip_codec mip_3dm_gpio_state_response_codec = {
     read_gpio_state_response,
     write_gpio_state_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_gpio_state_response_decode(struct mip_3dm_gpio_state_response *value,
@@ -4369,6 +4777,18 @@ static void write_odometer_configuration(struct mip_writer *w, const void *value
     mip_write_float(w, &v->uncertainty, 1);
 }
 
+static bool asked_odometer_configuration_1(const void *value) {
+    const struct mip_3dm_odometer_configuration *v =
+        (const struct mip_3dm_odometer_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_odometer_configuration[] = {
+    {&mip_3dm_odometer_configuration_response_codec, asked_odometer_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_odometer_configuration_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_ODOMETER_CONFIGURATION_DESCRIPTOR,
@@ -4378,6 +4798,7 @@ const struct mip_codec mip_3dm_odometer_configuration_codec = {
     read_odometer_configuration,
     write_odometer_configuration,
     NULL,
+    responses_odometer_configuration,
 };
 
 mip_error mip_3dm_odometer_configuration_decode(struct mip_3dm_odometer_configuration *value,
@@ -4455,6 +4876,7 @@ const struct mip_codec mip_3dm_odometer_configuration_response_codec = {
     read_odometer_configuration_response,
     write_odometer_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_odometer_configuration_response_decode(
@@ -4509,6 +4931,19 @@ static void write_advanced_low_pass_filter_settings(struct mip_writer *w, const 
     mip_write_u8(w, &v->reserved, 1);
 }
 
+static bool asked_advanced_low_pass_filter_settings_1(const void *value) {
+    const struct mip_3dm_advanced_low_pass_filter_settings *v =
+        (const struct mip_3dm_advanced_low_pass_filter_settings *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_advanced_low_pass_filter_settings[] = {
+    {&mip_3dm_advanced_low_pass_filter_settings_response_codec,
+     asked_advanced_low_pass_filter_settings_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_DESCRIPTOR,
@@ -4518,6 +4953,7 @@ const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_codec = {
     read_advanced_low_pass_filter_settings,
     write_advanced_low_pass_filter_settings,
     NULL,
+    responses_advanced_low_pass_filter_settings,
 };
 
 mip_error mip_3dm_advanced_low_pass_filter_settings_decode(
@@ -4610,6 +5046,7 @@ const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_response_codec 
     read_advanced_low_pass_filter_settings_response,
     write_advanced_low_pass_filter_settings_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_advanced_low_pass_filter_settings_response_decode(
@@ -4663,6 +5100,19 @@ static void write_complementary_filter_configuration(struct mip_writer *w, const
     mip_write_float(w, &v->heading_time_constant, 1);
 }
 
+static bool asked_complementary_filter_configuration_1(const void *value) {
+    const struct mip_3dm_complementary_filter_configuration *v =
+        (const struct mip_3dm_complementary_filter_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_complementary_filter_configuration[] = {
+    {&mip_3dm_complementary_filter_configuration_response_codec,
+     asked_complementary_filter_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_complementary_filter_configuration_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_DESCRIPTOR,
@@ -4672,6 +5122,7 @@ const struct mip_codec mip_3dm_complementary_filter_configuration_codec = {
     read_complementary_filter_configuration,
     write_complementary_filter_configuration,
     NULL,
+    responses_complementary_filter_configuration,
 };
 
 mip_error mip_3dm_complementary_filter_configuration_decode(
@@ -4759,6 +5210,7 @@ const struct mip_codec mip_3dm_complementary_filter_configuration_response_codec
     read_complementary_filter_configuration_response,
     write_complementary_filter_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_complementary_filter_configuration_response_decode(
@@ -4801,6 +5253,17 @@ static void write_sensor_range(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->setting, 1);
 }
 
+static bool asked_sensor_range_1(const void *value) {
+    const struct mip_3dm_sensor_range *v = (const struct mip_3dm_sensor_range *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_range[] = {
+    {&mip_3dm_sensor_range_response_codec, asked_sensor_range_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_sensor_range_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_SENSOR_RANGE_DESCRIPTOR,
@@ -4810,6 +5273,7 @@ const struct mip_codec mip_3dm_sensor_range_codec = {
     read_sensor_range,
     write_sensor_range,
     NULL,
+    responses_sensor_range,
 };
 
 mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range *value,
@@ -4887,6 +5351,7 @@ const struct mip_codec mip_3dm_sensor_range_response_codec = {
     read_sensor_range_response,
     write_sensor_range_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_sensor_range_response_decode(struct mip_3dm_sensor_range_response *value,
@@ -4912,6 +5377,11 @@ static void write_get_calibrated_sensor_ranges(struct mip_writer *w, const void 
     mip_write_u8(w, &v->sensor, 1);
 }
 
+static const struct mip_response responses_get_calibrated_sensor_ranges[] = {
+    {&mip_3dm_get_calibrated_sensor_ranges_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_DESCRIPTOR,
@@ -4921,6 +5391,7 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
     read_get_calibrated_sensor_ranges,
     write_get_calibrated_sensor_ranges,
     NULL,
+    responses_get_calibrated_sensor_ranges,
 };
 
 mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
@@ -4970,6 +5441,7 @@ const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec = {
     0, /* time-out */
     read_get_calibrated_sensor_ranges_response,
     write_get_calibrated_sensor_ranges_response,
+    NULL,
     NULL,
 };
 
@@ -5026,6 +5498,18 @@ static void write_low_pass_anti_aliasing_filter(struct mip_writer *w, const void
     mip_write_float(w, &v->frequency, 1);
 }
 
+static bool asked_low_pass_anti_aliasing_filter_1(const void *value) {
+    const struct mip_3dm_low_pass_anti_aliasing_filter *v =
+        (const struct mip_3dm_low_pass_anti_aliasing_filter *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_low_pass_anti_aliasing_filter[] = {
+    {&mip_3dm_low_pass_anti_aliasing_filter_response_codec, asked_low_pass_anti_aliasing_filter_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_DESCRIPTOR,
@@ -5035,6 +5519,7 @@ const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_codec = {
     read_low_pass_anti_aliasing_filter,
     write_low_pass_anti_aliasing_filter,
     NULL,
+    responses_low_pass_anti_aliasing_filter,
 };
 
 mip_error mip_3dm_low_pass_anti_aliasing_filter_decode(
@@ -5130,6 +5615,7 @@ const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_response_codec = {
     read_low_pass_anti_aliasing_filter_response,
     write_low_pass_anti_aliasing_filter_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_3dm_low_pass_anti_aliasing_filter_response_decode(
@@ -5158,6 +5644,24 @@ static void write_device_status(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->status_selector, 1);
 }
 
+static bool asked_device_status_1(const void *value) {
+    const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
+
+    return v->status_selector == 1;
+}
+
+static bool asked_device_status_2(const void *value) {
+    const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
+
+    return v->status_selector == 2;
+}
+
+static const struct mip_response responses_device_status[] = {
+    {&mip_3dm_device_status_basic_response_codec, asked_device_status_1},
+    {&mip_3dm_device_status_diagnostic_response_codec, asked_device_status_2},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_device_status_codec = {
     0x0C, /* descriptor set */
     MIP_3DM_DEVICE_STATUS_DESCRIPTOR,
@@ -5167,6 +5671,7 @@ const struct mip_codec mip_3dm_device_status_codec = {
     read_device_status,
     write_device_status,
     NULL,
+    responses_device_status,
 };
 
 mip_error mip_3dm_device_status_decode(struct mip_3dm_device_status *value,
@@ -5216,6 +5721,7 @@ const struct mip_codec mip_3dm_device_status_basic_response_codec = {
     0, /* time-out */
     read_device_status_basic_response,
     write_device_status_basic_response,
+    NULL,
     NULL,
 };
 
@@ -5280,6 +5786,7 @@ const struct mip_codec mip_3dm_device_status_diagnostic_response_codec = {
     0, /* time-out */
     read_device_status_diagnostic_response,
     write_device_status_diagnostic_response,
+    NULL,
     NULL,
 };
 

@@ -73,6 +73,18 @@ static void write_frame_configuration(struct mip_writer *w, const void *value) {
     }
 }
 
+static bool asked_frame_configuration_1(const void *value) {
+    const struct mip_aiding_frame_configuration *v =
+        (const struct mip_aiding_frame_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_frame_configuration[] = {
+    {&mip_aiding_frame_configuration_response_codec, asked_frame_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_aiding_frame_configuration_codec = {
     0x13, /* descriptor set */
     MIP_AIDING_FRAME_CONFIGURATION_DESCRIPTOR,
@@ -82,6 +94,7 @@ const struct mip_codec mip_aiding_frame_configuration_codec = {
     read_frame_configuration,
     write_frame_configuration,
     NULL,
+    responses_frame_configuration,
 };
 
 mip_error mip_aiding_frame_configuration_decode(struct mip_aiding_frame_configuration *value,
@@ -192,6 +205,7 @@ const struct mip_codec mip_aiding_frame_configuration_response_codec = {
     read_frame_configuration_response,
     write_frame_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_frame_configuration_response_decode(
@@ -226,6 +240,17 @@ static void write_echo_control(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->mode, 1);
 }
 
+static bool asked_echo_control_1(const void *value) {
+    const struct mip_aiding_echo_control *v = (const struct mip_aiding_echo_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_echo_control[] = {
+    {&mip_aiding_echo_control_response_codec, asked_echo_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_aiding_echo_control_codec = {
     0x13, /* descriptor set */
     MIP_AIDING_ECHO_CONTROL_DESCRIPTOR,
@@ -235,6 +260,7 @@ const struct mip_codec mip_aiding_echo_control_codec = {
     read_echo_control,
     write_echo_control,
     NULL,
+    responses_echo_control,
 };
 
 mip_error mip_aiding_echo_control_decode(struct mip_aiding_echo_control *value,
@@ -304,6 +330,7 @@ const struct mip_codec mip_aiding_echo_control_response_codec = {
     read_echo_control_response,
     write_echo_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_echo_control_response_decode(struct mip_aiding_echo_control_response *value,
@@ -343,6 +370,7 @@ const struct mip_codec mip_aiding_ecef_position_codec = {
     0, /* time-out */
     read_ecef_position,
     write_ecef_position,
+    NULL,
     NULL,
 };
 
@@ -401,6 +429,7 @@ const struct mip_codec mip_aiding_llh_position_codec = {
     read_llh_position,
     write_llh_position,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_llh_position_decode(struct mip_aiding_llh_position *value,
@@ -458,6 +487,7 @@ const struct mip_codec mip_aiding_height_above_ellipsoid_codec = {
     read_height_above_ellipsoid,
     write_height_above_ellipsoid,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_height_above_ellipsoid_decode(struct mip_aiding_height_above_ellipsoid *value,
@@ -511,6 +541,7 @@ const struct mip_codec mip_aiding_ecef_velocity_codec = {
     read_ecef_velocity,
     write_ecef_velocity,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_ecef_velocity_decode(struct mip_aiding_ecef_velocity *value,
@@ -563,6 +594,7 @@ const struct mip_codec mip_aiding_ned_velocity_codec = {
     0, /* time-out */
     read_ned_velocity,
     write_ned_velocity,
+    NULL,
     NULL,
 };
 
@@ -618,6 +650,7 @@ const struct mip_codec mip_aiding_body_frame_velocity_codec = {
     read_body_frame_velocity,
     write_body_frame_velocity,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_body_frame_velocity_decode(struct mip_aiding_body_frame_velocity *value,
@@ -670,6 +703,7 @@ const struct mip_codec mip_aiding_true_heading_codec = {
     0, /* time-out */
     read_true_heading,
     write_true_heading,
+    NULL,
     NULL,
 };
 
@@ -724,6 +758,7 @@ const struct mip_codec mip_aiding_magnetic_field_codec = {
     read_magnetic_field,
     write_magnetic_field,
     NULL,
+    NULL,
 };
 
 mip_error mip_aiding_magnetic_field_decode(struct mip_aiding_magnetic_field *value,
@@ -776,6 +811,7 @@ const struct mip_codec mip_aiding_pressure_codec = {
     0, /* time-out */
     read_pressure,
     write_pressure,
+    NULL,
     NULL,
 };
 

@@ -30,6 +30,7 @@ const struct mip_codec mip_base_ping_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_ping_decode(struct mip_base_ping *value, const struct mip_field *field) {
@@ -49,6 +50,7 @@ const struct mip_codec mip_base_set_to_idle_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_set_to_idle_decode(struct mip_base_set_to_idle *value,
@@ -62,6 +64,11 @@ mip_error mip_base_set_to_idle_encode(const struct mip_base_set_to_idle *value,
                             value);
 }
 
+static const struct mip_response responses_get_device_information[] = {
+    {&mip_base_get_device_information_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_get_device_information_codec = {
     0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_INFORMATION_DESCRIPTOR,
@@ -71,6 +78,7 @@ const struct mip_codec mip_base_get_device_information_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_device_information,
 };
 
 mip_error mip_base_get_device_information_decode(struct mip_base_get_device_information *value,
@@ -105,6 +113,7 @@ const struct mip_codec mip_base_get_device_information_response_codec = {
     read_get_device_information_response,
     write_get_device_information_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_get_device_information_response_decode(
@@ -119,6 +128,11 @@ mip_error mip_base_get_device_information_response_encode(
                             write_get_device_information_response, value);
 }
 
+static const struct mip_response responses_get_device_descriptors[] = {
+    {&mip_base_get_device_descriptors_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_get_device_descriptors_codec = {
     0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_DESCRIPTORS_DESCRIPTOR,
@@ -128,6 +142,7 @@ const struct mip_codec mip_base_get_device_descriptors_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_device_descriptors,
 };
 
 mip_error mip_base_get_device_descriptors_decode(struct mip_base_get_device_descriptors *value,
@@ -163,6 +178,7 @@ const struct mip_codec mip_base_get_device_descriptors_response_codec = {
     read_get_device_descriptors_response,
     write_get_device_descriptors_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_get_device_descriptors_response_decode(
@@ -177,6 +193,11 @@ mip_error mip_base_get_device_descriptors_response_encode(
                             write_get_device_descriptors_response, value);
 }
 
+static const struct mip_response responses_built_in_test[] = {
+    {&mip_base_built_in_test_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_built_in_test_codec = {
     0x01, /* descriptor set */
     MIP_BASE_BUILT_IN_TEST_DESCRIPTOR,
@@ -186,6 +207,7 @@ const struct mip_codec mip_base_built_in_test_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_built_in_test,
 };
 
 mip_error mip_base_built_in_test_decode(struct mip_base_built_in_test *value,
@@ -219,6 +241,7 @@ const struct mip_codec mip_base_built_in_test_response_codec = {
     read_built_in_test_response,
     write_built_in_test_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_built_in_test_response_decode(struct mip_base_built_in_test_response *value,
@@ -241,6 +264,7 @@ const struct mip_codec mip_base_resume_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_resume_decode(struct mip_base_resume *value, const struct mip_field *field) {
@@ -251,6 +275,11 @@ mip_error mip_base_resume_encode(const struct mip_base_resume *value, struct mip
     return mip_encode_field(builder, 0x01, MIP_BASE_RESUME_DESCRIPTOR, mip_write_nothing, value);
 }
 
+static const struct mip_response responses_get_device_descriptors_extended[] = {
+    {&mip_base_get_device_descriptors_extended_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_get_device_descriptors_extended_codec = {
     0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_DESCRIPTOR,
@@ -260,6 +289,7 @@ const struct mip_codec mip_base_get_device_descriptors_extended_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_device_descriptors_extended,
 };
 
 mip_error mip_base_get_device_descriptors_extended_decode(
@@ -296,6 +326,7 @@ const struct mip_codec mip_base_get_device_descriptors_extended_response_codec =
     read_get_device_descriptors_extended_response,
     write_get_device_descriptors_extended_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_get_device_descriptors_extended_response_decode(
@@ -313,6 +344,11 @@ mip_error mip_base_get_device_descriptors_extended_response_encode(
                             write_get_device_descriptors_extended_response, value);
 }
 
+static const struct mip_response responses_continuous_built_in_test[] = {
+    {&mip_base_continuous_built_in_test_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_continuous_built_in_test_codec = {
     0x01, /* descriptor set */
     MIP_BASE_CONTINUOUS_BUILT_IN_TEST_DESCRIPTOR,
@@ -322,6 +358,7 @@ const struct mip_codec mip_base_continuous_built_in_test_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_continuous_built_in_test,
 };
 
 mip_error mip_base_continuous_built_in_test_decode(struct mip_base_continuous_built_in_test *value,
@@ -355,6 +392,7 @@ const struct mip_codec mip_base_continuous_built_in_test_response_codec = {
     0, /* time-out */
     read_continuous_built_in_test_response,
     write_continuous_built_in_test_response,
+    NULL,
     NULL,
 };
 
@@ -395,6 +433,17 @@ static void write_comm_port_speed(struct mip_writer *w, const void *value) {
     mip_write_u32(w, &v->baud, 1);
 }
 
+static bool asked_comm_port_speed_1(const void *value) {
+    const struct mip_base_comm_port_speed *v = (const struct mip_base_comm_port_speed *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_comm_port_speed[] = {
+    {&mip_base_comm_port_speed_response_codec, asked_comm_port_speed_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_comm_port_speed_codec = {
     0x01, /* descriptor set */
     MIP_BASE_COMM_PORT_SPEED_DESCRIPTOR,
@@ -404,6 +453,7 @@ const struct mip_codec mip_base_comm_port_speed_codec = {
     read_comm_port_speed,
     write_comm_port_speed,
     NULL,
+    responses_comm_port_speed,
 };
 
 mip_error mip_base_comm_port_speed_decode(struct mip_base_comm_port_speed *value,
@@ -480,6 +530,7 @@ const struct mip_codec mip_base_comm_port_speed_response_codec = {
     read_comm_port_speed_response,
     write_comm_port_speed_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_comm_port_speed_response_decode(struct mip_base_comm_port_speed_response *value,
@@ -523,6 +574,24 @@ static bool silent_gps_time_update(const void *value) {
     return v->function == MIP_FUNCTION_SELECTOR_APPLY;
 }
 
+static bool asked_gps_time_update_1(const void *value) {
+    const struct mip_base_gps_time_update *v = (const struct mip_base_gps_time_update *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ && v->field_id == 1;
+}
+
+static bool asked_gps_time_update_2(const void *value) {
+    const struct mip_base_gps_time_update *v = (const struct mip_base_gps_time_update *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ && v->field_id == 2;
+}
+
+static const struct mip_response responses_gps_time_update[] = {
+    {&mip_base_gps_time_update_week_number_response_codec, asked_gps_time_update_1},
+    {&mip_base_gps_time_update_time_of_week_response_codec, asked_gps_time_update_2},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_gps_time_update_codec = {
     0x01, /* descriptor set */
     MIP_BASE_GPS_TIME_UPDATE_DESCRIPTOR,
@@ -532,6 +601,7 @@ const struct mip_codec mip_base_gps_time_update_codec = {
     read_gps_time_update,
     write_gps_time_update,
     silent_gps_time_update,
+    responses_gps_time_update,
 };
 
 mip_error mip_base_gps_time_update_decode(struct mip_base_gps_time_update *value,
@@ -594,6 +664,7 @@ const struct mip_codec mip_base_gps_time_update_week_number_response_codec = {
     read_gps_time_update_week_number_response,
     write_gps_time_update_week_number_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_gps_time_update_week_number_response_decode(
@@ -630,6 +701,7 @@ const struct mip_codec mip_base_gps_time_update_time_of_week_response_codec = {
     read_gps_time_update_time_of_week_response,
     write_gps_time_update_time_of_week_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_base_gps_time_update_time_of_week_response_decode(
@@ -654,6 +726,7 @@ const struct mip_codec mip_base_reset_device_codec = {
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 

@@ -12,6 +12,7 @@ const struct mip_codec mip_filter_reset_navigation_filter_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_reset_navigation_filter_decode(
@@ -48,6 +49,7 @@ const struct mip_codec mip_filter_set_initial_attitude_codec = {
     0, /* time-out */
     read_set_initial_attitude,
     write_set_initial_attitude,
+    NULL,
     NULL,
 };
 
@@ -93,6 +95,7 @@ const struct mip_codec mip_filter_set_initial_heading_control_codec = {
     read_set_initial_heading_control,
     write_set_initial_heading_control,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_set_initial_heading_control_decode(
@@ -122,6 +125,7 @@ const struct mip_codec mip_filter_run_navigation_filter_codec = {
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 
@@ -159,6 +163,18 @@ static void write_vehicle_dynamics_mode(struct mip_writer *w, const void *value)
     mip_write_u8(w, &v->mode, 1);
 }
 
+static bool asked_vehicle_dynamics_mode_1(const void *value) {
+    const struct mip_filter_vehicle_dynamics_mode *v =
+        (const struct mip_filter_vehicle_dynamics_mode *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_vehicle_dynamics_mode[] = {
+    {&mip_filter_vehicle_dynamics_mode_response_codec, asked_vehicle_dynamics_mode_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_vehicle_dynamics_mode_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_VEHICLE_DYNAMICS_MODE_DESCRIPTOR,
@@ -168,6 +184,7 @@ const struct mip_codec mip_filter_vehicle_dynamics_mode_codec = {
     read_vehicle_dynamics_mode,
     write_vehicle_dynamics_mode,
     NULL,
+    responses_vehicle_dynamics_mode,
 };
 
 mip_error mip_filter_vehicle_dynamics_mode_decode(struct mip_filter_vehicle_dynamics_mode *value,
@@ -239,6 +256,7 @@ const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec = {
     read_vehicle_dynamics_mode_response,
     write_vehicle_dynamics_mode_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_vehicle_dynamics_mode_response_decode(
@@ -285,6 +303,19 @@ static void write_sensor_to_vehicle_frame_transformation(struct mip_writer *w, c
     mip_write_float(w, &v->yaw, 1);
 }
 
+static bool asked_sensor_to_vehicle_frame_transformation_1(const void *value) {
+    const struct mip_filter_sensor_to_vehicle_frame_transformation *v =
+        (const struct mip_filter_sensor_to_vehicle_frame_transformation *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_frame_transformation[] = {
+    {&mip_filter_sensor_to_vehicle_frame_transformation_response_codec,
+     asked_sensor_to_vehicle_frame_transformation_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DESCRIPTOR,
@@ -294,6 +325,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_codec =
     read_sensor_to_vehicle_frame_transformation,
     write_sensor_to_vehicle_frame_transformation,
     NULL,
+    responses_sensor_to_vehicle_frame_transformation,
 };
 
 mip_error mip_filter_sensor_to_vehicle_frame_transformation_decode(
@@ -381,6 +413,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_respons
     read_sensor_to_vehicle_frame_transformation_response,
     write_sensor_to_vehicle_frame_transformation_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_decode(
@@ -422,6 +455,18 @@ static void write_sensor_to_vehicle_offset(struct mip_writer *w, const void *val
     mip_write_float(w, v->offset, 3);
 }
 
+static bool asked_sensor_to_vehicle_offset_1(const void *value) {
+    const struct mip_filter_sensor_to_vehicle_offset *v =
+        (const struct mip_filter_sensor_to_vehicle_offset *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_offset[] = {
+    {&mip_filter_sensor_to_vehicle_offset_response_codec, asked_sensor_to_vehicle_offset_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_DESCRIPTOR,
@@ -431,6 +476,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec = {
     read_sensor_to_vehicle_offset,
     write_sensor_to_vehicle_offset,
     NULL,
+    responses_sensor_to_vehicle_offset,
 };
 
 mip_error mip_filter_sensor_to_vehicle_offset_decode(
@@ -502,6 +548,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec = {
     read_sensor_to_vehicle_offset_response,
     write_sensor_to_vehicle_offset_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_offset_response_decode(
@@ -540,6 +587,18 @@ static void write_gnss_antenna_offset_control(struct mip_writer *w, const void *
     mip_write_float(w, v->offset, 3);
 }
 
+static bool asked_gnss_antenna_offset_control_1(const void *value) {
+    const struct mip_filter_gnss_antenna_offset_control *v =
+        (const struct mip_filter_gnss_antenna_offset_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_antenna_offset_control[] = {
+    {&mip_filter_gnss_antenna_offset_control_response_codec, asked_gnss_antenna_offset_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gnss_antenna_offset_control_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
@@ -549,6 +608,7 @@ const struct mip_codec mip_filter_gnss_antenna_offset_control_codec = {
     read_gnss_antenna_offset_control,
     write_gnss_antenna_offset_control,
     NULL,
+    responses_gnss_antenna_offset_control,
 };
 
 mip_error mip_filter_gnss_antenna_offset_control_decode(
@@ -620,6 +680,7 @@ const struct mip_codec mip_filter_gnss_antenna_offset_control_response_codec = {
     read_gnss_antenna_offset_control_response,
     write_gnss_antenna_offset_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gnss_antenna_offset_control_response_decode(
@@ -660,6 +721,18 @@ static void write_estimation_control_flags(struct mip_writer *w, const void *val
     mip_write_u16(w, &v->flags, 1);
 }
 
+static bool asked_estimation_control_flags_1(const void *value) {
+    const struct mip_filter_estimation_control_flags *v =
+        (const struct mip_filter_estimation_control_flags *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_estimation_control_flags[] = {
+    {&mip_filter_estimation_control_flags_response_codec, asked_estimation_control_flags_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_estimation_control_flags_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_ESTIMATION_CONTROL_FLAGS_DESCRIPTOR,
@@ -669,6 +742,7 @@ const struct mip_codec mip_filter_estimation_control_flags_codec = {
     read_estimation_control_flags,
     write_estimation_control_flags,
     NULL,
+    responses_estimation_control_flags,
 };
 
 mip_error mip_filter_estimation_control_flags_decode(
@@ -740,6 +814,7 @@ const struct mip_codec mip_filter_estimation_control_flags_response_codec = {
     read_estimation_control_flags_response,
     write_estimation_control_flags_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_estimation_control_flags_response_decode(
@@ -778,6 +853,18 @@ static void write_gnss_aiding_source_control(struct mip_writer *w, const void *v
     mip_write_u8(w, &v->source, 1);
 }
 
+static bool asked_gnss_aiding_source_control_1(const void *value) {
+    const struct mip_filter_gnss_aiding_source_control *v =
+        (const struct mip_filter_gnss_aiding_source_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_aiding_source_control[] = {
+    {&mip_filter_gnss_aiding_source_control_response_codec, asked_gnss_aiding_source_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gnss_aiding_source_control_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_DESCRIPTOR,
@@ -787,6 +874,7 @@ const struct mip_codec mip_filter_gnss_aiding_source_control_codec = {
     read_gnss_aiding_source_control,
     write_gnss_aiding_source_control,
     NULL,
+    responses_gnss_aiding_source_control,
 };
 
 mip_error mip_filter_gnss_aiding_source_control_decode(
@@ -858,6 +946,7 @@ const struct mip_codec mip_filter_gnss_aiding_source_control_response_codec = {
     read_gnss_aiding_source_control_response,
     write_gnss_aiding_source_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gnss_aiding_source_control_response_decode(
@@ -907,6 +996,7 @@ const struct mip_codec mip_filter_external_gnss_update_codec = {
     0, /* time-out */
     read_external_gnss_update,
     write_external_gnss_update,
+    NULL,
     NULL,
 };
 
@@ -963,6 +1053,7 @@ const struct mip_codec mip_filter_external_heading_update_codec = {
     read_external_heading_update,
     write_external_heading_update,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_external_heading_update_decode(
@@ -1009,6 +1100,18 @@ static void write_heading_update_control(struct mip_writer *w, const void *value
     mip_write_u8(w, &v->enable, 1);
 }
 
+static bool asked_heading_update_control_1(const void *value) {
+    const struct mip_filter_heading_update_control *v =
+        (const struct mip_filter_heading_update_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_heading_update_control[] = {
+    {&mip_filter_heading_update_control_response_codec, asked_heading_update_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_heading_update_control_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_HEADING_UPDATE_CONTROL_DESCRIPTOR,
@@ -1018,6 +1121,7 @@ const struct mip_codec mip_filter_heading_update_control_codec = {
     read_heading_update_control,
     write_heading_update_control,
     NULL,
+    responses_heading_update_control,
 };
 
 mip_error mip_filter_heading_update_control_decode(struct mip_filter_heading_update_control *value,
@@ -1089,6 +1193,7 @@ const struct mip_codec mip_filter_heading_update_control_response_codec = {
     read_heading_update_control_response,
     write_heading_update_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_heading_update_control_response_decode(
@@ -1127,6 +1232,18 @@ static void write_auto_initialization_control(struct mip_writer *w, const void *
     mip_write_u8(w, &v->enable, 1);
 }
 
+static bool asked_auto_initialization_control_1(const void *value) {
+    const struct mip_filter_auto_initialization_control *v =
+        (const struct mip_filter_auto_initialization_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_auto_initialization_control[] = {
+    {&mip_filter_auto_initialization_control_response_codec, asked_auto_initialization_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_auto_initialization_control_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_AUTO_INITIALIZATION_CONTROL_DESCRIPTOR,
@@ -1136,6 +1253,7 @@ const struct mip_codec mip_filter_auto_initialization_control_codec = {
     read_auto_initialization_control,
     write_auto_initialization_control,
     NULL,
+    responses_auto_initialization_control,
 };
 
 mip_error mip_filter_auto_initialization_control_decode(
@@ -1207,6 +1325,7 @@ const struct mip_codec mip_filter_auto_initialization_control_response_codec = {
     read_auto_initialization_control_response,
     write_auto_initialization_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_auto_initialization_control_response_decode(
@@ -1247,6 +1366,19 @@ static void write_accelerometer_noise_standard_deviation(struct mip_writer *w, c
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_accelerometer_noise_standard_deviation_1(const void *value) {
+    const struct mip_filter_accelerometer_noise_standard_deviation *v =
+        (const struct mip_filter_accelerometer_noise_standard_deviation *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_accelerometer_noise_standard_deviation[] = {
+    {&mip_filter_accelerometer_noise_standard_deviation_response_codec,
+     asked_accelerometer_noise_standard_deviation_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
@@ -1256,6 +1388,7 @@ const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_codec =
     read_accelerometer_noise_standard_deviation,
     write_accelerometer_noise_standard_deviation,
     NULL,
+    responses_accelerometer_noise_standard_deviation,
 };
 
 mip_error mip_filter_accelerometer_noise_standard_deviation_decode(
@@ -1337,6 +1470,7 @@ const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_respons
     read_accelerometer_noise_standard_deviation_response,
     write_accelerometer_noise_standard_deviation_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_accelerometer_noise_standard_deviation_response_decode(
@@ -1378,6 +1512,19 @@ static void write_gyroscope_noise_standard_deviation(struct mip_writer *w, const
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_gyroscope_noise_standard_deviation_1(const void *value) {
+    const struct mip_filter_gyroscope_noise_standard_deviation *v =
+        (const struct mip_filter_gyroscope_noise_standard_deviation *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gyroscope_noise_standard_deviation[] = {
+    {&mip_filter_gyroscope_noise_standard_deviation_response_codec,
+     asked_gyroscope_noise_standard_deviation_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
@@ -1387,6 +1534,7 @@ const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_codec = {
     read_gyroscope_noise_standard_deviation,
     write_gyroscope_noise_standard_deviation,
     NULL,
+    responses_gyroscope_noise_standard_deviation,
 };
 
 mip_error mip_filter_gyroscope_noise_standard_deviation_decode(
@@ -1465,6 +1613,7 @@ const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_response_co
     read_gyroscope_noise_standard_deviation_response,
     write_gyroscope_noise_standard_deviation_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gyroscope_noise_standard_deviation_response_decode(
@@ -1510,6 +1659,19 @@ static void write_accelerometer_bias_model_parameters(struct mip_writer *w, cons
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_accelerometer_bias_model_parameters_1(const void *value) {
+    const struct mip_filter_accelerometer_bias_model_parameters *v =
+        (const struct mip_filter_accelerometer_bias_model_parameters *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_accelerometer_bias_model_parameters[] = {
+    {&mip_filter_accelerometer_bias_model_parameters_response_codec,
+     asked_accelerometer_bias_model_parameters_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_accelerometer_bias_model_parameters_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
@@ -1519,6 +1681,7 @@ const struct mip_codec mip_filter_accelerometer_bias_model_parameters_codec = {
     read_accelerometer_bias_model_parameters,
     write_accelerometer_bias_model_parameters,
     NULL,
+    responses_accelerometer_bias_model_parameters,
 };
 
 mip_error mip_filter_accelerometer_bias_model_parameters_decode(
@@ -1601,6 +1764,7 @@ const struct mip_codec mip_filter_accelerometer_bias_model_parameters_response_c
     read_accelerometer_bias_model_parameters_response,
     write_accelerometer_bias_model_parameters_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_accelerometer_bias_model_parameters_response_decode(
@@ -1646,6 +1810,19 @@ static void write_gyroscope_bias_model_parameters(struct mip_writer *w, const vo
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_gyroscope_bias_model_parameters_1(const void *value) {
+    const struct mip_filter_gyroscope_bias_model_parameters *v =
+        (const struct mip_filter_gyroscope_bias_model_parameters *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gyroscope_bias_model_parameters[] = {
+    {&mip_filter_gyroscope_bias_model_parameters_response_codec,
+     asked_gyroscope_bias_model_parameters_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gyroscope_bias_model_parameters_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
@@ -1655,6 +1832,7 @@ const struct mip_codec mip_filter_gyroscope_bias_model_parameters_codec = {
     read_gyroscope_bias_model_parameters,
     write_gyroscope_bias_model_parameters,
     NULL,
+    responses_gyroscope_bias_model_parameters,
 };
 
 mip_error mip_filter_gyroscope_bias_model_parameters_decode(
@@ -1735,6 +1913,7 @@ const struct mip_codec mip_filter_gyroscope_bias_model_parameters_response_codec
     read_gyroscope_bias_model_parameters_response,
     write_gyroscope_bias_model_parameters_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gyroscope_bias_model_parameters_response_decode(
@@ -1776,6 +1955,17 @@ static void write_auto_zupt(struct mip_writer *w, const void *value) {
     mip_write_float(w, &v->threshold, 1);
 }
 
+static bool asked_auto_zupt_1(const void *value) {
+    const struct mip_filter_auto_zupt *v = (const struct mip_filter_auto_zupt *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_auto_zupt[] = {
+    {&mip_filter_auto_zupt_response_codec, asked_auto_zupt_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_auto_zupt_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_AUTO_ZUPT_DESCRIPTOR,
@@ -1785,6 +1975,7 @@ const struct mip_codec mip_filter_auto_zupt_codec = {
     read_auto_zupt,
     write_auto_zupt,
     NULL,
+    responses_auto_zupt,
 };
 
 mip_error mip_filter_auto_zupt_decode(struct mip_filter_auto_zupt *value,
@@ -1856,6 +2047,7 @@ const struct mip_codec mip_filter_auto_zupt_response_codec = {
     read_auto_zupt_response,
     write_auto_zupt_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_auto_zupt_response_decode(struct mip_filter_auto_zupt_response *value,
@@ -1897,6 +2089,7 @@ const struct mip_codec mip_filter_external_heading_update_with_time_codec = {
     0, /* time-out */
     read_external_heading_update_with_time,
     write_external_heading_update_with_time,
+    NULL,
     NULL,
 };
 
@@ -1954,6 +2147,19 @@ static void write_zero_angular_rate_update_control(struct mip_writer *w, const v
     mip_write_float(w, &v->threshold, 1);
 }
 
+static bool asked_zero_angular_rate_update_control_1(const void *value) {
+    const struct mip_filter_zero_angular_rate_update_control *v =
+        (const struct mip_filter_zero_angular_rate_update_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_zero_angular_rate_update_control[] = {
+    {&mip_filter_zero_angular_rate_update_control_response_codec,
+     asked_zero_angular_rate_update_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_zero_angular_rate_update_control_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_DESCRIPTOR,
@@ -1963,6 +2169,7 @@ const struct mip_codec mip_filter_zero_angular_rate_update_control_codec = {
     read_zero_angular_rate_update_control,
     write_zero_angular_rate_update_control,
     NULL,
+    responses_zero_angular_rate_update_control,
 };
 
 mip_error mip_filter_zero_angular_rate_update_control_decode(
@@ -2043,6 +2250,7 @@ const struct mip_codec mip_filter_zero_angular_rate_update_control_response_code
     read_zero_angular_rate_update_control_response,
     write_zero_angular_rate_update_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_zero_angular_rate_update_control_response_decode(
@@ -2081,6 +2289,17 @@ static void write_tare_orientation(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->axes, 1);
 }
 
+static bool asked_tare_orientation_1(const void *value) {
+    const struct mip_filter_tare_orientation *v = (const struct mip_filter_tare_orientation *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_tare_orientation[] = {
+    {&mip_filter_tare_orientation_response_codec, asked_tare_orientation_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_tare_orientation_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_TARE_ORIENTATION_DESCRIPTOR,
@@ -2090,6 +2309,7 @@ const struct mip_codec mip_filter_tare_orientation_codec = {
     read_tare_orientation,
     write_tare_orientation,
     NULL,
+    responses_tare_orientation,
 };
 
 mip_error mip_filter_tare_orientation_decode(struct mip_filter_tare_orientation *value,
@@ -2160,6 +2380,7 @@ const struct mip_codec mip_filter_tare_orientation_response_codec = {
     read_tare_orientation_response,
     write_tare_orientation_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_tare_orientation_response_decode(
@@ -2182,6 +2403,7 @@ const struct mip_codec mip_filter_commanded_zupt_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_commanded_zupt_decode(struct mip_filter_commanded_zupt *value,
@@ -2203,6 +2425,7 @@ const struct mip_codec mip_filter_commanded_zero_angular_rate_update_codec = {
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 
@@ -2253,6 +2476,18 @@ static void write_set_reference_position(struct mip_writer *w, const void *value
     mip_write_double(w, &v->altitude, 1);
 }
 
+static bool asked_set_reference_position_1(const void *value) {
+    const struct mip_filter_set_reference_position *v =
+        (const struct mip_filter_set_reference_position *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_set_reference_position[] = {
+    {&mip_filter_set_reference_position_response_codec, asked_set_reference_position_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_set_reference_position_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_SET_REFERENCE_POSITION_DESCRIPTOR,
@@ -2262,6 +2497,7 @@ const struct mip_codec mip_filter_set_reference_position_codec = {
     read_set_reference_position,
     write_set_reference_position,
     NULL,
+    responses_set_reference_position,
 };
 
 mip_error mip_filter_set_reference_position_decode(struct mip_filter_set_reference_position *value,
@@ -2344,6 +2580,7 @@ const struct mip_codec mip_filter_set_reference_position_response_codec = {
     read_set_reference_position_response,
     write_set_reference_position_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_set_reference_position_response_decode(
@@ -2377,6 +2614,7 @@ const struct mip_codec mip_filter_mag_capture_auto_cal_codec = {
     0, /* time-out */
     read_mag_capture_auto_cal,
     write_mag_capture_auto_cal,
+    NULL,
     NULL,
 };
 
@@ -2429,6 +2667,19 @@ static void write_gravity_noise_standard_deviation(struct mip_writer *w, const v
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_gravity_noise_standard_deviation_1(const void *value) {
+    const struct mip_filter_gravity_noise_standard_deviation *v =
+        (const struct mip_filter_gravity_noise_standard_deviation *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gravity_noise_standard_deviation[] = {
+    {&mip_filter_gravity_noise_standard_deviation_response_codec,
+     asked_gravity_noise_standard_deviation_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gravity_noise_standard_deviation_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
@@ -2438,6 +2689,7 @@ const struct mip_codec mip_filter_gravity_noise_standard_deviation_codec = {
     read_gravity_noise_standard_deviation,
     write_gravity_noise_standard_deviation,
     NULL,
+    responses_gravity_noise_standard_deviation,
 };
 
 mip_error mip_filter_gravity_noise_standard_deviation_decode(
@@ -2515,6 +2767,7 @@ const struct mip_codec mip_filter_gravity_noise_standard_deviation_response_code
     read_gravity_noise_standard_deviation_response,
     write_gravity_noise_standard_deviation_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gravity_noise_standard_deviation_response_decode(
@@ -2556,6 +2809,18 @@ static void write_pressure_altitude_noise(struct mip_writer *w, const void *valu
     mip_write_float(w, &v->noise, 1);
 }
 
+static bool asked_pressure_altitude_noise_1(const void *value) {
+    const struct mip_filter_pressure_altitude_noise *v =
+        (const struct mip_filter_pressure_altitude_noise *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_pressure_altitude_noise[] = {
+    {&mip_filter_pressure_altitude_noise_response_codec, asked_pressure_altitude_noise_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_pressure_altitude_noise_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_PRESSURE_ALTITUDE_NOISE_DESCRIPTOR,
@@ -2565,6 +2830,7 @@ const struct mip_codec mip_filter_pressure_altitude_noise_codec = {
     read_pressure_altitude_noise,
     write_pressure_altitude_noise,
     NULL,
+    responses_pressure_altitude_noise,
 };
 
 mip_error mip_filter_pressure_altitude_noise_decode(
@@ -2635,6 +2901,7 @@ const struct mip_codec mip_filter_pressure_altitude_noise_response_codec = {
     read_pressure_altitude_noise_response,
     write_pressure_altitude_noise_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_pressure_altitude_noise_response_decode(
@@ -2672,6 +2939,18 @@ static void write_hard_iron_offset_noise(struct mip_writer *w, const void *value
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_hard_iron_offset_noise_1(const void *value) {
+    const struct mip_filter_hard_iron_offset_noise *v =
+        (const struct mip_filter_hard_iron_offset_noise *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_hard_iron_offset_noise[] = {
+    {&mip_filter_hard_iron_offset_noise_response_codec, asked_hard_iron_offset_noise_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_hard_iron_offset_noise_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_HARD_IRON_OFFSET_NOISE_DESCRIPTOR,
@@ -2681,6 +2960,7 @@ const struct mip_codec mip_filter_hard_iron_offset_noise_codec = {
     read_hard_iron_offset_noise,
     write_hard_iron_offset_noise,
     NULL,
+    responses_hard_iron_offset_noise,
 };
 
 mip_error mip_filter_hard_iron_offset_noise_decode(struct mip_filter_hard_iron_offset_noise *value,
@@ -2752,6 +3032,7 @@ const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec = {
     read_hard_iron_offset_noise_response,
     write_hard_iron_offset_noise_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_hard_iron_offset_noise_response_decode(
@@ -2789,6 +3070,18 @@ static void write_soft_iron_matrix_noise(struct mip_writer *w, const void *value
     mip_write_float(w, v->noise, 9);
 }
 
+static bool asked_soft_iron_matrix_noise_1(const void *value) {
+    const struct mip_filter_soft_iron_matrix_noise *v =
+        (const struct mip_filter_soft_iron_matrix_noise *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_soft_iron_matrix_noise[] = {
+    {&mip_filter_soft_iron_matrix_noise_response_codec, asked_soft_iron_matrix_noise_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_soft_iron_matrix_noise_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_SOFT_IRON_MATRIX_NOISE_DESCRIPTOR,
@@ -2798,6 +3091,7 @@ const struct mip_codec mip_filter_soft_iron_matrix_noise_codec = {
     read_soft_iron_matrix_noise,
     write_soft_iron_matrix_noise,
     NULL,
+    responses_soft_iron_matrix_noise,
 };
 
 mip_error mip_filter_soft_iron_matrix_noise_decode(struct mip_filter_soft_iron_matrix_noise *value,
@@ -2869,6 +3163,7 @@ const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec = {
     read_soft_iron_matrix_noise_response,
     write_soft_iron_matrix_noise_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_soft_iron_matrix_noise_response_decode(
@@ -2907,6 +3202,18 @@ static void write_enable_disable_measurements(struct mip_writer *w, const void *
     mip_write_u16(w, &v->control, 1);
 }
 
+static bool asked_enable_disable_measurements_1(const void *value) {
+    const struct mip_filter_enable_disable_measurements *v =
+        (const struct mip_filter_enable_disable_measurements *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_enable_disable_measurements[] = {
+    {&mip_filter_enable_disable_measurements_response_codec, asked_enable_disable_measurements_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_enable_disable_measurements_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_DESCRIPTOR,
@@ -2916,6 +3223,7 @@ const struct mip_codec mip_filter_enable_disable_measurements_codec = {
     read_enable_disable_measurements,
     write_enable_disable_measurements,
     NULL,
+    responses_enable_disable_measurements,
 };
 
 mip_error mip_filter_enable_disable_measurements_decode(
@@ -2987,6 +3295,7 @@ const struct mip_codec mip_filter_enable_disable_measurements_response_codec = {
     read_enable_disable_measurements_response,
     write_enable_disable_measurements_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_enable_disable_measurements_response_decode(
@@ -3023,6 +3332,17 @@ static void write_mag_noise(struct mip_writer *w, const void *value) {
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_mag_noise_1(const void *value) {
+    const struct mip_filter_mag_noise *v = (const struct mip_filter_mag_noise *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_mag_noise[] = {
+    {&mip_filter_mag_noise_response_codec, asked_mag_noise_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_mag_noise_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_MAG_NOISE_DESCRIPTOR,
@@ -3032,6 +3352,7 @@ const struct mip_codec mip_filter_mag_noise_codec = {
     read_mag_noise,
     write_mag_noise,
     NULL,
+    responses_mag_noise,
 };
 
 mip_error mip_filter_mag_noise_decode(struct mip_filter_mag_noise *value,
@@ -3100,6 +3421,7 @@ const struct mip_codec mip_filter_mag_noise_response_codec = {
     read_mag_noise_response,
     write_mag_noise_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_mag_noise_response_decode(struct mip_filter_mag_noise_response *value,
@@ -3142,6 +3464,19 @@ static void write_magnetic_field_declination_source_control(struct mip_writer *w
     mip_write_float(w, &v->declination, 1);
 }
 
+static bool asked_magnetic_field_declination_source_control_1(const void *value) {
+    const struct mip_filter_magnetic_field_declination_source_control *v =
+        (const struct mip_filter_magnetic_field_declination_source_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_magnetic_field_declination_source_control[] = {
+    {&mip_filter_magnetic_field_declination_source_control_response_codec,
+     asked_magnetic_field_declination_source_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_magnetic_field_declination_source_control_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_DESCRIPTOR,
@@ -3151,6 +3486,7 @@ const struct mip_codec mip_filter_magnetic_field_declination_source_control_code
     read_magnetic_field_declination_source_control,
     write_magnetic_field_declination_source_control,
     NULL,
+    responses_magnetic_field_declination_source_control,
 };
 
 mip_error mip_filter_magnetic_field_declination_source_control_decode(
@@ -3236,6 +3572,7 @@ const struct mip_codec mip_filter_magnetic_field_declination_source_control_resp
     read_magnetic_field_declination_source_control_response,
     write_magnetic_field_declination_source_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_magnetic_field_declination_source_control_response_decode(
@@ -3302,6 +3639,19 @@ static void write_gravity_magnitude_error_adaptive_measurement(struct mip_writer
     mip_write_float(w, &v->minimum_uncertainty, 1);
 }
 
+static bool asked_gravity_magnitude_error_adaptive_measurement_1(const void *value) {
+    const struct mip_filter_gravity_magnitude_error_adaptive_measurement *v =
+        (const struct mip_filter_gravity_magnitude_error_adaptive_measurement *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gravity_magnitude_error_adaptive_measurement[] = {
+    {&mip_filter_gravity_magnitude_error_adaptive_measurement_response_codec,
+     asked_gravity_magnitude_error_adaptive_measurement_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
@@ -3311,6 +3661,7 @@ const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_c
     read_gravity_magnitude_error_adaptive_measurement,
     write_gravity_magnitude_error_adaptive_measurement,
     NULL,
+    responses_gravity_magnitude_error_adaptive_measurement,
 };
 
 mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_decode(
@@ -3405,6 +3756,7 @@ const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_r
     read_gravity_magnitude_error_adaptive_measurement_response,
     write_gravity_magnitude_error_adaptive_measurement_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_decode(
@@ -3471,6 +3823,19 @@ static void write_mag_magnitude_error_adaptive_measurement(struct mip_writer *w,
     mip_write_float(w, &v->minimum_uncertainty, 1);
 }
 
+static bool asked_mag_magnitude_error_adaptive_measurement_1(const void *value) {
+    const struct mip_filter_mag_magnitude_error_adaptive_measurement *v =
+        (const struct mip_filter_mag_magnitude_error_adaptive_measurement *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_mag_magnitude_error_adaptive_measurement[] = {
+    {&mip_filter_mag_magnitude_error_adaptive_measurement_response_codec,
+     asked_mag_magnitude_error_adaptive_measurement_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
@@ -3480,6 +3845,7 @@ const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_codec
     read_mag_magnitude_error_adaptive_measurement,
     write_mag_magnitude_error_adaptive_measurement,
     NULL,
+    responses_mag_magnitude_error_adaptive_measurement,
 };
 
 mip_error mip_filter_mag_magnitude_error_adaptive_measurement_decode(
@@ -3582,6 +3948,7 @@ const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_respo
     read_mag_magnitude_error_adaptive_measurement_response,
     write_mag_magnitude_error_adaptive_measurement_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_decode(
@@ -3640,6 +4007,19 @@ static void write_mag_dip_angle_error_adaptive_measurement(struct mip_writer *w,
     mip_write_float(w, &v->minimum_uncertainty, 1);
 }
 
+static bool asked_mag_dip_angle_error_adaptive_measurement_1(const void *value) {
+    const struct mip_filter_mag_dip_angle_error_adaptive_measurement *v =
+        (const struct mip_filter_mag_dip_angle_error_adaptive_measurement *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_mag_dip_angle_error_adaptive_measurement[] = {
+    {&mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec,
+     asked_mag_dip_angle_error_adaptive_measurement_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
@@ -3649,6 +4029,7 @@ const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_codec
     read_mag_dip_angle_error_adaptive_measurement,
     write_mag_dip_angle_error_adaptive_measurement,
     NULL,
+    responses_mag_dip_angle_error_adaptive_measurement,
 };
 
 mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_decode(
@@ -3745,6 +4126,7 @@ const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_respo
     read_mag_dip_angle_error_adaptive_measurement_response,
     write_mag_dip_angle_error_adaptive_measurement_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_decode(
@@ -3783,6 +4165,17 @@ static void write_altitude_aiding(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->selector, 1);
 }
 
+static bool asked_altitude_aiding_1(const void *value) {
+    const struct mip_filter_altitude_aiding *v = (const struct mip_filter_altitude_aiding *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_altitude_aiding[] = {
+    {&mip_filter_altitude_aiding_response_codec, asked_altitude_aiding_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_altitude_aiding_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_ALTITUDE_AIDING_DESCRIPTOR,
@@ -3792,6 +4185,7 @@ const struct mip_codec mip_filter_altitude_aiding_codec = {
     read_altitude_aiding,
     write_altitude_aiding,
     NULL,
+    responses_altitude_aiding,
 };
 
 mip_error mip_filter_altitude_aiding_decode(struct mip_filter_altitude_aiding *value,
@@ -3863,6 +4257,7 @@ const struct mip_codec mip_filter_altitude_aiding_response_codec = {
     read_altitude_aiding_response,
     write_altitude_aiding_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_altitude_aiding_response_decode(
@@ -3900,6 +4295,18 @@ static void write_pitch_roll_aiding_control(struct mip_writer *w, const void *va
     mip_write_u8(w, &v->aiding, 1);
 }
 
+static bool asked_pitch_roll_aiding_control_1(const void *value) {
+    const struct mip_filter_pitch_roll_aiding_control *v =
+        (const struct mip_filter_pitch_roll_aiding_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_pitch_roll_aiding_control[] = {
+    {&mip_filter_pitch_roll_aiding_control_response_codec, asked_pitch_roll_aiding_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_pitch_roll_aiding_control_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_DESCRIPTOR,
@@ -3909,6 +4316,7 @@ const struct mip_codec mip_filter_pitch_roll_aiding_control_codec = {
     read_pitch_roll_aiding_control,
     write_pitch_roll_aiding_control,
     NULL,
+    responses_pitch_roll_aiding_control,
 };
 
 mip_error mip_filter_pitch_roll_aiding_control_decode(
@@ -3980,6 +4388,7 @@ const struct mip_codec mip_filter_pitch_roll_aiding_control_response_codec = {
     read_pitch_roll_aiding_control_response,
     write_pitch_roll_aiding_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_pitch_roll_aiding_control_response_decode(
@@ -4022,6 +4431,18 @@ static void write_inclination_source(struct mip_writer *w, const void *value) {
     mip_write_float(w, &v->inclination, 1);
 }
 
+static bool asked_inclination_source_1(const void *value) {
+    const struct mip_filter_inclination_source *v =
+        (const struct mip_filter_inclination_source *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_inclination_source[] = {
+    {&mip_filter_inclination_source_response_codec, asked_inclination_source_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_inclination_source_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_INCLINATION_SOURCE_DESCRIPTOR,
@@ -4031,6 +4452,7 @@ const struct mip_codec mip_filter_inclination_source_codec = {
     read_inclination_source,
     write_inclination_source,
     NULL,
+    responses_inclination_source,
 };
 
 mip_error mip_filter_inclination_source_decode(struct mip_filter_inclination_source *value,
@@ -4105,6 +4527,7 @@ const struct mip_codec mip_filter_inclination_source_response_codec = {
     read_inclination_source_response,
     write_inclination_source_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_inclination_source_response_decode(
@@ -4146,6 +4569,18 @@ static void write_mag_field_magnitude_source(struct mip_writer *w, const void *v
     mip_write_float(w, &v->magnitude, 1);
 }
 
+static bool asked_mag_field_magnitude_source_1(const void *value) {
+    const struct mip_filter_mag_field_magnitude_source *v =
+        (const struct mip_filter_mag_field_magnitude_source *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_mag_field_magnitude_source[] = {
+    {&mip_filter_mag_field_magnitude_source_response_codec, asked_mag_field_magnitude_source_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_mag_field_magnitude_source_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_DESCRIPTOR,
@@ -4155,6 +4590,7 @@ const struct mip_codec mip_filter_mag_field_magnitude_source_codec = {
     read_mag_field_magnitude_source,
     write_mag_field_magnitude_source,
     NULL,
+    responses_mag_field_magnitude_source,
 };
 
 mip_error mip_filter_mag_field_magnitude_source_decode(
@@ -4229,6 +4665,7 @@ const struct mip_codec mip_filter_mag_field_magnitude_source_response_codec = {
     read_mag_field_magnitude_source_response,
     write_mag_field_magnitude_source_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_mag_field_magnitude_source_response_decode(
@@ -4269,6 +4706,19 @@ static void write_sensor_to_vehicle_rotation_dcm(struct mip_writer *w, const voi
     mip_write_float(w, v->dcm, 9);
 }
 
+static bool asked_sensor_to_vehicle_rotation_dcm_1(const void *value) {
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm *v =
+        (const struct mip_filter_sensor_to_vehicle_rotation_dcm *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_rotation_dcm[] = {
+    {&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec,
+     asked_sensor_to_vehicle_rotation_dcm_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_DESCRIPTOR,
@@ -4278,6 +4728,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec = {
     read_sensor_to_vehicle_rotation_dcm,
     write_sensor_to_vehicle_rotation_dcm,
     NULL,
+    responses_sensor_to_vehicle_rotation_dcm,
 };
 
 mip_error mip_filter_sensor_to_vehicle_rotation_dcm_decode(
@@ -4354,6 +4805,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec 
     read_sensor_to_vehicle_rotation_dcm_response,
     write_sensor_to_vehicle_rotation_dcm_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode(
@@ -4395,6 +4847,19 @@ static void write_sensor_to_vehicle_rotation_quaternion(struct mip_writer *w, co
     mip_write_float(w, v->quat, 4);
 }
 
+static bool asked_sensor_to_vehicle_rotation_quaternion_1(const void *value) {
+    const struct mip_filter_sensor_to_vehicle_rotation_quaternion *v =
+        (const struct mip_filter_sensor_to_vehicle_rotation_quaternion *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_rotation_quaternion[] = {
+    {&mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec,
+     asked_sensor_to_vehicle_rotation_quaternion_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_DESCRIPTOR,
@@ -4404,6 +4869,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_codec = 
     read_sensor_to_vehicle_rotation_quaternion,
     write_sensor_to_vehicle_rotation_quaternion,
     NULL,
+    responses_sensor_to_vehicle_rotation_quaternion,
 };
 
 mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_decode(
@@ -4483,6 +4949,7 @@ const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_response
     read_sensor_to_vehicle_rotation_quaternion_response,
     write_sensor_to_vehicle_rotation_quaternion_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_decode(
@@ -4528,6 +4995,18 @@ static void write_aiding_measurement_control(struct mip_writer *w, const void *v
     mip_write_bool(w, &v->enable, 1);
 }
 
+static bool asked_aiding_measurement_control_1(const void *value) {
+    const struct mip_filter_aiding_measurement_control *v =
+        (const struct mip_filter_aiding_measurement_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_aiding_measurement_control[] = {
+    {&mip_filter_aiding_measurement_control_response_codec, asked_aiding_measurement_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_aiding_measurement_control_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_AIDING_MEASUREMENT_CONTROL_DESCRIPTOR,
@@ -4537,6 +5016,7 @@ const struct mip_codec mip_filter_aiding_measurement_control_codec = {
     read_aiding_measurement_control,
     write_aiding_measurement_control,
     NULL,
+    responses_aiding_measurement_control,
 };
 
 mip_error mip_filter_aiding_measurement_control_decode(
@@ -4619,6 +5099,7 @@ const struct mip_codec mip_filter_aiding_measurement_control_response_codec = {
     read_aiding_measurement_control_response,
     write_aiding_measurement_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_aiding_measurement_control_response_decode(
@@ -4666,6 +5147,18 @@ static void write_kinematic_constraint(struct mip_writer *w, const void *value) 
     mip_write_u8(w, &v->angular_constraint, 1);
 }
 
+static bool asked_kinematic_constraint_1(const void *value) {
+    const struct mip_filter_kinematic_constraint *v =
+        (const struct mip_filter_kinematic_constraint *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_kinematic_constraint[] = {
+    {&mip_filter_kinematic_constraint_response_codec, asked_kinematic_constraint_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_kinematic_constraint_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_KINEMATIC_CONSTRAINT_DESCRIPTOR,
@@ -4675,6 +5168,7 @@ const struct mip_codec mip_filter_kinematic_constraint_codec = {
     read_kinematic_constraint,
     write_kinematic_constraint,
     NULL,
+    responses_kinematic_constraint,
 };
 
 mip_error mip_filter_kinematic_constraint_decode(struct mip_filter_kinematic_constraint *value,
@@ -4754,6 +5248,7 @@ const struct mip_codec mip_filter_kinematic_constraint_response_codec = {
     read_kinematic_constraint_response,
     write_kinematic_constraint_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_kinematic_constraint_response_decode(
@@ -4823,6 +5318,19 @@ static void write_navigation_filter_initialization(struct mip_writer *w, const v
     mip_write_u8(w, &v->reference_frame_selector, 1);
 }
 
+static bool asked_navigation_filter_initialization_1(const void *value) {
+    const struct mip_filter_navigation_filter_initialization *v =
+        (const struct mip_filter_navigation_filter_initialization *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_navigation_filter_initialization[] = {
+    {&mip_filter_navigation_filter_initialization_response_codec,
+     asked_navigation_filter_initialization_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_navigation_filter_initialization_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_DESCRIPTOR,
@@ -4832,6 +5340,7 @@ const struct mip_codec mip_filter_navigation_filter_initialization_codec = {
     read_navigation_filter_initialization,
     write_navigation_filter_initialization,
     NULL,
+    responses_navigation_filter_initialization,
 };
 
 mip_error mip_filter_navigation_filter_initialization_decode(
@@ -4937,6 +5446,7 @@ const struct mip_codec mip_filter_navigation_filter_initialization_response_code
     read_navigation_filter_initialization_response,
     write_navigation_filter_initialization_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_navigation_filter_initialization_response_decode(
@@ -4982,6 +5492,18 @@ static void write_adaptive_filter_control(struct mip_writer *w, const void *valu
     mip_write_u16(w, &v->time_limit, 1);
 }
 
+static bool asked_adaptive_filter_control_1(const void *value) {
+    const struct mip_filter_adaptive_filter_control *v =
+        (const struct mip_filter_adaptive_filter_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_adaptive_filter_control[] = {
+    {&mip_filter_adaptive_filter_control_response_codec, asked_adaptive_filter_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_adaptive_filter_control_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_ADAPTIVE_FILTER_CONTROL_DESCRIPTOR,
@@ -4991,6 +5513,7 @@ const struct mip_codec mip_filter_adaptive_filter_control_codec = {
     read_adaptive_filter_control,
     write_adaptive_filter_control,
     NULL,
+    responses_adaptive_filter_control,
 };
 
 mip_error mip_filter_adaptive_filter_control_decode(
@@ -5065,6 +5588,7 @@ const struct mip_codec mip_filter_adaptive_filter_control_response_codec = {
     read_adaptive_filter_control_response,
     write_adaptive_filter_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_adaptive_filter_control_response_decode(
@@ -5107,6 +5631,19 @@ static void write_gnss_multi_antenna_offset_control(struct mip_writer *w, const 
     mip_write_float(w, v->antenna_offset, 3);
 }
 
+static bool asked_gnss_multi_antenna_offset_control_1(const void *value) {
+    const struct mip_filter_gnss_multi_antenna_offset_control *v =
+        (const struct mip_filter_gnss_multi_antenna_offset_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_multi_antenna_offset_control[] = {
+    {&mip_filter_gnss_multi_antenna_offset_control_response_codec,
+     asked_gnss_multi_antenna_offset_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
@@ -5116,6 +5653,7 @@ const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_codec = {
     read_gnss_multi_antenna_offset_control,
     write_gnss_multi_antenna_offset_control,
     NULL,
+    responses_gnss_multi_antenna_offset_control,
 };
 
 mip_error mip_filter_gnss_multi_antenna_offset_control_decode(
@@ -5201,6 +5739,7 @@ const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_response_cod
     read_gnss_multi_antenna_offset_control_response,
     write_gnss_multi_antenna_offset_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_gnss_multi_antenna_offset_control_response_decode(
@@ -5250,6 +5789,19 @@ static void write_relative_position_configuration(struct mip_writer *w, const vo
     mip_write_double(w, v->reference_coordinates, 3);
 }
 
+static bool asked_relative_position_configuration_1(const void *value) {
+    const struct mip_filter_relative_position_configuration *v =
+        (const struct mip_filter_relative_position_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_relative_position_configuration[] = {
+    {&mip_filter_relative_position_configuration_response_codec,
+     asked_relative_position_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_relative_position_configuration_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_DESCRIPTOR,
@@ -5259,6 +5811,7 @@ const struct mip_codec mip_filter_relative_position_configuration_codec = {
     read_relative_position_configuration,
     write_relative_position_configuration,
     NULL,
+    responses_relative_position_configuration,
 };
 
 mip_error mip_filter_relative_position_configuration_decode(
@@ -5343,6 +5896,7 @@ const struct mip_codec mip_filter_relative_position_configuration_response_codec
     read_relative_position_configuration_response,
     write_relative_position_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_relative_position_configuration_response_decode(
@@ -5388,6 +5942,18 @@ static void write_reference_point_lever_arm(struct mip_writer *w, const void *va
     mip_write_float(w, v->lever_arm_offset, 3);
 }
 
+static bool asked_reference_point_lever_arm_1(const void *value) {
+    const struct mip_filter_reference_point_lever_arm *v =
+        (const struct mip_filter_reference_point_lever_arm *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_reference_point_lever_arm[] = {
+    {&mip_filter_reference_point_lever_arm_response_codec, asked_reference_point_lever_arm_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_REFERENCE_POINT_LEVER_ARM_DESCRIPTOR,
@@ -5397,6 +5963,7 @@ const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
     read_reference_point_lever_arm,
     write_reference_point_lever_arm,
     NULL,
+    responses_reference_point_lever_arm,
 };
 
 mip_error mip_filter_reference_point_lever_arm_decode(
@@ -5471,6 +6038,7 @@ const struct mip_codec mip_filter_reference_point_lever_arm_response_codec = {
     read_reference_point_lever_arm_response,
     write_reference_point_lever_arm_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_reference_point_lever_arm_response_decode(
@@ -5511,6 +6079,7 @@ const struct mip_codec mip_filter_speed_measurement_codec = {
     0, /* time-out */
     read_speed_measurement,
     write_speed_measurement,
+    NULL,
     NULL,
 };
 
@@ -5564,6 +6133,18 @@ static void write_measurement_speed_lever_arm(struct mip_writer *w, const void *
     mip_write_float(w, v->lever_arm_offset, 3);
 }
 
+static bool asked_measurement_speed_lever_arm_1(const void *value) {
+    const struct mip_filter_measurement_speed_lever_arm *v =
+        (const struct mip_filter_measurement_speed_lever_arm *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_measurement_speed_lever_arm[] = {
+    {&mip_filter_measurement_speed_lever_arm_response_codec, asked_measurement_speed_lever_arm_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_measurement_speed_lever_arm_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_DESCRIPTOR,
@@ -5573,6 +6154,7 @@ const struct mip_codec mip_filter_measurement_speed_lever_arm_codec = {
     read_measurement_speed_lever_arm,
     write_measurement_speed_lever_arm,
     NULL,
+    responses_measurement_speed_lever_arm,
 };
 
 mip_error mip_filter_measurement_speed_lever_arm_decode(
@@ -5651,6 +6233,7 @@ const struct mip_codec mip_filter_measurement_speed_lever_arm_response_codec = {
     read_measurement_speed_lever_arm_response,
     write_measurement_speed_lever_arm_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_measurement_speed_lever_arm_response_decode(
@@ -5691,6 +6274,19 @@ static void write_vertical_gyro_constraint_control(struct mip_writer *w, const v
     mip_write_u8(w, &v->enable, 1);
 }
 
+static bool asked_vertical_gyro_constraint_control_1(const void *value) {
+    const struct mip_filter_vertical_gyro_constraint_control *v =
+        (const struct mip_filter_vertical_gyro_constraint_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_vertical_gyro_constraint_control[] = {
+    {&mip_filter_vertical_gyro_constraint_control_response_codec,
+     asked_vertical_gyro_constraint_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_DESCRIPTOR,
@@ -5700,6 +6296,7 @@ const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec = {
     read_vertical_gyro_constraint_control,
     write_vertical_gyro_constraint_control,
     NULL,
+    responses_vertical_gyro_constraint_control,
 };
 
 mip_error mip_filter_vertical_gyro_constraint_control_decode(
@@ -5777,6 +6374,7 @@ const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_code
     read_vertical_gyro_constraint_control_response,
     write_vertical_gyro_constraint_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_vertical_gyro_constraint_control_response_decode(
@@ -5818,6 +6416,19 @@ static void write_wheeled_vehicle_constraint_control(struct mip_writer *w, const
     mip_write_u8(w, &v->enable, 1);
 }
 
+static bool asked_wheeled_vehicle_constraint_control_1(const void *value) {
+    const struct mip_filter_wheeled_vehicle_constraint_control *v =
+        (const struct mip_filter_wheeled_vehicle_constraint_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_wheeled_vehicle_constraint_control[] = {
+    {&mip_filter_wheeled_vehicle_constraint_control_response_codec,
+     asked_wheeled_vehicle_constraint_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR,
@@ -5827,6 +6438,7 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec = {
     read_wheeled_vehicle_constraint_control,
     write_wheeled_vehicle_constraint_control,
     NULL,
+    responses_wheeled_vehicle_constraint_control,
 };
 
 mip_error mip_filter_wheeled_vehicle_constraint_control_decode(
@@ -5905,6 +6517,7 @@ const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_co
     read_wheeled_vehicle_constraint_control_response,
     write_wheeled_vehicle_constraint_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_wheeled_vehicle_constraint_control_response_decode(
@@ -5950,6 +6563,19 @@ static void write_gnss_antenna_offset_calibration_control(struct mip_writer *w, 
     mip_write_float(w, &v->max_offset, 1);
 }
 
+static bool asked_gnss_antenna_offset_calibration_control_1(const void *value) {
+    const struct mip_filter_gnss_antenna_offset_calibration_control *v =
+        (const struct mip_filter_gnss_antenna_offset_calibration_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_antenna_offset_calibration_control[] = {
+    {&mip_filter_gnss_antenna_offset_calibration_control_response_codec,
+     asked_gnss_antenna_offset_calibration_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_codec = {
     0x0D, /* descriptor set */
     MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_DESCRIPTOR,
@@ -5959,6 +6585,7 @@ const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_codec 
     read_gnss_antenna_offset_calibration_control,
     write_gnss_antenna_offset_calibration_control,
     NULL,
+    responses_gnss_antenna_offset_calibration_control,
 };
 
 mip_error mip_filter_gnss_antenna_offset_calibration_control_decode(
@@ -6042,6 +6669,7 @@ const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_respon
     0, /* time-out */
     read_gnss_antenna_offset_calibration_control_response,
     write_gnss_antenna_offset_calibration_control_response,
+    NULL,
     NULL,
 };
 

@@ -29,6 +29,7 @@ const struct mip_codec mip_filter_data_llh_position_codec = {
     read_llh_position,
     write_llh_position,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_llh_position_decode(struct mip_filter_data_llh_position *value,
@@ -68,6 +69,7 @@ const struct mip_codec mip_filter_data_velocity_ned_codec = {
     read_velocity_ned,
     write_velocity_ned,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_velocity_ned_decode(struct mip_filter_data_velocity_ned *value,
@@ -104,6 +106,7 @@ const struct mip_codec mip_filter_data_attitude_quaternion_codec = {
     read_attitude_quaternion,
     write_attitude_quaternion,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_attitude_quaternion_decode(
@@ -138,6 +141,7 @@ const struct mip_codec mip_filter_data_attitude_dcm_codec = {
     0, /* time-out */
     read_attitude_dcm,
     write_attitude_dcm,
+    NULL,
     NULL,
 };
 
@@ -178,6 +182,7 @@ const struct mip_codec mip_filter_data_euler_angles_codec = {
     read_euler_angles,
     write_euler_angles,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_euler_angles_decode(struct mip_filter_data_euler_angles *value,
@@ -212,6 +217,7 @@ const struct mip_codec mip_filter_data_gyro_bias_codec = {
     read_gyro_bias,
     write_gyro_bias,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_gyro_bias_decode(struct mip_filter_data_gyro_bias *value,
@@ -245,6 +251,7 @@ const struct mip_codec mip_filter_data_accel_bias_codec = {
     0, /* time-out */
     read_accel_bias,
     write_accel_bias,
+    NULL,
     NULL,
 };
 
@@ -286,6 +293,7 @@ const struct mip_codec mip_filter_data_llh_position_uncertainty_codec = {
     read_llh_position_uncertainty,
     write_llh_position_uncertainty,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_llh_position_uncertainty_decode(
@@ -325,6 +333,7 @@ const struct mip_codec mip_filter_data_ned_velocity_uncertainty_codec = {
     0, /* time-out */
     read_ned_velocity_uncertainty,
     write_ned_velocity_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -366,6 +375,7 @@ const struct mip_codec mip_filter_data_euler_angles_uncertainty_codec = {
     read_euler_angles_uncertainty,
     write_euler_angles_uncertainty,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_euler_angles_uncertainty_decode(
@@ -401,6 +411,7 @@ const struct mip_codec mip_filter_data_gyro_bias_uncertainty_codec = {
     0, /* time-out */
     read_gyro_bias_uncertainty,
     write_gyro_bias_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -438,6 +449,7 @@ const struct mip_codec mip_filter_data_accel_bias_uncertainty_codec = {
     read_accel_bias_uncertainty,
     write_accel_bias_uncertainty,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_accel_bias_uncertainty_decode(
@@ -472,6 +484,7 @@ const struct mip_codec mip_filter_data_linear_accel_codec = {
     0, /* time-out */
     read_linear_accel,
     write_linear_accel,
+    NULL,
     NULL,
 };
 
@@ -508,6 +521,7 @@ const struct mip_codec mip_filter_data_comp_angular_rate_codec = {
     read_comp_angular_rate,
     write_comp_angular_rate,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_comp_angular_rate_decode(struct mip_filter_data_comp_angular_rate *value,
@@ -543,6 +557,7 @@ const struct mip_codec mip_filter_data_wgs84_local_gravity_magnitude_codec = {
     0, /* time-out */
     read_wgs84_local_gravity_magnitude,
     write_wgs84_local_gravity_magnitude,
+    NULL,
     NULL,
 };
 
@@ -581,6 +596,7 @@ const struct mip_codec mip_filter_data_status_codec = {
     read_status,
     write_status,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_status_decode(struct mip_filter_data_status *value,
@@ -615,6 +631,7 @@ const struct mip_codec mip_filter_data_timestamp_codec = {
     0, /* time-out */
     read_timestamp,
     write_timestamp,
+    NULL,
     NULL,
 };
 
@@ -651,6 +668,7 @@ const struct mip_codec mip_filter_data_quaternion_attitude_uncertainty_codec = {
     0, /* time-out */
     read_quaternion_attitude_uncertainty,
     write_quaternion_attitude_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -689,6 +707,7 @@ const struct mip_codec mip_filter_data_gravity_vector_codec = {
     0, /* time-out */
     read_gravity_vector,
     write_gravity_vector,
+    NULL,
     NULL,
 };
 
@@ -729,6 +748,7 @@ const struct mip_codec mip_filter_data_heading_update_source_state_codec = {
     0, /* time-out */
     read_heading_update_source_state,
     write_heading_update_source_state,
+    NULL,
     NULL,
 };
 
@@ -773,6 +793,7 @@ const struct mip_codec mip_filter_data_magnetic_model_codec = {
     read_magnetic_model,
     write_magnetic_model,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_magnetic_model_decode(struct mip_filter_data_magnetic_model *value,
@@ -807,6 +828,7 @@ const struct mip_codec mip_filter_data_gyro_scale_factor_codec = {
     0, /* time-out */
     read_gyro_scale_factor,
     write_gyro_scale_factor,
+    NULL,
     NULL,
 };
 
@@ -844,6 +866,7 @@ const struct mip_codec mip_filter_data_accel_scale_factor_codec = {
     read_accel_scale_factor,
     write_accel_scale_factor,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_accel_scale_factor_decode(
@@ -879,6 +902,7 @@ const struct mip_codec mip_filter_data_gyro_scale_factor_uncertainty_codec = {
     0, /* time-out */
     read_gyro_scale_factor_uncertainty,
     write_gyro_scale_factor_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -917,6 +941,7 @@ const struct mip_codec mip_filter_data_accel_scale_factor_uncertainty_codec = {
     read_accel_scale_factor_uncertainty,
     write_accel_scale_factor_uncertainty,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_accel_scale_factor_uncertainty_decode(
@@ -954,6 +979,7 @@ const struct mip_codec mip_filter_data_mag_bias_codec = {
     read_mag_bias,
     write_mag_bias,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_mag_bias_decode(struct mip_filter_data_mag_bias *value,
@@ -990,6 +1016,7 @@ const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec = {
     read_mag_bias_uncertainty,
     write_mag_bias_uncertainty,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_mag_bias_uncertainty_decode(
@@ -1025,6 +1052,7 @@ const struct mip_codec mip_filter_data_compensated_acceleration_codec = {
     0, /* time-out */
     read_compensated_acceleration,
     write_compensated_acceleration,
+    NULL,
     NULL,
 };
 
@@ -1070,6 +1098,7 @@ const struct mip_codec mip_filter_data_standard_atmosphere_codec = {
     read_standard_atmosphere,
     write_standard_atmosphere,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_standard_atmosphere_decode(
@@ -1104,6 +1133,7 @@ const struct mip_codec mip_filter_data_pressure_altitude_codec = {
     0, /* time-out */
     read_pressure_altitude,
     write_pressure_altitude,
+    NULL,
     NULL,
 };
 
@@ -1140,6 +1170,7 @@ const struct mip_codec mip_filter_data_density_altitude_codec = {
     read_density_altitude,
     write_density_altitude,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_density_altitude_decode(struct mip_filter_data_density_altitude *value,
@@ -1174,6 +1205,7 @@ const struct mip_codec mip_filter_data_mag_offset_codec = {
     read_mag_offset,
     write_mag_offset,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_mag_offset_decode(struct mip_filter_data_mag_offset *value,
@@ -1207,6 +1239,7 @@ const struct mip_codec mip_filter_data_mag_matrix_codec = {
     0, /* time-out */
     read_mag_matrix,
     write_mag_matrix,
+    NULL,
     NULL,
 };
 
@@ -1244,6 +1277,7 @@ const struct mip_codec mip_filter_data_mag_offset_uncertainty_codec = {
     read_mag_offset_uncertainty,
     write_mag_offset_uncertainty,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_mag_offset_uncertainty_decode(
@@ -1279,6 +1313,7 @@ const struct mip_codec mip_filter_data_mag_matrix_uncertainty_codec = {
     0, /* time-out */
     read_mag_matrix_uncertainty,
     write_mag_matrix_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -1316,6 +1351,7 @@ const struct mip_codec mip_filter_data_mag_covariance_matrix_codec = {
     read_mag_covariance_matrix,
     write_mag_covariance_matrix,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_mag_covariance_matrix_decode(
@@ -1351,6 +1387,7 @@ const struct mip_codec mip_filter_data_mag_residual_vector_codec = {
     0, /* time-out */
     read_mag_residual_vector,
     write_mag_residual_vector,
+    NULL,
     NULL,
 };
 
@@ -1388,6 +1425,7 @@ const struct mip_codec mip_filter_data_antenna_offset_correction_codec = {
     read_antenna_offset_correction,
     write_antenna_offset_correction,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_antenna_offset_correction_decode(
@@ -1423,6 +1461,7 @@ const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_cod
     0, /* time-out */
     read_antenna_offset_correction_uncertainty,
     write_antenna_offset_correction_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -1467,6 +1506,7 @@ const struct mip_codec mip_filter_data_clock_correction_codec = {
     read_clock_correction,
     write_clock_correction,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_clock_correction_decode(struct mip_filter_data_clock_correction *value,
@@ -1507,6 +1547,7 @@ const struct mip_codec mip_filter_data_clock_correction_uncertainty_codec = {
     read_clock_correction_uncertainty,
     write_clock_correction_uncertainty,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_clock_correction_uncertainty_decode(
@@ -1544,6 +1585,7 @@ const struct mip_codec mip_filter_data_multi_antenna_offset_correction_codec = {
     0, /* time-out */
     read_multi_antenna_offset_correction,
     write_multi_antenna_offset_correction,
+    NULL,
     NULL,
 };
 
@@ -1587,6 +1629,7 @@ const struct mip_codec mip_filter_data_multi_antenna_offset_correction_uncertain
     read_multi_antenna_offset_correction_uncertainty,
     write_multi_antenna_offset_correction_uncertainty,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_decode(
@@ -1627,6 +1670,7 @@ const struct mip_codec mip_filter_data_ecef_position_uncertainty_codec = {
     read_ecef_position_uncertainty,
     write_ecef_position_uncertainty,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_ecef_position_uncertainty_decode(
@@ -1663,6 +1707,7 @@ const struct mip_codec mip_filter_data_ecef_velocity_uncertainty_codec = {
     read_ecef_velocity_uncertainty,
     write_ecef_velocity_uncertainty,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_ecef_velocity_uncertainty_decode(
@@ -1697,6 +1742,7 @@ const struct mip_codec mip_filter_data_ecef_position_codec = {
     0, /* time-out */
     read_ecef_position,
     write_ecef_position,
+    NULL,
     NULL,
 };
 
@@ -1733,6 +1779,7 @@ const struct mip_codec mip_filter_data_ecef_velocity_codec = {
     read_ecef_velocity,
     write_ecef_velocity,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_ecef_velocity_decode(struct mip_filter_data_ecef_velocity *value,
@@ -1768,6 +1815,7 @@ const struct mip_codec mip_filter_data_ned_relative_position_codec = {
     0, /* time-out */
     read_ned_relative_position,
     write_ned_relative_position,
+    NULL,
     NULL,
 };
 
@@ -1809,6 +1857,7 @@ const struct mip_codec mip_filter_data_gnss_position_aiding_status_codec = {
     read_gnss_position_aiding_status,
     write_gnss_position_aiding_status,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_gnss_position_aiding_status_decode(
@@ -1847,6 +1896,7 @@ const struct mip_codec mip_filter_data_gnss_attitude_aiding_status_codec = {
     read_gnss_attitude_aiding_status,
     write_gnss_attitude_aiding_status,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_gnss_attitude_aiding_status_decode(
@@ -1884,6 +1934,7 @@ const struct mip_codec mip_filter_data_heading_aiding_status_codec = {
     0, /* time-out */
     read_heading_aiding_status,
     write_heading_aiding_status,
+    NULL,
     NULL,
 };
 
@@ -1925,6 +1976,7 @@ const struct mip_codec mip_filter_data_aiding_measurement_summary_codec = {
     read_aiding_measurement_summary,
     write_aiding_measurement_summary,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_aiding_measurement_summary_decode(
@@ -1961,6 +2013,7 @@ const struct mip_codec mip_filter_data_odometer_scale_factor_error_codec = {
     read_odometer_scale_factor_error,
     write_odometer_scale_factor_error,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_odometer_scale_factor_error_decode(
@@ -1996,6 +2049,7 @@ const struct mip_codec mip_filter_data_odometer_scale_factor_error_uncertainty_c
     0, /* time-out */
     read_odometer_scale_factor_error_uncertainty,
     write_odometer_scale_factor_error_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -2045,6 +2099,7 @@ const struct mip_codec mip_filter_data_gnss_dual_antenna_status_codec = {
     read_gnss_dual_antenna_status,
     write_gnss_dual_antenna_status,
     NULL,
+    NULL,
 };
 
 mip_error mip_filter_data_gnss_dual_antenna_status_decode(
@@ -2082,6 +2137,7 @@ const struct mip_codec mip_filter_data_aiding_frame_configuration_error_codec = 
     0, /* time-out */
     read_aiding_frame_configuration_error,
     write_aiding_frame_configuration_error,
+    NULL,
     NULL,
 };
 
@@ -2124,6 +2180,7 @@ const struct mip_codec mip_filter_data_aiding_frame_configuration_error_uncertai
     0, /* time-out */
     read_aiding_frame_configuration_error_uncertainty,
     write_aiding_frame_configuration_error_uncertainty,
+    NULL,
     NULL,
 };
 

@@ -17,6 +17,11 @@ void mip_gnss_receiver_info_entry_write(struct mip_writer *w,
     mip_write_char(w, v->description, 32);
 }
 
+static const struct mip_response responses_receiver_info[] = {
+    {&mip_gnss_receiver_info_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_gnss_receiver_info_codec = {
     0x0E, /* descriptor set */
     MIP_GNSS_RECEIVER_INFO_DESCRIPTOR,
@@ -26,6 +31,7 @@ const struct mip_codec mip_gnss_receiver_info_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_receiver_info,
 };
 
 mip_error mip_gnss_receiver_info_decode(struct mip_gnss_receiver_info *value,
@@ -64,6 +70,7 @@ const struct mip_codec mip_gnss_receiver_info_response_codec = {
     0, /* time-out */
     read_receiver_info_response,
     write_receiver_info_response,
+    NULL,
     NULL,
 };
 
@@ -117,6 +124,18 @@ static void write_signal_configuration(struct mip_writer *w, const void *value) 
     mip_write_u8(w, v->reserved, 4);
 }
 
+static bool asked_signal_configuration_1(const void *value) {
+    const struct mip_gnss_signal_configuration *v =
+        (const struct mip_gnss_signal_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_signal_configuration[] = {
+    {&mip_gnss_signal_configuration_response_codec, asked_signal_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_gnss_signal_configuration_codec = {
     0x0E, /* descriptor set */
     MIP_GNSS_SIGNAL_CONFIGURATION_DESCRIPTOR,
@@ -126,6 +145,7 @@ const struct mip_codec mip_gnss_signal_configuration_codec = {
     read_signal_configuration,
     write_signal_configuration,
     NULL,
+    responses_signal_configuration,
 };
 
 mip_error mip_gnss_signal_configuration_decode(struct mip_gnss_signal_configuration *value,
@@ -209,6 +229,7 @@ const struct mip_codec mip_gnss_signal_configuration_response_codec = {
     read_signal_configuration_response,
     write_signal_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_signal_configuration_response_decode(
@@ -249,6 +270,18 @@ static void write_rtk_dongle_configuration(struct mip_writer *w, const void *val
     mip_write_u8(w, v->reserved, 3);
 }
 
+static bool asked_rtk_dongle_configuration_1(const void *value) {
+    const struct mip_gnss_rtk_dongle_configuration *v =
+        (const struct mip_gnss_rtk_dongle_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_rtk_dongle_configuration[] = {
+    {&mip_gnss_rtk_dongle_configuration_response_codec, asked_rtk_dongle_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_gnss_rtk_dongle_configuration_codec = {
     0x0E, /* descriptor set */
     MIP_GNSS_RTK_DONGLE_CONFIGURATION_DESCRIPTOR,
@@ -258,6 +291,7 @@ const struct mip_codec mip_gnss_rtk_dongle_configuration_codec = {
     read_rtk_dongle_configuration,
     write_rtk_dongle_configuration,
     NULL,
+    responses_rtk_dongle_configuration,
 };
 
 mip_error mip_gnss_rtk_dongle_configuration_decode(struct mip_gnss_rtk_dongle_configuration *value,
@@ -330,6 +364,7 @@ const struct mip_codec mip_gnss_rtk_dongle_configuration_response_codec = {
     read_rtk_dongle_configuration_response,
     write_rtk_dongle_configuration_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_rtk_dongle_configuration_response_decode(
@@ -395,6 +430,18 @@ static void write_spartn_configuration(struct mip_writer *w, const void *value) 
     mip_write_u8(w, v->next_key, 32);
 }
 
+static bool asked_spartn_configuration_1(const void *value) {
+    const struct mip_gnss_spartn_configuration *v =
+        (const struct mip_gnss_spartn_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_spartn_configuration[] = {
+    {&mip_gnss_spartn_configuration_response_codec, asked_spartn_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_gnss_spartn_configuration_codec = {
     0x0E, /* descriptor set */
     MIP_GNSS_SPARTN_CONFIGURATION_DESCRIPTOR,
@@ -404,6 +451,7 @@ const struct mip_codec mip_gnss_spartn_configuration_codec = {
     read_spartn_configuration,
     write_spartn_configuration,
     NULL,
+    responses_spartn_configuration,
 };
 
 mip_error mip_gnss_spartn_configuration_decode(struct mip_gnss_spartn_configuration *value,
@@ -497,6 +545,7 @@ const struct mip_codec mip_gnss_spartn_configuration_response_codec = {
     0, /* time-out */
     read_spartn_configuration_response,
     write_spartn_configuration_response,
+    NULL,
     NULL,
 };
 

@@ -35,6 +35,7 @@ const struct mip_codec mip_gnss_1_gnss_llh_position_codec = {
     read_gnss_llh_position,
     write_gnss_llh_position,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_gnss_llh_position_decode(struct mip_gnss_1_gnss_llh_position *value,
@@ -71,6 +72,7 @@ const struct mip_codec mip_gnss_1_gnss_ecef_position_codec = {
     0, /* time-out */
     read_gnss_ecef_position,
     write_gnss_ecef_position,
+    NULL,
     NULL,
 };
 
@@ -116,6 +118,7 @@ const struct mip_codec mip_gnss_1_ned_velocity_codec = {
     read_ned_velocity,
     write_ned_velocity,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_ned_velocity_decode(struct mip_gnss_1_ned_velocity *value,
@@ -152,6 +155,7 @@ const struct mip_codec mip_gnss_1_gnss_ecef_velocity_codec = {
     0, /* time-out */
     read_gnss_ecef_velocity,
     write_gnss_ecef_velocity,
+    NULL,
     NULL,
 };
 
@@ -199,6 +203,7 @@ const struct mip_codec mip_gnss_1_dop_codec = {
     read_dop,
     write_dop,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_dop_decode(struct mip_gnss_1_dop *value, const struct mip_field *field) {
@@ -242,6 +247,7 @@ const struct mip_codec mip_gnss_1_utc_time_codec = {
     read_utc_time,
     write_utc_time,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_utc_time_decode(struct mip_gnss_1_utc_time *value,
@@ -276,6 +282,7 @@ const struct mip_codec mip_gnss_1_gps_time_codec = {
     0, /* time-out */
     read_gps_time,
     write_gps_time,
+    NULL,
     NULL,
 };
 
@@ -314,6 +321,7 @@ const struct mip_codec mip_gnss_1_clock_info_codec = {
     read_clock_info,
     write_clock_info,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_clock_info_decode(struct mip_gnss_1_clock_info *value,
@@ -351,6 +359,7 @@ const struct mip_codec mip_gnss_1_fix_info_codec = {
     0, /* time-out */
     read_fix_info,
     write_fix_info,
+    NULL,
     NULL,
 };
 
@@ -395,6 +404,7 @@ const struct mip_codec mip_gnss_1_sv_info_codec = {
     read_sv_info,
     write_sv_info,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_sv_info_decode(struct mip_gnss_1_sv_info *value,
@@ -432,6 +442,7 @@ const struct mip_codec mip_gnss_1_gnss_hardware_status_codec = {
     0, /* time-out */
     read_gnss_hardware_status,
     write_gnss_hardware_status,
+    NULL,
     NULL,
 };
 
@@ -473,6 +484,7 @@ const struct mip_codec mip_gnss_1_dgps_info_codec = {
     read_dgps_info,
     write_dgps_info,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_dgps_info_decode(struct mip_gnss_1_dgps_info *value,
@@ -511,6 +523,7 @@ const struct mip_codec mip_gnss_1_dgps_channel_codec = {
     0, /* time-out */
     read_dgps_channel,
     write_dgps_channel,
+    NULL,
     NULL,
 };
 
@@ -552,6 +565,7 @@ const struct mip_codec mip_gnss_1_clock_info_2_codec = {
     read_clock_info_2,
     write_clock_info_2,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_clock_info_2_decode(struct mip_gnss_1_clock_info_2 *value,
@@ -585,6 +599,7 @@ const struct mip_codec mip_gnss_1_gps_leap_seconds_codec = {
     0, /* time-out */
     read_gps_leap_seconds,
     write_gps_leap_seconds,
+    NULL,
     NULL,
 };
 
@@ -629,6 +644,7 @@ const struct mip_codec mip_gnss_1_sbas_info_codec = {
     0, /* time-out */
     read_sbas_info,
     write_sbas_info,
+    NULL,
     NULL,
 };
 
@@ -679,6 +695,7 @@ const struct mip_codec mip_gnss_1_sbas_correction_codec = {
     read_sbas_correction,
     write_sbas_correction,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_sbas_correction_decode(struct mip_gnss_1_sbas_correction *value,
@@ -719,6 +736,7 @@ const struct mip_codec mip_gnss_1_rf_error_detection_codec = {
     0, /* time-out */
     read_rf_error_detection,
     write_rf_error_detection,
+    NULL,
     NULL,
 };
 
@@ -769,6 +787,7 @@ const struct mip_codec mip_gnss_1_satellite_status_codec = {
     0, /* time-out */
     read_satellite_status,
     write_satellite_status,
+    NULL,
     NULL,
 };
 
@@ -838,6 +857,7 @@ const struct mip_codec mip_gnss_1_raw_codec = {
     read_raw,
     write_raw,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_raw_decode(struct mip_gnss_1_raw *value, const struct mip_field *field) {
@@ -879,6 +899,7 @@ const struct mip_codec mip_gnss_1_base_station_info_codec = {
     0, /* time-out */
     read_base_station_info,
     write_base_station_info,
+    NULL,
     NULL,
 };
 
@@ -930,6 +951,7 @@ const struct mip_codec mip_gnss_1_rtk_corrections_status_codec = {
     0, /* time-out */
     read_rtk_corrections_status,
     write_rtk_corrections_status,
+    NULL,
     NULL,
 };
 
@@ -1029,6 +1051,7 @@ const struct mip_codec mip_gnss_1_gps_ephemeris_codec = {
     read_gps_ephemeris,
     write_gps_ephemeris,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_gps_ephemeris_decode(struct mip_gnss_1_gps_ephemeris *value,
@@ -1109,6 +1132,7 @@ const struct mip_codec mip_gnss_1_glonass_ephemeris_codec = {
     0, /* time-out */
     read_glonass_ephemeris,
     write_glonass_ephemeris,
+    NULL,
     NULL,
 };
 
@@ -1209,6 +1233,7 @@ const struct mip_codec mip_gnss_1_galileo_ephemeris_codec = {
     read_galileo_ephemeris,
     write_galileo_ephemeris,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_galileo_ephemeris_decode(struct mip_gnss_1_galileo_ephemeris *value,
@@ -1307,6 +1332,7 @@ const struct mip_codec mip_gnss_1_beidou_ephemeris_codec = {
     read_beidou_ephemeris,
     write_beidou_ephemeris,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_beidou_ephemeris_decode(struct mip_gnss_1_beidou_ephemeris *value,
@@ -1347,6 +1373,7 @@ const struct mip_codec mip_gnss_1_gps_iono_correction_codec = {
     0, /* time-out */
     read_gps_iono_correction,
     write_gps_iono_correction,
+    NULL,
     NULL,
 };
 
@@ -1390,6 +1417,7 @@ const struct mip_codec mip_gnss_1_galileo_iono_correction_codec = {
     read_galileo_iono_correction,
     write_galileo_iono_correction,
     NULL,
+    NULL,
 };
 
 mip_error mip_gnss_1_galileo_iono_correction_decode(
@@ -1432,6 +1460,7 @@ const struct mip_codec mip_gnss_1_beidou_iono_correction_codec = {
     0, /* time-out */
     read_beidou_iono_correction,
     write_beidou_iono_correction,
+    NULL,
     NULL,
 };
 

@@ -22,6 +22,7 @@ const struct mip_codec mip_protocol_acknowledge_codec = {
     read_acknowledge,
     write_acknowledge,
     NULL,
+    NULL,
 };
 
 mip_error mip_protocol_acknowledge_decode(struct mip_protocol_acknowledge *value,

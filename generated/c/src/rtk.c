@@ -3,6 +3,11 @@
 
 #include <string.h>
 
+static const struct mip_response responses_get_status_flags[] = {
+    {&mip_rtk_get_status_flags_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_rtk_get_status_flags_codec = {
     0x0F, /* descriptor set */
     MIP_RTK_GET_STATUS_FLAGS_DESCRIPTOR,
@@ -12,6 +17,7 @@ const struct mip_codec mip_rtk_get_status_flags_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_status_flags,
 };
 
 mip_error mip_rtk_get_status_flags_decode(struct mip_rtk_get_status_flags *value,
@@ -45,6 +51,7 @@ const struct mip_codec mip_rtk_get_status_flags_response_codec = {
     read_get_status_flags_response,
     write_get_status_flags_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_rtk_get_status_flags_response_decode(struct mip_rtk_get_status_flags_response *value,
@@ -58,6 +65,11 @@ mip_error mip_rtk_get_status_flags_response_encode(
                             write_get_status_flags_response, value);
 }
 
+static const struct mip_response responses_get_imei[] = {
+    {&mip_rtk_get_imei_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_rtk_get_imei_codec = {
     0x0F, /* descriptor set */
     MIP_RTK_GET_IMEI_DESCRIPTOR,
@@ -67,6 +79,7 @@ const struct mip_codec mip_rtk_get_imei_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_imei,
 };
 
 mip_error mip_rtk_get_imei_decode(struct mip_rtk_get_imei *value, const struct mip_field *field) {
@@ -97,6 +110,7 @@ const struct mip_codec mip_rtk_get_imei_response_codec = {
     read_get_imei_response,
     write_get_imei_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_rtk_get_imei_response_decode(struct mip_rtk_get_imei_response *value,
@@ -110,6 +124,11 @@ mip_error mip_rtk_get_imei_response_encode(const struct mip_rtk_get_imei_respons
                             write_get_imei_response, value);
 }
 
+static const struct mip_response responses_get_imsi[] = {
+    {&mip_rtk_get_imsi_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_rtk_get_imsi_codec = {
     0x0F, /* descriptor set */
     MIP_RTK_GET_IMSI_DESCRIPTOR,
@@ -119,6 +138,7 @@ const struct mip_codec mip_rtk_get_imsi_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_imsi,
 };
 
 mip_error mip_rtk_get_imsi_decode(struct mip_rtk_get_imsi *value, const struct mip_field *field) {
@@ -149,6 +169,7 @@ const struct mip_codec mip_rtk_get_imsi_response_codec = {
     read_get_imsi_response,
     write_get_imsi_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_rtk_get_imsi_response_decode(struct mip_rtk_get_imsi_response *value,
@@ -162,6 +183,11 @@ mip_error mip_rtk_get_imsi_response_encode(const struct mip_rtk_get_imsi_respons
                             write_get_imsi_response, value);
 }
 
+static const struct mip_response responses_get_iccid[] = {
+    {&mip_rtk_get_iccid_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_rtk_get_iccid_codec = {
     0x0F, /* descriptor set */
     MIP_RTK_GET_ICCID_DESCRIPTOR,
@@ -171,6 +197,7 @@ const struct mip_codec mip_rtk_get_iccid_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_iccid,
 };
 
 mip_error mip_rtk_get_iccid_decode(struct mip_rtk_get_iccid *value, const struct mip_field *field) {
@@ -201,6 +228,7 @@ const struct mip_codec mip_rtk_get_iccid_response_codec = {
     read_get_iccid_response,
     write_get_iccid_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_rtk_get_iccid_response_decode(struct mip_rtk_get_iccid_response *value,
@@ -214,6 +242,11 @@ mip_error mip_rtk_get_iccid_response_encode(const struct mip_rtk_get_iccid_respo
                             write_get_iccid_response, value);
 }
 
+static const struct mip_response responses_get_rssi[] = {
+    {&mip_rtk_get_rssi_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_rtk_get_rssi_codec = {
     0x0F, /* descriptor set */
     MIP_RTK_GET_RSSI_DESCRIPTOR,
@@ -223,6 +256,7 @@ const struct mip_codec mip_rtk_get_rssi_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_rssi,
 };
 
 mip_error mip_rtk_get_rssi_decode(struct mip_rtk_get_rssi *value, const struct mip_field *field) {
@@ -256,6 +290,7 @@ const struct mip_codec mip_rtk_get_rssi_response_codec = {
     0, /* time-out */
     read_get_rssi_response,
     write_get_rssi_response,
+    NULL,
     NULL,
 };
 
@@ -293,6 +328,18 @@ static void write_connected_device_type(struct mip_writer *w, const void *value)
     mip_write_u8(w, &v->device_type, 1);
 }
 
+static bool asked_connected_device_type_1(const void *value) {
+    const struct mip_rtk_connected_device_type *v =
+        (const struct mip_rtk_connected_device_type *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_connected_device_type[] = {
+    {&mip_rtk_connected_device_type_response_codec, asked_connected_device_type_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_rtk_connected_device_type_codec = {
     0x0F, /* descriptor set */
     MIP_RTK_CONNECTED_DEVICE_TYPE_DESCRIPTOR,
@@ -302,6 +349,7 @@ const struct mip_codec mip_rtk_connected_device_type_codec = {
     read_connected_device_type,
     write_connected_device_type,
     NULL,
+    responses_connected_device_type,
 };
 
 mip_error mip_rtk_connected_device_type_decode(struct mip_rtk_connected_device_type *value,
@@ -373,6 +421,7 @@ const struct mip_codec mip_rtk_connected_device_type_response_codec = {
     read_connected_device_type_response,
     write_connected_device_type_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_rtk_connected_device_type_response_decode(
@@ -387,6 +436,11 @@ mip_error mip_rtk_connected_device_type_response_encode(
                             write_connected_device_type_response, value);
 }
 
+static const struct mip_response responses_get_activation_code[] = {
+    {&mip_rtk_get_activation_code_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_rtk_get_activation_code_codec = {
     0x0F, /* descriptor set */
     MIP_RTK_GET_ACTIVATION_CODE_DESCRIPTOR,
@@ -396,6 +450,7 @@ const struct mip_codec mip_rtk_get_activation_code_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_activation_code,
 };
 
 mip_error mip_rtk_get_activation_code_decode(struct mip_rtk_get_activation_code *value,
@@ -430,6 +485,7 @@ const struct mip_codec mip_rtk_get_activation_code_response_codec = {
     read_get_activation_code_response,
     write_get_activation_code_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_rtk_get_activation_code_response_decode(
@@ -443,6 +499,11 @@ mip_error mip_rtk_get_activation_code_response_encode(
                             write_get_activation_code_response, value);
 }
 
+static const struct mip_response responses_get_modem_firmware_version[] = {
+    {&mip_rtk_get_modem_firmware_version_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_rtk_get_modem_firmware_version_codec = {
     0x0F, /* descriptor set */
     MIP_RTK_GET_MODEM_FIRMWARE_VERSION_DESCRIPTOR,
@@ -452,6 +513,7 @@ const struct mip_codec mip_rtk_get_modem_firmware_version_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_modem_firmware_version,
 };
 
 mip_error mip_rtk_get_modem_firmware_version_decode(
@@ -486,6 +548,7 @@ const struct mip_codec mip_rtk_get_modem_firmware_version_response_codec = {
     read_get_modem_firmware_version_response,
     write_get_modem_firmware_version_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_rtk_get_modem_firmware_version_response_decode(
@@ -512,6 +575,11 @@ static void write_service_status(struct mip_writer *w, const void *value) {
     mip_write_u32(w, &v->reserved2, 1);
 }
 
+static const struct mip_response responses_service_status[] = {
+    {&mip_rtk_service_status_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_rtk_service_status_codec = {
     0x0F, /* descriptor set */
     MIP_RTK_SERVICE_STATUS_DESCRIPTOR,
@@ -521,6 +589,7 @@ const struct mip_codec mip_rtk_service_status_codec = {
     read_service_status,
     write_service_status,
     NULL,
+    responses_service_status,
 };
 
 mip_error mip_rtk_service_status_decode(struct mip_rtk_service_status *value,
@@ -560,6 +629,7 @@ const struct mip_codec mip_rtk_service_status_response_codec = {
     read_service_status_response,
     write_service_status_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_rtk_service_status_response_decode(struct mip_rtk_service_status_response *value,
@@ -591,6 +661,7 @@ const struct mip_codec mip_rtk_erase_storage_codec = {
     0, /* time-out */
     read_erase_storage,
     write_erase_storage,
+    NULL,
     NULL,
 };
 
@@ -637,6 +708,7 @@ const struct mip_codec mip_rtk_led_control_codec = {
     read_led_control,
     write_led_control,
     NULL,
+    NULL,
 };
 
 mip_error mip_rtk_led_control_decode(struct mip_rtk_led_control *value,
@@ -670,6 +742,7 @@ const struct mip_codec mip_rtk_modem_hard_reset_codec = {
     0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 

@@ -22,6 +22,7 @@ const struct mip_codec mip_sensor_raw_accel_codec = {
     read_raw_accel,
     write_raw_accel,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_raw_accel_decode(struct mip_sensor_raw_accel *value,
@@ -52,6 +53,7 @@ const struct mip_codec mip_sensor_raw_gyro_codec = {
     0, /* time-out */
     read_raw_gyro,
     write_raw_gyro,
+    NULL,
     NULL,
 };
 
@@ -84,6 +86,7 @@ const struct mip_codec mip_sensor_raw_mag_codec = {
     read_raw_mag,
     write_raw_mag,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_raw_mag_decode(struct mip_sensor_raw_mag *value,
@@ -114,6 +117,7 @@ const struct mip_codec mip_sensor_scaled_accel_codec = {
     0, /* time-out */
     read_scaled_accel,
     write_scaled_accel,
+    NULL,
     NULL,
 };
 
@@ -147,6 +151,7 @@ const struct mip_codec mip_sensor_scaled_gyro_codec = {
     read_scaled_gyro,
     write_scaled_gyro,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_scaled_gyro_decode(struct mip_sensor_scaled_gyro *value,
@@ -178,6 +183,7 @@ const struct mip_codec mip_sensor_scaled_mag_codec = {
     0, /* time-out */
     read_scaled_mag,
     write_scaled_mag,
+    NULL,
     NULL,
 };
 
@@ -211,6 +217,7 @@ const struct mip_codec mip_sensor_delta_theta_codec = {
     read_delta_theta,
     write_delta_theta,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_delta_theta_decode(struct mip_sensor_delta_theta *value,
@@ -242,6 +249,7 @@ const struct mip_codec mip_sensor_delta_velocity_codec = {
     0, /* time-out */
     read_delta_velocity,
     write_delta_velocity,
+    NULL,
     NULL,
 };
 
@@ -276,6 +284,7 @@ const struct mip_codec mip_sensor_complementary_filter_orientation_matrix_codec 
     0, /* time-out */
     read_complementary_filter_orientation_matrix,
     write_complementary_filter_orientation_matrix,
+    NULL,
     NULL,
 };
 
@@ -315,6 +324,7 @@ const struct mip_codec mip_sensor_complementary_filter_quaternion_codec = {
     read_complementary_filter_quaternion,
     write_complementary_filter_quaternion,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_complementary_filter_quaternion_decode(
@@ -349,6 +359,7 @@ const struct mip_codec mip_sensor_comp_orientation_update_matrix_codec = {
     0, /* time-out */
     read_comp_orientation_update_matrix,
     write_comp_orientation_update_matrix,
+    NULL,
     NULL,
 };
 
@@ -389,6 +400,7 @@ const struct mip_codec mip_sensor_complementary_filter_euler_angles_codec = {
     read_complementary_filter_euler_angles,
     write_complementary_filter_euler_angles,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_complementary_filter_euler_angles_decode(
@@ -423,6 +435,7 @@ const struct mip_codec mip_sensor_orientation_raw_temp_codec = {
     read_orientation_raw_temp,
     write_orientation_raw_temp,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_orientation_raw_temp_decode(struct mip_sensor_orientation_raw_temp *value,
@@ -455,6 +468,7 @@ const struct mip_codec mip_sensor_internal_timestamp_codec = {
     0, /* time-out */
     read_internal_timestamp,
     write_internal_timestamp,
+    NULL,
     NULL,
 };
 
@@ -490,6 +504,7 @@ const struct mip_codec mip_sensor_pps_timestamp_codec = {
     read_pps_timestamp,
     write_pps_timestamp,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_pps_timestamp_decode(struct mip_sensor_pps_timestamp *value,
@@ -524,6 +539,7 @@ const struct mip_codec mip_sensor_complementary_filter_stabilized_north_vector_c
     0, /* time-out */
     read_complementary_filter_stabilized_north_vector,
     write_complementary_filter_stabilized_north_vector,
+    NULL,
     NULL,
 };
 
@@ -563,6 +579,7 @@ const struct mip_codec mip_sensor_complementary_filter_stabilized_up_vector_code
     0, /* time-out */
     read_complementary_filter_stabilized_up_vector,
     write_complementary_filter_stabilized_up_vector,
+    NULL,
     NULL,
 };
 
@@ -604,6 +621,7 @@ const struct mip_codec mip_sensor_gps_timestamp_codec = {
     read_gps_timestamp,
     write_gps_timestamp,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_gps_timestamp_decode(struct mip_sensor_gps_timestamp *value,
@@ -641,6 +659,7 @@ const struct mip_codec mip_sensor_temperature_statistics_codec = {
     read_temperature_statistics,
     write_temperature_statistics,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_temperature_statistics_decode(struct mip_sensor_temperature_statistics *value,
@@ -672,6 +691,7 @@ const struct mip_codec mip_sensor_raw_pressure_codec = {
     0, /* time-out */
     read_raw_pressure,
     write_raw_pressure,
+    NULL,
     NULL,
 };
 
@@ -705,6 +725,7 @@ const struct mip_codec mip_sensor_scaled_pressure_codec = {
     read_scaled_pressure,
     write_scaled_pressure,
     NULL,
+    NULL,
 };
 
 mip_error mip_sensor_scaled_pressure_decode(struct mip_sensor_scaled_pressure *value,
@@ -736,6 +757,7 @@ const struct mip_codec mip_sensor_overrange_status_codec = {
     0, /* time-out */
     read_overrange_status,
     write_overrange_status,
+    NULL,
     NULL,
 };
 
@@ -772,6 +794,7 @@ const struct mip_codec mip_sensor_odometer_codec = {
     0, /* time-out */
     read_odometer,
     write_odometer,
+    NULL,
     NULL,
 };
 

@@ -22,6 +22,7 @@ const struct mip_codec mip_shared_event_source_codec = {
     read_event_source,
     write_event_source,
     NULL,
+    NULL,
 };
 
 mip_error mip_shared_event_source_decode(struct mip_shared_event_source *value,
@@ -54,6 +55,7 @@ const struct mip_codec mip_shared_ticks_codec = {
     read_ticks,
     write_ticks,
     NULL,
+    NULL,
 };
 
 mip_error mip_shared_ticks_decode(struct mip_shared_ticks *value, const struct mip_field *field) {
@@ -83,6 +85,7 @@ const struct mip_codec mip_shared_delta_ticks_codec = {
     0, /* time-out */
     read_delta_ticks,
     write_delta_ticks,
+    NULL,
     NULL,
 };
 
@@ -120,6 +123,7 @@ const struct mip_codec mip_shared_gps_timestamp_codec = {
     read_gps_timestamp,
     write_gps_timestamp,
     NULL,
+    NULL,
 };
 
 mip_error mip_shared_gps_timestamp_decode(struct mip_shared_gps_timestamp *value,
@@ -151,6 +155,7 @@ const struct mip_codec mip_shared_delta_time_codec = {
     0, /* time-out */
     read_delta_time,
     write_delta_time,
+    NULL,
     NULL,
 };
 
@@ -185,6 +190,7 @@ const struct mip_codec mip_shared_reference_timestamp_codec = {
     read_reference_timestamp,
     write_reference_timestamp,
     NULL,
+    NULL,
 };
 
 mip_error mip_shared_reference_timestamp_decode(struct mip_shared_reference_timestamp *value,
@@ -217,6 +223,7 @@ const struct mip_codec mip_shared_reference_time_delta_codec = {
     0, /* time-out */
     read_reference_time_delta,
     write_reference_time_delta,
+    NULL,
     NULL,
 };
 
@@ -253,6 +260,7 @@ const struct mip_codec mip_shared_external_timestamp_codec = {
     read_external_timestamp,
     write_external_timestamp,
     NULL,
+    NULL,
 };
 
 mip_error mip_shared_external_timestamp_decode(struct mip_shared_external_timestamp *value,
@@ -287,6 +295,7 @@ const struct mip_codec mip_shared_external_time_delta_codec = {
     0, /* time-out */
     read_external_time_delta,
     write_external_time_delta,
+    NULL,
     NULL,
 };
 

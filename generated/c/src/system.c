@@ -34,6 +34,18 @@ static void write_interface_control(struct mip_writer *w, const void *value) {
     mip_write_u32(w, &v->protocols_outgoing, 1);
 }
 
+static bool asked_interface_control_1(const void *value) {
+    const struct mip_system_interface_control *v =
+        (const struct mip_system_interface_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_interface_control[] = {
+    {&mip_system_interface_control_response_codec, asked_interface_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_system_interface_control_codec = {
     0x7F, /* descriptor set */
     MIP_SYSTEM_INTERFACE_CONTROL_DESCRIPTOR,
@@ -43,6 +55,7 @@ const struct mip_codec mip_system_interface_control_codec = {
     read_interface_control,
     write_interface_control,
     NULL,
+    responses_interface_control,
 };
 
 mip_error mip_system_interface_control_decode(struct mip_system_interface_control *value,
@@ -129,6 +142,7 @@ const struct mip_codec mip_system_interface_control_response_codec = {
     read_interface_control_response,
     write_interface_control_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_system_interface_control_response_decode(
@@ -165,6 +179,18 @@ static void write_communication_mode(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->mode, 1);
 }
 
+static bool asked_communication_mode_1(const void *value) {
+    const struct mip_system_communication_mode *v =
+        (const struct mip_system_communication_mode *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_communication_mode[] = {
+    {&mip_system_communication_mode_response_codec, asked_communication_mode_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_system_communication_mode_codec = {
     0x7F, /* descriptor set */
     MIP_SYSTEM_COMMUNICATION_MODE_DESCRIPTOR,
@@ -174,6 +200,7 @@ const struct mip_codec mip_system_communication_mode_codec = {
     read_communication_mode,
     write_communication_mode,
     NULL,
+    responses_communication_mode,
 };
 
 mip_error mip_system_communication_mode_decode(struct mip_system_communication_mode *value,
@@ -244,6 +271,7 @@ const struct mip_codec mip_system_communication_mode_response_codec = {
     0, /* time-out */
     read_communication_mode_response,
     write_communication_mode_response,
+    NULL,
     NULL,
 };
 

@@ -23,6 +23,7 @@ const struct mip_codec mip_system_data_built_in_test_codec = {
     read_built_in_test,
     write_built_in_test,
     NULL,
+    NULL,
 };
 
 mip_error mip_system_data_built_in_test_decode(struct mip_system_data_built_in_test *value,
@@ -58,6 +59,7 @@ const struct mip_codec mip_system_data_time_sync_status_codec = {
     read_time_sync_status,
     write_time_sync_status,
     NULL,
+    NULL,
 };
 
 mip_error mip_system_data_time_sync_status_decode(struct mip_system_data_time_sync_status *value,
@@ -89,6 +91,7 @@ const struct mip_codec mip_system_data_gpio_state_codec = {
     0, /* time-out */
     read_gpio_state,
     write_gpio_state,
+    NULL,
     NULL,
 };
 
@@ -124,6 +127,7 @@ const struct mip_codec mip_system_data_gpio_analog_value_codec = {
     0, /* time-out */
     read_gpio_analog_value,
     write_gpio_analog_value,
+    NULL,
     NULL,
 };
 

@@ -321,6 +321,12 @@ class FrameConfiguration(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, frame_id=frame_id)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return FrameConfigurationResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[FrameConfiguration, int]:
         frame_id: int | None = None
@@ -457,6 +463,12 @@ class EchoControl(Command):
     def default(cls) -> EchoControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return EchoControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EchoControl, int]:

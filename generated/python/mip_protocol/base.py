@@ -653,6 +653,12 @@ class CommPortSpeed(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, port=port)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return CommPortSpeedResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CommPortSpeed, int]:
         port: int | None = None
@@ -754,6 +760,14 @@ class GpsTimeUpdate(Command):
     @property
     def answered(self) -> bool:
         return self.function != FunctionSelector.APPLY
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ and self.field_id == 1:
+            return GpsTimeUpdateWeekNumberResponse
+        if self.function == FunctionSelector.READ and self.field_id == 2:
+            return GpsTimeUpdateTimeOfWeekResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdate, int]:

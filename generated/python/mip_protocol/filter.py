@@ -2168,6 +2168,12 @@ class VehicleDynamicsMode(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return VehicleDynamicsModeResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[VehicleDynamicsMode, int]:
         mode: DynamicsMode | None = None
@@ -2266,6 +2272,12 @@ class SensorToVehicleFrameTransformation(Command):
     def default(cls) -> SensorToVehicleFrameTransformation:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleFrameTransformationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformation, int]:
@@ -2376,6 +2388,12 @@ class SensorToVehicleOffset(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleOffsetResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffset, int]:
         offset: types.Vector3f | None = None
@@ -2466,6 +2484,12 @@ class GnssAntennaOffsetControl(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return GnssAntennaOffsetControlResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetControl, int]:
         offset: types.Vector3f | None = None
@@ -2549,6 +2573,12 @@ class EstimationControlFlags(Command):
     def default(cls) -> EstimationControlFlags:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return EstimationControlFlagsResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EstimationControlFlags, int]:
@@ -2636,6 +2666,12 @@ class GnssAidingSourceControl(Command):
     def default(cls) -> GnssAidingSourceControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return GnssAidingSourceControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAidingSourceControl, int]:
@@ -2855,6 +2891,12 @@ class HeadingUpdateControl(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return HeadingUpdateControlResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HeadingUpdateControl, int]:
         enable: HeadingUpdateSource | None = None
@@ -2940,6 +2982,12 @@ class AutoInitializationControl(Command):
     def default(cls) -> AutoInitializationControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return AutoInitializationControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoInitializationControl, int]:
@@ -3029,6 +3077,12 @@ class AccelerometerNoiseStandardDeviation(Command):
     def default(cls) -> AccelerometerNoiseStandardDeviation:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return AccelerometerNoiseStandardDeviationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerNoiseStandardDeviation, int]:
@@ -3120,6 +3174,12 @@ class GyroscopeNoiseStandardDeviation(Command):
     def default(cls) -> GyroscopeNoiseStandardDeviation:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return GyroscopeNoiseStandardDeviationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeNoiseStandardDeviation, int]:
@@ -3213,6 +3273,12 @@ class AccelerometerBiasModelParameters(Command):
     def default(cls) -> AccelerometerBiasModelParameters:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return AccelerometerBiasModelParametersResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasModelParameters, int]:
@@ -3319,6 +3385,12 @@ class GyroscopeBiasModelParameters(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return GyroscopeBiasModelParametersResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasModelParameters, int]:
         beta: types.Vector3f | None = None
@@ -3416,6 +3488,12 @@ class AutoZupt(Command):
     def default(cls) -> AutoZupt:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return AutoZuptResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoZupt, int]:
@@ -3579,6 +3657,12 @@ class ZeroAngularRateUpdateControl(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return ZeroAngularRateUpdateControlResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ZeroAngularRateUpdateControl, int]:
         enable: int | None = None
@@ -3674,6 +3758,12 @@ class TareOrientation(Command):
     def default(cls) -> TareOrientation:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return TareOrientationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[TareOrientation, int]:
@@ -3830,6 +3920,12 @@ class SetReferencePosition(Command):
     def default(cls) -> SetReferencePosition:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return SetReferencePositionResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetReferencePosition, int]:
@@ -3997,6 +4093,12 @@ class GravityNoiseStandardDeviation(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return GravityNoiseStandardDeviationResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GravityNoiseStandardDeviation, int]:
         noise: types.Vector3f | None = None
@@ -4082,6 +4184,12 @@ class PressureAltitudeNoise(Command):
     def default(cls) -> PressureAltitudeNoise:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return PressureAltitudeNoiseResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoise, int]:
@@ -4169,6 +4277,12 @@ class HardIronOffsetNoise(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return HardIronOffsetNoiseResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoise, int]:
         noise: types.Vector3f | None = None
@@ -4255,6 +4369,12 @@ class SoftIronMatrixNoise(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return SoftIronMatrixNoiseResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoise, int]:
         noise: types.Matrix3f | None = None
@@ -4338,6 +4458,12 @@ class EnableDisableMeasurements(Command):
     def default(cls) -> EnableDisableMeasurements:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return EnableDisableMeasurementsResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EnableDisableMeasurements, int]:
@@ -4424,6 +4550,12 @@ class MagNoise(Command):
     def default(cls) -> MagNoise:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return MagNoiseResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagNoise, int]:
@@ -4518,6 +4650,12 @@ class MagneticFieldDeclinationSourceControl(Command):
     def default(cls) -> MagneticFieldDeclinationSourceControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return MagneticFieldDeclinationSourceControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticFieldDeclinationSourceControl, int]:
@@ -4660,6 +4798,12 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
     def default(cls) -> GravityMagnitudeErrorAdaptiveMeasurement:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return GravityMagnitudeErrorAdaptiveMeasurementResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GravityMagnitudeErrorAdaptiveMeasurement, int]:
@@ -4872,6 +5016,12 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return MagMagnitudeErrorAdaptiveMeasurementResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurement, int]:
         adaptive_measurement: AdaptiveMeasurementSelector | None = None
@@ -5061,6 +5211,12 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return MagDipAngleErrorAdaptiveMeasurementResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurement, int]:
         enable: bool | None = None
@@ -5185,6 +5341,12 @@ class AltitudeAiding(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return AltitudeAidingResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAiding, int]:
         selector: AltitudeAidingSource | None = None
@@ -5268,6 +5430,12 @@ class PitchRollAidingControl(Command):
     def default(cls) -> PitchRollAidingControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return PitchRollAidingControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAidingControl, int]:
@@ -5359,6 +5527,12 @@ class InclinationSource(Command):
     def default(cls) -> InclinationSource:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return InclinationSourceResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[InclinationSource, int]:
@@ -5460,6 +5634,12 @@ class MagFieldMagnitudeSource(Command):
     def default(cls) -> MagFieldMagnitudeSource:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return MagFieldMagnitudeSourceResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagFieldMagnitudeSource, int]:
@@ -5563,6 +5743,12 @@ class SensorToVehicleRotationDcm(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleRotationDcmResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcm, int]:
         dcm: types.Matrix3f | None = None
@@ -5653,6 +5839,12 @@ class SensorToVehicleRotationQuaternion(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleRotationQuaternionResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternion, int]:
         quat: types.Quatf | None = None
@@ -5741,6 +5933,12 @@ class AidingMeasurementControl(Command):
     def default(cls, aiding_source: AidingSource) -> AidingMeasurementControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, aiding_source=aiding_source)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return AidingMeasurementControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementControl, int]:
@@ -5856,6 +6054,12 @@ class KinematicConstraint(Command):
     def default(cls) -> KinematicConstraint:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return KinematicConstraintResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraint, int]:
@@ -6028,6 +6232,12 @@ class NavigationFilterInitialization(Command):
     def default(cls) -> NavigationFilterInitialization:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return NavigationFilterInitializationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NavigationFilterInitialization, int]:
@@ -6205,6 +6415,12 @@ class AdaptiveFilterControl(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return AdaptiveFilterControlResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterControl, int]:
         level: AdaptiveLevel | None = None
@@ -6309,6 +6525,12 @@ class GnssMultiAntennaOffsetControl(Command):
     def default(cls, receiver_id: int) -> GnssMultiAntennaOffsetControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, receiver_id=receiver_id)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return GnssMultiAntennaOffsetControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssMultiAntennaOffsetControl, int]:
@@ -6429,6 +6651,12 @@ class RelativePositionConfiguration(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return RelativePositionConfigurationResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfiguration, int]:
         source: RelativePositionSource | None = None
@@ -6548,6 +6776,12 @@ class ReferencePointLeverArm(Command):
     def default(cls) -> ReferencePointLeverArm:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return ReferencePointLeverArmResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArm, int]:
@@ -6697,6 +6931,12 @@ class MeasurementSpeedLeverArm(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, source=1)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return MeasurementSpeedLeverArmResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MeasurementSpeedLeverArm, int]:
         source: int | None = None
@@ -6794,6 +7034,12 @@ class VerticalGyroConstraintControl(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return VerticalGyroConstraintControlResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[VerticalGyroConstraintControl, int]:
         enable: int | None = None
@@ -6880,6 +7126,12 @@ class WheeledVehicleConstraintControl(Command):
     def default(cls) -> WheeledVehicleConstraintControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return WheeledVehicleConstraintControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[WheeledVehicleConstraintControl, int]:
@@ -6973,6 +7225,12 @@ class GnssAntennaOffsetCalibrationControl(Command):
     def default(cls) -> GnssAntennaOffsetCalibrationControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return GnssAntennaOffsetCalibrationControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetCalibrationControl, int]:

@@ -2560,7 +2560,7 @@ class HeadingAidingStatus(Data):
     """
     type: HeadingAidingType
     """Source of the heading."""
-    reserved: tuple[float, float] = (0.0,) * 2
+    reserved: tuple[float, float] = (0.0, 0.0)
     """Reserved. Reserved."""
 
     @classmethod

@@ -133,7 +133,7 @@ class ReceiverInfoResponse(Response):
         v = _RECEIVER_INFO_RESPONSE_0.read(raw, at)
         at += 1
         num_receivers = v[0]
-        n = codec.counted(raw, at, num_receivers, 34)
+        n = codec.counted(raw, at, num_receivers, 34, 7)
         receiver_info, at = codec.read_structures(ReceiverInfoEntry, raw, at, n)
         return cls(receiver_info), at
 
@@ -175,7 +175,7 @@ class SignalConfigurationResponse(Response):
     """Galileo signals."""
     beidou_enable: BeidouSignals
     """BeiDou signals."""
-    reserved: tuple[int, int, int, int] = (0,) * 4
+    reserved: tuple[int, int, int, int] = (0, 0, 0, 0)
     """Reserved."""
 
     @classmethod
@@ -219,7 +219,7 @@ class RtkDongleConfigurationResponse(Response):
 
     enable: int
     """1 enables the dongle, 0 disables it. Range: 0 to 1."""
-    reserved: tuple[int, int, int] = (0,) * 3
+    reserved: tuple[int, int, int] = (0, 0, 0)
     """Reserved. Uncertain: What to send; 0 is assumed."""
 
     @classmethod
@@ -412,7 +412,7 @@ class SignalConfiguration(Command):
             glonass_enable=glonass_enable,
             galileo_enable=galileo_enable,
             beidou_enable=beidou_enable,
-            reserved=(0,) * 4,
+            reserved=(0, 0, 0, 0),
         )
 
     @classmethod
@@ -434,6 +434,12 @@ class SignalConfiguration(Command):
     def default(cls) -> SignalConfiguration:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return SignalConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SignalConfiguration, int]:
@@ -538,7 +544,7 @@ class RtkDongleConfiguration(Command):
     @classmethod
     def write(cls, enable: int) -> RtkDongleConfiguration:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, enable=enable, reserved=(0,) * 3)
+        return cls(FunctionSelector.WRITE, enable=enable, reserved=(0, 0, 0))
 
     @classmethod
     def read(cls) -> RtkDongleConfiguration:
@@ -559,6 +565,12 @@ class RtkDongleConfiguration(Command):
     def default(cls) -> RtkDongleConfiguration:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return RtkDongleConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfiguration, int]:
@@ -708,6 +720,12 @@ class SpartnConfiguration(Command):
     def default(cls) -> SpartnConfiguration:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return SpartnConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfiguration, int]:

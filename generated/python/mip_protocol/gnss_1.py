@@ -1751,7 +1751,7 @@ class RfErrorDetection(Data):
     """Jamming. Valid if `RfErrorDetectionFlags.JAMMING_STATE` of `valid_flags` is set."""
     spoofing_state: SpoofingState
     """Spoofing. Valid if `RfErrorDetectionFlags.SPOOFING_STATE` of `valid_flags` is set."""
-    reserved: tuple[int, int, int, int] = field(default=(0,) * 4, kw_only=True)
+    reserved: tuple[int, int, int, int] = field(default=(0, 0, 0, 0), kw_only=True)
     """Reserved."""
     valid_flags: RfErrorDetectionFlags
     """Which values are valid."""
@@ -2194,7 +2194,7 @@ class RtkCorrectionsStatus(Data):
     """Latency of the last BeiDou correction. Unit: s. Valid if
     `RtkCorrectionsStatusFlags.BEIDOU_LATENCY` of `valid_flags` is set.
     """
-    reserved: tuple[int, int, int, int] = field(default=(0,) * 4, kw_only=True)
+    reserved: tuple[int, int, int, int] = field(default=(0, 0, 0, 0), kw_only=True)
     """Reserved."""
     valid_flags: RtkCorrectionsStatusFlags
     """Which values are valid."""

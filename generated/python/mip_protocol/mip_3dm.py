@@ -388,7 +388,7 @@ class ImuMessageFormatResponse(Response):
         v = _IMU_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
         at += 1
         num_descriptors = v[0]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 84)
         descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
         return cls(descriptors), at
 
@@ -428,7 +428,7 @@ class GnssMessageFormatResponse(Response):
         v = _GNSS_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
         at += 1
         num_descriptors = v[0]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 84)
         descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
         return cls(descriptors), at
 
@@ -468,7 +468,7 @@ class EstimationFilterMessageFormatResponse(Response):
         v = _ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
         at += 1
         num_descriptors = v[0]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 84)
         descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
         return cls(descriptors), at
 
@@ -729,7 +729,7 @@ class NmeaMessageFormatResponse(Response):
         v = _NMEA_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
         at += 1
         count = v[0]
-        n = codec.counted(raw, at, count, 5)
+        n = codec.counted(raw, at, count, 5, 50)
         format_entries, at = codec.read_structures(types.NmeaMessage, raw, at, n)
         return cls(format_entries), at
 
@@ -809,7 +809,7 @@ class MessageFormatResponse(Response):
         at += 2
         desc_set = v[0]
         num_descriptors = v[1]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 83)
         descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
         return cls(desc_set, descriptors), at
 
@@ -823,8 +823,8 @@ class MessageFormatResponse(Response):
         return codec.finished(out)
 
 
-_DEVICE_STATUS_BASIC_RESPONSE_0 = codec.Block("H", "")
-_DEVICE_STATUS_BASIC_RESPONSE_1 = codec.Block("B", "")
+_DEVICE_STATUS_BASIC_RESPONSE_0 = codec.Block("H", "model_number")
+_DEVICE_STATUS_BASIC_RESPONSE_1 = codec.Block("B", "status_selector")
 _DEVICE_STATUS_BASIC_RESPONSE_2 = codec.Block("IHI", "status_flags", "system_state", "system_timer")
 
 
@@ -882,8 +882,8 @@ class DeviceStatusBasicResponse(Response):
         return codec.finished(out)
 
 
-_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_0 = codec.Block("H", "")
-_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_1 = codec.Block("B", "")
+_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_0 = codec.Block("H", "model_number")
+_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_1 = codec.Block("B", "status_selector")
 _DEVICE_STATUS_DIAGNOSTIC_RESPONSE_2 = codec.Block(
     "IHIBBIIIIIIIII",
     "status_flags",
@@ -1284,7 +1284,7 @@ class ConstellationSettingsResponse(Response):
         max_channels_available = v[0]
         max_channels_use = v[1]
         config_count = v[2]
-        n = codec.counted(raw, at, config_count, 6)
+        n = codec.counted(raw, at, config_count, 6, 41)
         settings, at = codec.read_structures(ConstellationSettingsEntry, raw, at, n)
         return cls(max_channels_available, max_channels_use, settings), at
 
@@ -1335,7 +1335,7 @@ class GnssSbasSettingsResponse(Response):
         enable_sbas = v[0]
         sbas_options = SbasOptions(v[1])
         num_included_prns = v[2]
-        n = codec.counted(raw, at, num_included_prns, 2)
+        n = codec.counted(raw, at, num_included_prns, 2, 124)
         included_prns = codec.read_numbers("H", raw, at, n)
         at += n * 2
         return cls(enable_sbas, sbas_options, included_prns), at
@@ -1612,7 +1612,7 @@ class GetSupportedEventsResponse(Response):
         query = SupportedEventsQuery(v[0])
         max_instances = v[1]
         num_entries = v[2]
-        n = codec.counted(raw, at, num_entries, 2)
+        n = codec.counted(raw, at, num_entries, 2, 125)
         entries, at = codec.read_structures(SupportedEventInfo, raw, at, n)
         return cls(query, max_instances, entries), at
 
@@ -1687,7 +1687,7 @@ class GetEventTriggerStatusResponse(Response):
         v = _GET_EVENT_TRIGGER_STATUS_RESPONSE_0.read(raw, at)
         at += 1
         count = v[0]
-        n = codec.counted(raw, at, count, 2)
+        n = codec.counted(raw, at, count, 2, 126)
         triggers, at = codec.read_structures(EventTriggerStatusEntry, raw, at, n)
         return cls(triggers), at
 
@@ -1727,7 +1727,7 @@ class GetEventActionStatusResponse(Response):
         v = _GET_EVENT_ACTION_STATUS_RESPONSE_0.read(raw, at)
         at += 1
         count = v[0]
-        n = codec.counted(raw, at, count, 2)
+        n = codec.counted(raw, at, count, 2, 126)
         actions, at = codec.read_structures(EventActionStatusEntry, raw, at, n)
         return cls(actions), at
 
@@ -2073,7 +2073,7 @@ class GetCalibratedSensorRangesResponse(Response):
         at += 2
         sensor = SensorRangeType(v[0])
         num_ranges = v[1]
-        n = codec.counted(raw, at, num_ranges, 5)
+        n = codec.counted(raw, at, num_ranges, 5, 50)
         ranges, at = codec.read_structures(SensorRangeEntry, raw, at, n)
         return cls(sensor, ranges), at
 
@@ -2173,7 +2173,7 @@ class PollImuData(Command):
         at += 2
         suppress_ack = codec.truth(v[0])
         num_descriptors = v[1]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 83)
         descriptors, at = codec.read_structures(PollEntry, raw, at, n)
         return cls(suppress_ack, descriptors), at
 
@@ -2229,7 +2229,7 @@ class PollGnssData(Command):
         at += 2
         suppress_ack = codec.truth(v[0])
         num_descriptors = v[1]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 83)
         descriptors, at = codec.read_structures(PollEntry, raw, at, n)
         return cls(suppress_ack, descriptors), at
 
@@ -2281,7 +2281,7 @@ class PollEstimationFilterData(Command):
         at += 2
         suppress_ack = codec.truth(v[0])
         num_descriptors = v[1]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 83)
         descriptors, at = codec.read_structures(PollEntry, raw, at, n)
         return cls(suppress_ack, descriptors), at
 
@@ -2334,7 +2334,7 @@ class PollNmeaData(Command):
         at += 2
         suppress_ack = codec.truth(v[0])
         count = v[1]
-        n = codec.counted(raw, at, count, 5)
+        n = codec.counted(raw, at, count, 5, 50)
         format_entries, at = codec.read_structures(types.NmeaMessage, raw, at, n)
         return cls(suppress_ack, format_entries), at
 
@@ -2460,6 +2460,12 @@ class ImuMessageFormat(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return ImuMessageFormatResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ImuMessageFormat, int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
@@ -2474,7 +2480,7 @@ class ImuMessageFormat(Command):
             v = _IMU_MESSAGE_FORMAT_1.read(raw, at)
             at += 1
             num_descriptors = v[0]
-            n = codec.counted(raw, at, num_descriptors, 3)
+            n = codec.counted(raw, at, num_descriptors, 3, 83)
             descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
             done, end = 2, at
         except Truncated:
@@ -2557,6 +2563,12 @@ class GnssMessageFormat(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return GnssMessageFormatResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssMessageFormat, int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
@@ -2571,7 +2583,7 @@ class GnssMessageFormat(Command):
             v = _GNSS_MESSAGE_FORMAT_1.read(raw, at)
             at += 1
             num_descriptors = v[0]
-            n = codec.counted(raw, at, num_descriptors, 3)
+            n = codec.counted(raw, at, num_descriptors, 3, 83)
             descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
             done, end = 2, at
         except Truncated:
@@ -2654,6 +2666,12 @@ class EstimationFilterMessageFormat(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return EstimationFilterMessageFormatResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EstimationFilterMessageFormat, int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
@@ -2668,7 +2686,7 @@ class EstimationFilterMessageFormat(Command):
             v = _ESTIMATION_FILTER_MESSAGE_FORMAT_1.read(raw, at)
             at += 1
             num_descriptors = v[0]
-            n = codec.counted(raw, at, num_descriptors, 3)
+            n = codec.counted(raw, at, num_descriptors, 3, 83)
             descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
             done, end = 2, at
         except Truncated:
@@ -2777,6 +2795,12 @@ class NmeaMessageFormat(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return NmeaMessageFormatResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessageFormat, int]:
         format_entries: tuple[types.NmeaMessage, ...] | None = None
@@ -2791,7 +2815,7 @@ class NmeaMessageFormat(Command):
             v = _NMEA_MESSAGE_FORMAT_1.read(raw, at)
             at += 1
             count = v[0]
-            n = codec.counted(raw, at, count, 5)
+            n = codec.counted(raw, at, count, 5, 50)
             format_entries, at = codec.read_structures(types.NmeaMessage, raw, at, n)
             done, end = 2, at
         except Truncated:
@@ -2858,7 +2882,7 @@ class PollData(Command):
         desc_set = v[0]
         suppress_ack = codec.truth(v[1])
         num_descriptors = v[2]
-        n = codec.counted(raw, at, num_descriptors, 1)
+        n = codec.counted(raw, at, num_descriptors, 1, 250)
         descriptors = codec.read_numbers("B", raw, at, n)
         at += n
         return cls(desc_set, suppress_ack, descriptors), at
@@ -2971,6 +2995,12 @@ class MessageFormat(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, desc_set=desc_set)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return MessageFormatResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MessageFormat, int]:
         desc_set: int | None = None
@@ -2992,7 +3022,7 @@ class MessageFormat(Command):
             v = _MESSAGE_FORMAT_2.read(raw, at)
             at += 1
             num_descriptors = v[0]
-            n = codec.counted(raw, at, num_descriptors, 3)
+            n = codec.counted(raw, at, num_descriptors, 3, 83)
             descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
             done, end = 3, at
         except Truncated:
@@ -3119,6 +3149,12 @@ class DataStreamControl(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, desc_set=desc_set)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return DataStreamControlResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControl, int]:
         desc_set: int | None = None
@@ -3230,6 +3266,12 @@ class ConstellationSettings(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return ConstellationSettingsResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettings, int]:
         max_channels: int | None = None
@@ -3251,7 +3293,7 @@ class ConstellationSettings(Command):
             v = _CONSTELLATION_SETTINGS_2.read(raw, at)
             at += 1
             config_count = v[0]
-            n = codec.counted(raw, at, config_count, 6)
+            n = codec.counted(raw, at, config_count, 6, 41)
             settings, at = codec.read_structures(ConstellationSettingsEntry, raw, at, n)
             done, end = 3, at
         except Truncated:
@@ -3347,6 +3389,12 @@ class GnssSbasSettings(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return GnssSbasSettingsResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssSbasSettings, int]:
         enable_sbas: int | None = None
@@ -3375,7 +3423,7 @@ class GnssSbasSettings(Command):
             v = _GNSS_SBAS_SETTINGS_3.read(raw, at)
             at += 1
             num_included_prns = v[0]
-            n = codec.counted(raw, at, num_included_prns, 2)
+            n = codec.counted(raw, at, num_included_prns, 2, 124)
             included_prns = codec.read_numbers("H", raw, at, n)
             at += n * 2
             done, end = 4, at
@@ -3463,6 +3511,12 @@ class GnssAssistedFix(Command):
     def default(cls) -> GnssAssistedFix:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return GnssAssistedFixResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFix, int]:
@@ -3553,6 +3607,12 @@ class GnssTimeAssistance(Command):
     def read(cls) -> GnssTimeAssistance:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return GnssTimeAssistanceResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistance, int]:
@@ -3658,6 +3718,12 @@ class PpsSourceControl(Command):
     def default(cls) -> PpsSourceControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return PpsSourceControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControl, int]:
@@ -3784,6 +3850,12 @@ class EventControl(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return EventControlResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventControl, int]:
         instance: int | None = None
@@ -3853,7 +3925,7 @@ class GetEventTriggerStatus(Command):
         v = _GET_EVENT_TRIGGER_STATUS_0.read(raw, at)
         at += 1
         requested_count = v[0]
-        n = codec.counted(raw, at, requested_count, 1)
+        n = codec.counted(raw, at, requested_count, 1, 252)
         requested_instances = codec.read_numbers("B", raw, at, n)
         at += n
         return cls(requested_instances), at
@@ -3900,7 +3972,7 @@ class GetEventActionStatus(Command):
         v = _GET_EVENT_ACTION_STATUS_0.read(raw, at)
         at += 1
         requested_count = v[0]
-        n = codec.counted(raw, at, requested_count, 1)
+        n = codec.counted(raw, at, requested_count, 1, 252)
         requested_instances = codec.read_numbers("B", raw, at, n)
         at += n
         return cls(requested_instances), at
@@ -3998,6 +4070,12 @@ class EventTriggerConfiguration(Command):
     def default(cls, instance: int) -> EventTriggerConfiguration:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return EventTriggerConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfiguration, int]:
@@ -4154,6 +4232,12 @@ class EventActionConfiguration(Command):
     def default(cls, instance: int) -> EventActionConfiguration:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return EventActionConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfiguration, int]:
@@ -4351,6 +4435,12 @@ class SensorToVehicleFrameTransformationEuler(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleFrameTransformationEulerResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformationEuler, int]:
         roll: float | None = None
@@ -4459,6 +4549,12 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleFrameTransformationQuaternionResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformationQuaternion, int]:
         q: types.Quatf | None = None
@@ -4556,6 +4652,12 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
     def default(cls) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleFrameTransformationDirectionCosineMatrixResponse
+        return None
 
     @classmethod
     def _read(
@@ -4660,6 +4762,12 @@ class AccelerometerBiasConfiguration(Command):
     def answered(self) -> bool:
         return self.function != FunctionSelector.APPLY
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return AccelerometerBiasConfigurationResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasConfiguration, int]:
         bias: types.Vector3f | None = None
@@ -4756,6 +4864,12 @@ class GyroscopeBiasConfiguration(Command):
     @property
     def answered(self) -> bool:
         return self.function != FunctionSelector.APPLY
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return GyroscopeBiasConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasConfiguration, int]:
@@ -4885,6 +4999,12 @@ class MagnetometerHardIronOffset(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return MagnetometerHardIronOffsetResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerHardIronOffset, int]:
         offset: types.Vector3f | None = None
@@ -4973,6 +5093,12 @@ class MagnetometerSoftIronMatrix(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return MagnetometerSoftIronMatrixResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerSoftIronMatrix, int]:
         offset: types.Matrix3f | None = None
@@ -5056,6 +5182,12 @@ class ConingAndScullingEnable(Command):
     def default(cls) -> ConingAndScullingEnable:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return ConingAndScullingEnableResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ConingAndScullingEnable, int]:
@@ -5149,6 +5281,12 @@ class UartBaudRate(Command):
     def default(cls) -> UartBaudRate:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return UartBaudRateResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRate, int]:
@@ -5278,6 +5416,12 @@ class GpioConfiguration(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, pin=pin)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return GpioConfigurationResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpioConfiguration, int]:
         pin: int | None = None
@@ -5380,6 +5524,12 @@ class GpioState(Command):
     def read(cls, pin: int) -> GpioState:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, pin=pin)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return GpioStateResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpioState, int]:
@@ -5486,6 +5636,12 @@ class OdometerConfiguration(Command):
     def default(cls) -> OdometerConfiguration:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return OdometerConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfiguration, int]:
@@ -5630,6 +5786,12 @@ class AdvancedLowPassFilterSettings(Command):
     def default(cls, target_descriptor: int) -> AdvancedLowPassFilterSettings:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, target_descriptor=target_descriptor)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return AdvancedLowPassFilterSettingsResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AdvancedLowPassFilterSettings, int]:
@@ -5793,6 +5955,12 @@ class ComplementaryFilterConfiguration(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return ComplementaryFilterConfigurationResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterConfiguration, int]:
         pitch_roll_enable: bool | None = None
@@ -5915,6 +6083,12 @@ class SensorRange(Command):
     def default(cls, sensor: SensorRangeType) -> SensorRange:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, sensor=sensor)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return SensorRangeResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorRange, int]:
@@ -6077,6 +6251,12 @@ class LowPassAntiAliasingFilter(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, desc_set=desc_set, field_desc=field_desc)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return LowPassAntiAliasingFilterResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[LowPassAntiAliasingFilter, int]:
         desc_set: int | None = None
@@ -6143,7 +6323,7 @@ class LowPassAntiAliasingFilter(Command):
         return codec.finished(out)
 
 
-_DEVICE_STATUS_0 = codec.Block("H", "")
+_DEVICE_STATUS_0 = codec.Block("H", "model_number")
 _DEVICE_STATUS_1 = codec.Block("B", "status_selector")
 
 
@@ -6174,6 +6354,14 @@ class DeviceStatus(Command):
     @classmethod
     def matches(cls, data: bytes) -> bool:
         return data[0:2] == b"\x18n"
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.status_selector == 1:
+            return DeviceStatusBasicResponse
+        if self.status_selector == 2:
+            return DeviceStatusDiagnosticResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatus, int]:

@@ -542,6 +542,12 @@ class ConnectedDeviceType(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return ConnectedDeviceTypeResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ConnectedDeviceType, int]:
         device_type: ConnectedDevice | None = None

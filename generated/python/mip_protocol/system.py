@@ -222,6 +222,12 @@ class InterfaceControl(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, port=port)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return InterfaceControlResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[InterfaceControl, int]:
         port: CommsInterface | None = None
@@ -326,6 +332,12 @@ class CommunicationMode(Command):
     def default(cls) -> CommunicationMode:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return CommunicationModeResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CommunicationMode, int]:

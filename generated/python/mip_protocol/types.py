@@ -511,7 +511,7 @@ class EventActionMessage(Structure):
         desc_set = v[0]
         decimation = v[1]
         num_fields = v[2]
-        n = codec.counted(raw, at, num_fields, 1)
+        n = codec.counted(raw, at, num_fields, 1, 249)
         descriptors = codec.read_numbers("B", raw, at, n)
         at += n
         return cls(desc_set, decimation, descriptors), at

@@ -17,6 +17,7 @@
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_BASE_SET 0x01
 
 /**

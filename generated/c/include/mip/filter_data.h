@@ -16,6 +16,7 @@
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_FILTER_DATA_SET 0x82
 
 /** Whether the values of a field may be used. */

@@ -16,6 +16,7 @@
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_GNSS_1_SET 0x91
 
 /** Which parts of the position are valid. */

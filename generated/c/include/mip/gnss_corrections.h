@@ -18,6 +18,7 @@
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_GNSS_CORRECTIONS_SET 0x93
 
 /**

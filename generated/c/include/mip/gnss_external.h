@@ -19,6 +19,7 @@
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_GNSS_EXTERNAL_SET 0x94
 
 /**

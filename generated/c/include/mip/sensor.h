@@ -17,6 +17,7 @@
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_SENSOR_SET 0x80
 
 /** Sensor axes that were near or outside their range. */

@@ -17,6 +17,7 @@
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_SHARED_SET 0xFF
 
 /** Which parts of the GPS time are valid. */

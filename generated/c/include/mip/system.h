@@ -16,6 +16,7 @@
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_SYSTEM_SET 0x7F
 
 /**

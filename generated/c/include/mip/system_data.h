@@ -16,6 +16,7 @@
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_SYSTEM_DATA_SET 0xA0
 
 /** Level of each GPIO pin, set for high. Bits of pins that do not exist read 0. */

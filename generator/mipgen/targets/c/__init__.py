@@ -92,6 +92,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "last_present": members.last_present,
         "constructors": members.constructors,
         "silent": members.silent,
+        "responses": lambda f: members.responses(f, model),
         "bits_type": members.bits_type,
         "has_accessor": members.has_accessor,
         "item_size": lambda op: operations.size(op.item)[1] if isinstance(op, m.ArrayOp) else 1,

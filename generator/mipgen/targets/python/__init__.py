@@ -51,6 +51,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "required": members.required,
         "groups": members.groups,
         "answered": members.answered,
+        "expected": lambda f: members.expected(f, model),
         "readings": members.readings,
         # codecs
         "plan": steps.plan,

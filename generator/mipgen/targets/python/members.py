@@ -145,6 +145,18 @@ def answered(f: m.Field) -> str:
     return " and ".join(tests)
 
 
+def expected(f: m.Field, model: m.Model) -> list[tuple[str, str]]:
+    """The responses of a command, each with the condition under which it is sent; none if there are no conditions."""
+    found = []
+    for reply in model.replies(f):
+        functions = [f"self.function == FunctionSelector.{constant(x.name)}" for x in reply.functions]
+        tests = [" or ".join(functions)] if functions else []
+        tests += [f"self.{member(c.parameter)} == {c.value}" for c in reply.when]
+        condition = " and ".join(f"({t})" if " or " in t and len(tests) > 1 else t for t in tests)
+        found.append((condition or "True", reference(reply.response, home(f))))
+    return found if any(condition != "True" for condition, _ in found) else []
+
+
 def readings(f: m.Field) -> dict[str, tuple[str, dict[str, str]]]:
     """Member -> what decides how it is read, and the type for each of its values, as Python writes them."""
     found = {}

@@ -108,6 +108,11 @@ class Command(Field):
         """Does the device acknowledge it, with these values?"""
         return True
 
+    @property
+    def expected(self) -> type[Response] | None:
+        """The response that it asks for, with these values."""
+        return self.RESPONSES[0] if self.RESPONSES else None
+
 
 class Data(Field):
     """A measurement."""

@@ -168,6 +168,15 @@ typedef void (*mip_write_function)(struct mip_writer *writer, const void *value)
 #define MIP_RESPONSE 1
 #define MIP_DATA 2
 
+struct mip_codec;
+
+/** A response of a command. */
+struct mip_response {
+    const struct mip_codec *codec;
+    /** Does a command with these values ask for it? NULL if it always does. */
+    bool (*asked)(const void *command);
+};
+
 /** All that generic code needs to handle a type of field; the client and the registry use it. */
 struct mip_codec {
     uint8_t descriptor_set;
@@ -182,6 +191,8 @@ struct mip_codec {
     mip_write_function write;
     /** Will this command not be answered? NULL if it always is. */
     bool (*silent)(const void *value);
+    /** What this command is answered with, up to an entry without a codec; NULL if with nothing. */
+    const struct mip_response *responses;
 };
 
 /**

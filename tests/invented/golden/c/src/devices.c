@@ -24,6 +24,7 @@ static const struct mip_device_field model_a_fields[] = {
     {0x80, 0x04, ""},       /* measurements.health */
     {0x80, 0x05, ""},       /* measurements.arrays */
     {0x80, 0x06, ""},       /* measurements.growing */
+    {0x80, 0x08, ""},       /* measurements.cloud */
     {0x81, 0x01, ""},       /* more.accel */
     {0x81, 0x03, ""},       /* more.strings */
     {0x81, 0x07, ""},       /* more.own */
@@ -70,7 +71,7 @@ const struct mip_device mip_device_model_a = {
     "guide",
     "Supports nearly everything.",
     4711, /* model number */
-    22,   /* fields */
+    23,   /* fields */
     2,    /* base rates */
     2,    /* ports */
     2,    /* limits */

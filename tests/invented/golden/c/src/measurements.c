@@ -24,6 +24,7 @@ const struct mip_codec mip_measurements_accel_codec = {
     read_accel,
     write_accel,
     NULL,
+    NULL,
 };
 
 mip_error mip_measurements_accel_decode(struct mip_measurements_accel *value,
@@ -77,6 +78,7 @@ const struct mip_codec mip_measurements_numbers_codec = {
     read_numbers,
     write_numbers,
     NULL,
+    NULL,
 };
 
 mip_error mip_measurements_numbers_decode(struct mip_measurements_numbers *value,
@@ -116,6 +118,7 @@ const struct mip_codec mip_measurements_strings_codec = {
     read_strings,
     write_strings,
     NULL,
+    NULL,
 };
 
 mip_error mip_measurements_strings_decode(struct mip_measurements_strings *value,
@@ -149,6 +152,7 @@ const struct mip_codec mip_measurements_health_codec = {
     0, /* time-out */
     read_health,
     write_health,
+    NULL,
     NULL,
 };
 
@@ -199,6 +203,7 @@ const struct mip_codec mip_measurements_arrays_codec = {
     read_arrays,
     write_arrays,
     NULL,
+    NULL,
 };
 
 mip_error mip_measurements_arrays_decode(struct mip_measurements_arrays *value,
@@ -240,6 +245,7 @@ const struct mip_codec mip_measurements_growing_codec = {
     read_growing,
     write_growing,
     NULL,
+    NULL,
 };
 
 mip_error mip_measurements_growing_decode(struct mip_measurements_growing *value,
@@ -280,6 +286,7 @@ const struct mip_codec mip_measurements_radio_codec = {
     read_radio,
     write_radio,
     NULL,
+    NULL,
 };
 
 mip_error mip_measurements_radio_decode(struct mip_measurements_radio *value,
@@ -290,4 +297,44 @@ mip_error mip_measurements_radio_decode(struct mip_measurements_radio *value,
 mip_error mip_measurements_radio_encode(const struct mip_measurements_radio *value,
                                         struct mip_builder *builder) {
     return mip_encode_field(builder, 0x80, MIP_MEASUREMENTS_RADIO_DESCRIPTOR, write_radio, value);
+}
+
+static void read_cloud(struct mip_reader *r, void *value) {
+    struct mip_measurements_cloud *v = (struct mip_measurements_cloud *)value;
+    mip_read_u8(r, &v->num_points, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->num_points, 61, 4); i < n; i++) {
+        mip_point_read(r, &v->points[i]);
+    }
+    mip_read_u64(r, &v->stamp, 1);
+}
+
+static void write_cloud(struct mip_writer *w, const void *value) {
+    const struct mip_measurements_cloud *v = (const struct mip_measurements_cloud *)value;
+    mip_write_u8(w, &v->num_points, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->num_points, 61); i < n; i++) {
+        mip_point_write(w, &v->points[i]);
+    }
+    mip_write_u64(w, &v->stamp, 1);
+}
+
+const struct mip_codec mip_measurements_cloud_codec = {
+    0x80, /* descriptor set */
+    MIP_MEASUREMENTS_CLOUD_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_measurements_cloud),
+    0, /* time-out */
+    read_cloud,
+    write_cloud,
+    NULL,
+    NULL,
+};
+
+mip_error mip_measurements_cloud_decode(struct mip_measurements_cloud *value,
+                                        const struct mip_field *field) {
+    return mip_decode_field(field, read_cloud, value, sizeof(*value), NULL);
+}
+
+mip_error mip_measurements_cloud_encode(const struct mip_measurements_cloud *value,
+                                        struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_MEASUREMENTS_CLOUD_DESCRIPTOR, write_cloud, value);
 }

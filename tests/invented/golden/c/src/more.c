@@ -22,6 +22,7 @@ const struct mip_codec mip_more_own_codec = {
     read_own,
     write_own,
     NULL,
+    NULL,
 };
 
 mip_error mip_more_own_decode(struct mip_more_own *value, const struct mip_field *field) {

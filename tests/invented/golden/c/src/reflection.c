@@ -734,6 +734,20 @@ static const struct mip_record record_measurements_radio = {
     sizeof(struct mip_measurements_radio),
 };
 
+static const struct mip_parameter parameters_measurements_cloud[] = {
+    {"num_points", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
+     ONE(struct mip_measurements_cloud, num_points), 0, NULL, NULL, NULL, NULL, 0},
+    {"points", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_COUNTED, 61, 1, 0, 0, 0,
+     MANY(struct mip_measurements_cloud, points), 0, NULL, NULL, &record_point, NULL, 0},
+    {"stamp", "", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_measurements_cloud, stamp), 0, NULL, NULL, NULL, NULL, 0},
+};
+static const struct mip_record record_measurements_cloud = {
+    parameters_measurements_cloud,
+    3,
+    sizeof(struct mip_measurements_cloud),
+};
+
 static const struct mip_parameter parameters_more_own[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_more_own, mode), 0, &names_mode, NULL, NULL, NULL, 0},
@@ -802,6 +816,7 @@ const struct mip_reflection mip_reflections[] = {
     {&mip_measurements_growing_codec, &record_measurements_growing, false, true, NULL, 0,
      offsetof(struct mip_measurements_growing, present)},
     {&mip_measurements_radio_codec, &record_measurements_radio, false, false, NULL, 0, 0},
+    {&mip_measurements_cloud_codec, &record_measurements_cloud, false, false, NULL, 0, 0},
     {&mip_more_own_codec, &record_more_own, false, false, NULL, 0, 0},
     {&mip_shared_timestamp_codec, &record_shared_timestamp, false, false, NULL, 0, 0},
 };

@@ -24,6 +24,7 @@ const struct mip_codec mip_shared_timestamp_codec = {
     read_timestamp,
     write_timestamp,
     NULL,
+    NULL,
 };
 
 mip_error mip_shared_timestamp_decode(struct mip_shared_timestamp *value,

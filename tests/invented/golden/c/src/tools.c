@@ -68,6 +68,7 @@ const struct mip_codec mip_tools_ping_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    NULL,
 };
 
 mip_error mip_tools_ping_decode(struct mip_tools_ping *value, const struct mip_field *field) {
@@ -119,6 +120,17 @@ static bool silent_settings(const void *value) {
     return v->function == MIP_FUNCTION_SELECTOR_APPLY;
 }
 
+static bool asked_settings_1(const void *value) {
+    const struct mip_tools_settings *v = (const struct mip_tools_settings *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_settings[] = {
+    {&mip_tools_settings_response_codec, asked_settings_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_tools_settings_codec = {
     0x01, /* descriptor set */
     MIP_TOOLS_SETTINGS_DESCRIPTOR,
@@ -128,6 +140,7 @@ const struct mip_codec mip_tools_settings_codec = {
     read_settings,
     write_settings,
     silent_settings,
+    responses_settings,
 };
 
 mip_error mip_tools_settings_decode(struct mip_tools_settings *value,
@@ -226,6 +239,7 @@ const struct mip_codec mip_tools_settings_response_codec = {
     read_settings_response,
     write_settings_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_tools_settings_response_decode(struct mip_tools_settings_response *value,
@@ -268,6 +282,24 @@ static bool silent_set_time(const void *value) {
     return v->function == MIP_FUNCTION_SELECTOR_APPLY;
 }
 
+static bool asked_set_time_1(const void *value) {
+    const struct mip_tools_set_time *v = (const struct mip_tools_set_time *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ && v->part == 1;
+}
+
+static bool asked_set_time_2(const void *value) {
+    const struct mip_tools_set_time *v = (const struct mip_tools_set_time *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ && v->part == 2;
+}
+
+static const struct mip_response responses_set_time[] = {
+    {&mip_tools_set_time_fast_response_codec, asked_set_time_1},
+    {&mip_tools_set_time_slow_response_codec, asked_set_time_2},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_tools_set_time_codec = {
     0x01, /* descriptor set */
     MIP_TOOLS_SET_TIME_DESCRIPTOR,
@@ -277,6 +309,7 @@ const struct mip_codec mip_tools_set_time_codec = {
     read_set_time,
     write_set_time,
     silent_set_time,
+    responses_set_time,
 };
 
 mip_error mip_tools_set_time_decode(struct mip_tools_set_time *value,
@@ -335,6 +368,7 @@ const struct mip_codec mip_tools_set_time_fast_response_codec = {
     read_set_time_fast_response,
     write_set_time_fast_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_tools_set_time_fast_response_decode(struct mip_tools_set_time_fast_response *value,
@@ -368,6 +402,7 @@ const struct mip_codec mip_tools_set_time_slow_response_codec = {
     read_set_time_slow_response,
     write_set_time_slow_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_tools_set_time_slow_response_decode(struct mip_tools_set_time_slow_response *value,
@@ -393,6 +428,24 @@ static void write_status(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->selector, 1);
 }
 
+static bool asked_status_1(const void *value) {
+    const struct mip_tools_status *v = (const struct mip_tools_status *)value;
+
+    return v->selector == 1;
+}
+
+static bool asked_status_2(const void *value) {
+    const struct mip_tools_status *v = (const struct mip_tools_status *)value;
+
+    return v->selector == 2;
+}
+
+static const struct mip_response responses_status[] = {
+    {&mip_tools_status_short_codec, asked_status_1},
+    {&mip_tools_status_long_codec, asked_status_2},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_tools_status_codec = {
     0x01, /* descriptor set */
     MIP_TOOLS_STATUS_DESCRIPTOR,
@@ -402,6 +455,7 @@ const struct mip_codec mip_tools_status_codec = {
     read_status,
     write_status,
     NULL,
+    responses_status,
 };
 
 mip_error mip_tools_status_decode(struct mip_tools_status *value, const struct mip_field *field) {
@@ -443,6 +497,7 @@ const struct mip_codec mip_tools_status_short_codec = {
     read_status_short,
     write_status_short,
     NULL,
+    NULL,
 };
 
 mip_error mip_tools_status_short_decode(struct mip_tools_status_short *value,
@@ -481,6 +536,7 @@ const struct mip_codec mip_tools_status_long_codec = {
     read_status_long,
     write_status_long,
     NULL,
+    NULL,
 };
 
 mip_error mip_tools_status_long_decode(struct mip_tools_status_long *value,
@@ -514,6 +570,17 @@ static void write_bias(struct mip_writer *w, const void *value) {
     mip_write_float(w, v->bias, 3);
 }
 
+static bool asked_bias_1(const void *value) {
+    const struct mip_tools_bias *v = (const struct mip_tools_bias *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_bias[] = {
+    {&mip_tools_bias_vector_codec, asked_bias_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_tools_bias_codec = {
     0x01, /* descriptor set */
     MIP_TOOLS_BIAS_DESCRIPTOR,
@@ -523,6 +590,7 @@ const struct mip_codec mip_tools_bias_codec = {
     read_bias,
     write_bias,
     NULL,
+    responses_bias,
 };
 
 mip_error mip_tools_bias_decode(struct mip_tools_bias *value, const struct mip_field *field) {
@@ -588,6 +656,7 @@ const struct mip_codec mip_tools_bias_vector_codec = {
     read_bias_vector,
     write_bias_vector,
     NULL,
+    NULL,
 };
 
 mip_error mip_tools_bias_vector_decode(struct mip_tools_bias_vector *value,
@@ -611,6 +680,11 @@ static void write_capture_bias(struct mip_writer *w, const void *value) {
     mip_write_u16(w, &v->time, 1);
 }
 
+static const struct mip_response responses_capture_bias[] = {
+    {&mip_tools_bias_vector_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_tools_capture_bias_codec = {
     0x01, /* descriptor set */
     MIP_TOOLS_CAPTURE_BIAS_DESCRIPTOR,
@@ -620,6 +694,7 @@ const struct mip_codec mip_tools_capture_bias_codec = {
     read_capture_bias,
     write_capture_bias,
     NULL,
+    responses_capture_bias,
 };
 
 mip_error mip_tools_capture_bias_decode(struct mip_tools_capture_bias *value,
@@ -674,6 +749,7 @@ const struct mip_codec mip_tools_formats_codec = {
     read_formats,
     write_formats,
     silent_formats,
+    NULL,
 };
 
 mip_error mip_tools_formats_decode(struct mip_tools_formats *value, const struct mip_field *field) {
@@ -755,6 +831,17 @@ static void write_choice(struct mip_writer *w, const void *value) {
     }
 }
 
+static bool asked_choice_1(const void *value) {
+    const struct mip_tools_choice *v = (const struct mip_tools_choice *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_choice[] = {
+    {&mip_tools_choice_response_codec, asked_choice_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_tools_choice_codec = {
     0x01, /* descriptor set */
     MIP_TOOLS_CHOICE_DESCRIPTOR,
@@ -764,6 +851,7 @@ const struct mip_codec mip_tools_choice_codec = {
     read_choice,
     write_choice,
     NULL,
+    responses_choice,
 };
 
 mip_error mip_tools_choice_decode(struct mip_tools_choice *value, const struct mip_field *field) {
@@ -849,6 +937,7 @@ const struct mip_codec mip_tools_choice_response_codec = {
     read_choice_response,
     write_choice_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_tools_choice_response_decode(struct mip_tools_choice_response *value,
@@ -884,6 +973,17 @@ static void write_list(struct mip_writer *w, const void *value) {
     mip_write_u16(w, v->items, mip_write_count(w, v->count, 125));
 }
 
+static bool asked_list_1(const void *value) {
+    const struct mip_tools_list *v = (const struct mip_tools_list *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_list[] = {
+    {&mip_tools_list_response_codec, asked_list_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_tools_list_codec = {
     0x01, /* descriptor set */
     MIP_TOOLS_LIST_DESCRIPTOR,
@@ -893,6 +993,7 @@ const struct mip_codec mip_tools_list_codec = {
     read_list,
     write_list,
     NULL,
+    responses_list,
 };
 
 mip_error mip_tools_list_decode(struct mip_tools_list *value, const struct mip_field *field) {
@@ -947,6 +1048,7 @@ const struct mip_codec mip_tools_list_response_codec = {
     read_list_response,
     write_list_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_tools_list_response_decode(struct mip_tools_list_response *value,
@@ -960,6 +1062,11 @@ mip_error mip_tools_list_response_encode(const struct mip_tools_list_response *v
                             value);
 }
 
+static const struct mip_response responses_inventory[] = {
+    {&mip_tools_inventory_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_tools_inventory_codec = {
     0x01, /* descriptor set */
     MIP_TOOLS_INVENTORY_DESCRIPTOR,
@@ -969,6 +1076,7 @@ const struct mip_codec mip_tools_inventory_codec = {
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_inventory,
 };
 
 mip_error mip_tools_inventory_decode(struct mip_tools_inventory *value,
@@ -1002,6 +1110,7 @@ const struct mip_codec mip_tools_inventory_response_codec = {
     0, /* time-out */
     read_inventory_response,
     write_inventory_response,
+    NULL,
     NULL,
 };
 
@@ -1040,6 +1149,17 @@ static void write_pin(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->use, 1);
 }
 
+static bool asked_pin_1(const void *value) {
+    const struct mip_tools_pin *v = (const struct mip_tools_pin *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_pin[] = {
+    {&mip_tools_pin_response_codec, asked_pin_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_tools_pin_codec = {
     0x01, /* descriptor set */
     MIP_TOOLS_PIN_DESCRIPTOR,
@@ -1049,6 +1169,7 @@ const struct mip_codec mip_tools_pin_codec = {
     read_pin,
     write_pin,
     NULL,
+    responses_pin,
 };
 
 mip_error mip_tools_pin_decode(struct mip_tools_pin *value, const struct mip_field *field) {
@@ -1097,6 +1218,7 @@ const struct mip_codec mip_tools_pin_response_codec = {
     read_pin_response,
     write_pin_response,
     NULL,
+    NULL,
 };
 
 mip_error mip_tools_pin_response_decode(struct mip_tools_pin_response *value,
@@ -1126,6 +1248,11 @@ static void write_hello(struct mip_writer *w, const void *value) {
     mip_write_double(w, v->later, 2);
 }
 
+static const struct mip_response responses_hello[] = {
+    {&mip_tools_hello_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_tools_hello_codec = {
     0x01, /* descriptor set */
     MIP_TOOLS_HELLO_DESCRIPTOR,
@@ -1135,6 +1262,7 @@ const struct mip_codec mip_tools_hello_codec = {
     read_hello,
     write_hello,
     NULL,
+    responses_hello,
 };
 
 mip_error mip_tools_hello_decode(struct mip_tools_hello *value, const struct mip_field *field) {
@@ -1163,6 +1291,7 @@ const struct mip_codec mip_tools_hello_response_codec = {
     0, /* time-out */
     read_hello_response,
     write_hello_response,
+    NULL,
     NULL,
 };
 

@@ -5,7 +5,7 @@ any field, `devices` holds device profiles.
 """
 
 from .client import Answer, Client, Received, TimedOut
-from .errors import DecodeError, EncodeError, MipError, PacketError, Truncated
+from .errors import DecodeError, EncodeError, MipError, MissingResponse, PacketError, Truncated
 from .field import Command, Data, Field, Response
 from .packet import Packet, PacketBuilder, RawField, checksum
 from .parser import Parser
@@ -25,6 +25,7 @@ __all__ = [
     "Field",
     "FunctionSelector",
     "MipError",
+    "MissingResponse",
     "Packet",
     "PacketBuilder",
     "PacketError",

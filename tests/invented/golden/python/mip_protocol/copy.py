@@ -128,6 +128,22 @@ class Radio(measurements.Radio):
     NAME = "copy.radio"
 
 
+class Cloud(measurements.Cloud):
+    """Cloud (0x82,0x08).
+
+    The count can exceed what a field holds beside the value behind the array.
+
+    Has the layout of `measurements.Cloud`.
+
+    - sheet: Copied measurements
+    """
+
+    __slots__ = ()
+
+    SET = 0x82
+    NAME = "copy.cloud"
+
+
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Accel,),
@@ -137,4 +153,5 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x05: (Arrays,),
     0x06: (Growing,),
     0x07: (Radio,),
+    0x08: (Cloud,),
 }

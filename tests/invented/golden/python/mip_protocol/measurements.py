@@ -182,7 +182,7 @@ class Strings(Data):
         v = _STRINGS_0.read(raw, at)
         at += 1
         length = v[0]
-        n = codec.counted(raw, at, length, 1)
+        n = codec.counted(raw, at, length, 1, 236)
         name = codec.take(raw, at, n).decode("latin-1")
         at += n
         n = codec.remaining(raw, at, 1)
@@ -268,7 +268,7 @@ class Arrays(Data):
     """Structures. Unit: m."""
     track: types.Segment
     """A nested structure."""
-    offsets: tuple[int, int, int, int] = (0,) * 4
+    offsets: tuple[int, int, int, int] = (0, 0, 0, 0)
     """Reserved."""
 
     @classmethod
@@ -395,7 +395,7 @@ class Radio(Data):
     """Never nothing. Unit: m. Range: greater than 0, at most 10. Valid if `connected` is true."""
     gap: float = 0.0
     """Reserved. Reserved."""
-    gaps: tuple[float, float] = (0.0,) * 2
+    gaps: tuple[float, float] = (0.0, 0.0)
     """Reserved."""
 
     @classmethod
@@ -420,6 +420,53 @@ class Radio(Data):
         return codec.finished(out)
 
 
+_CLOUD_0 = codec.Block("B", "num_points")
+_CLOUD_1 = codec.Block("Q", "stamp")
+
+
+@dataclass(slots=True)
+class Cloud(Data):
+    """Cloud (0x80,0x08).
+
+    The count can exceed what a field holds beside the value behind the array.
+
+    Supported by Model A.
+
+    - guide: Cloud
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x08
+    NAME = "measurements.cloud"
+    ROLE = "data"
+
+    # On the wire: num_points. Number of points. The number of elements of `points`.
+    points: tuple[types.Point, ...]
+    """The points."""
+    stamp: int
+    """Behind an array that fills the field."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Cloud, int]:
+        v = _CLOUD_0.read(raw, at)
+        at += 1
+        num_points = v[0]
+        n = codec.counted(raw, at, num_points, 4, 61)
+        points, at = codec.read_structures(types.Point, raw, at, n)
+        v = _CLOUD_1.read(raw, at)
+        at += 8
+        stamp = v[0]
+        return cls(points, stamp), at
+
+    def _write(self) -> bytes:
+        out = _CLOUD_0.write(codec.count("points", self.points, 61))
+        out += codec.write_structures(
+            "points", codec.at_most("points", self.points, 61), types.Point
+        )
+        out += _CLOUD_1.write(self.stamp)
+        return codec.finished(out)
+
+
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Accel,),
@@ -429,4 +476,5 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x05: (Arrays,),
     0x06: (Growing,),
     0x07: (Radio,),
+    0x08: (Cloud,),
 }

@@ -38,6 +38,13 @@ class Parser:
         """Gives up the packet that is not complete, after a time-out say, and looks behind it."""
         return self._scan(final=True)
 
+    def give_up(self) -> list[Packet]:
+        """Gives up the candidate that holds back what follows it, and nothing else."""
+        dropped = self._buffer[:1]
+        del self._buffer[:1]
+        self.skipped += len(dropped)
+        return self._scan(final=False)
+
     def _scan(self, final: bool) -> list[Packet]:
         buffer, at, packets = self._buffer, 0, []
         end = len(buffer)

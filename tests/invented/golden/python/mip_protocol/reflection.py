@@ -247,6 +247,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("gap", "gap", "scalar", scalar="float"),
         Parameter("gaps", "gaps", "array", scalar="double", length=2),
     ),
+    measurements.Cloud: (
+        Parameter("num_points", "num_points", "counter", scalar="u8", counts="points"),
+        Parameter("points", "points", "array", length="num_points", type=types.Point),
+        Parameter("stamp", "stamp", "scalar", scalar="u64"),
+    ),
     more.Own: (Parameter("mode", "mode", "scalar", scalar="u8", type=types.Mode),),
     shared.Timestamp: (
         Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
@@ -263,3 +268,4 @@ PARAMETERS[copy.Health] = PARAMETERS[measurements.Health]
 PARAMETERS[copy.Arrays] = PARAMETERS[measurements.Arrays]
 PARAMETERS[copy.Growing] = PARAMETERS[measurements.Growing]
 PARAMETERS[copy.Radio] = PARAMETERS[measurements.Radio]
+PARAMETERS[copy.Cloud] = PARAMETERS[measurements.Cloud]

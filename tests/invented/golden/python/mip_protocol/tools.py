@@ -127,7 +127,7 @@ class Path(Structure):
         at += 2
         closed = codec.truth(v[0])
         num_points = v[1]
-        n = codec.counted(raw, at, num_points, 4)
+        n = codec.counted(raw, at, num_points, 4, 62)
         points, at = codec.read_structures(types.Point, raw, at, n)
         return cls(closed, points), at
 
@@ -400,7 +400,7 @@ class ListResponse(Response):
         v = _LIST_RESPONSE_0.read(raw, at)
         at += 1
         count = v[0]
-        n = codec.counted(raw, at, count, 2)
+        n = codec.counted(raw, at, count, 2, 126)
         items = codec.read_numbers("H", raw, at, n)
         at += n * 2
         return cls(items), at
@@ -514,8 +514,8 @@ class HelloResponse(Response):
         return codec.finished(out)
 
 
-_STATUS_SHORT_0 = codec.Block("H", "")
-_STATUS_SHORT_1 = codec.Block("B", "")
+_STATUS_SHORT_0 = codec.Block("H", "model")
+_STATUS_SHORT_1 = codec.Block("B", "selector")
 _STATUS_SHORT_2 = codec.Block("I", "flags")
 
 
@@ -567,8 +567,8 @@ class StatusShort(Response):
         return codec.finished(out)
 
 
-_STATUS_LONG_0 = codec.Block("H", "")
-_STATUS_LONG_1 = codec.Block("B", "")
+_STATUS_LONG_0 = codec.Block("H", "model")
+_STATUS_LONG_1 = codec.Block("B", "selector")
 _STATUS_LONG_2 = codec.Block("IQ", "flags", "uptime")
 
 
@@ -767,6 +767,12 @@ class Settings(Command):
     def answered(self) -> bool:
         return self.function != FunctionSelector.APPLY
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return SettingsResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Settings, int]:
         port: int | None = None
@@ -886,6 +892,14 @@ class SetTime(Command):
     def answered(self) -> bool:
         return self.function != FunctionSelector.APPLY
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ and self.part == 1:
+            return SetTimeFastResponse
+        if self.function == FunctionSelector.READ and self.part == 2:
+            return SetTimeSlowResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetTime, int]:
         part: types.Mode | None = None
@@ -925,7 +939,7 @@ class SetTime(Command):
         return codec.finished(out)
 
 
-_STATUS_0 = codec.Block("H", "")
+_STATUS_0 = codec.Block("H", "model")
 _STATUS_1 = codec.Block("B", "selector")
 
 
@@ -955,6 +969,14 @@ class Status(Command):
     @classmethod
     def matches(cls, data: bytes) -> bool:
         return data[0:2] == b"\x12g"
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.selector == 1:
+            return StatusShort
+        if self.selector == 2:
+            return StatusLong
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Status, int]:
@@ -1027,6 +1049,12 @@ class Bias(Command):
     def default(cls) -> Bias:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return BiasVector
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Bias, int]:
@@ -1131,7 +1159,7 @@ class Formats(Command):
         suppress_ack = codec.truth(v[0])
         num_segments = v[1]
         checkpoint = v[2]
-        n = codec.counted(raw, at, num_segments, 10)
+        n = codec.counted(raw, at, num_segments, 10, 25)
         segments, at = codec.read_structures(types.Segment, raw, at, n)
         return cls(suppress_ack, checkpoint, segments), at
 
@@ -1197,6 +1225,12 @@ class Choice(Command):
     def read(cls, instance: int) -> Choice:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, instance=instance)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return ChoiceResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Choice, int]:
@@ -1316,6 +1350,12 @@ class List(Command):
         """Save the current setting to non-volatile memory."""
         return cls(FunctionSelector.SAVE)
 
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return ListResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[List, int]:
         items: tuple[int, ...] | None = None
@@ -1330,7 +1370,7 @@ class List(Command):
             v = _LIST_1.read(raw, at)
             at += 1
             count = v[0]
-            n = codec.counted(raw, at, count, 2)
+            n = codec.counted(raw, at, count, 2, 125)
             items = codec.read_numbers("H", raw, at, n)
             at += n * 2
             done, end = 2, at
@@ -1420,6 +1460,12 @@ class Pin(Command):
     def read(cls, drive: Drive) -> Pin:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, drive=drive)
+
+    @property
+    def expected(self) -> type[Response] | None:
+        if self.function == FunctionSelector.READ:
+            return PinResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Pin, int]:

@@ -16,6 +16,7 @@
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_3D_SET 0x0C
 
 /**

@@ -17,6 +17,7 @@
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_COPY_SET 0x82
 
 /**
@@ -135,6 +136,22 @@ extern "C" {
 #define mip_copy_radio_encode mip_measurements_radio_encode
 #define MIP_COPY_RADIO_DESCRIPTOR 0x07
 #define MIP_COPY_RADIO_NAME "copy.radio"
+
+/**
+ * Cloud: data (0x82,0x08).
+ *
+ * The count can exceed what a field holds beside the value behind the array.
+ *
+ * Has the layout of mip_measurements_cloud.
+ *
+ * - sheet: Copied measurements
+ */
+#define mip_copy_cloud mip_measurements_cloud
+#define mip_copy_cloud_codec mip_measurements_cloud_codec
+#define mip_copy_cloud_decode mip_measurements_cloud_decode
+#define mip_copy_cloud_encode mip_measurements_cloud_encode
+#define MIP_COPY_CLOUD_DESCRIPTOR 0x08
+#define MIP_COPY_CLOUD_NAME "copy.cloud"
 
 #ifdef __cplusplus
 }

@@ -16,6 +16,7 @@
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_MEASUREMENTS_SET 0x80
 
 /**
@@ -246,6 +247,33 @@ extern const struct mip_codec mip_measurements_radio_codec;
 mip_error mip_measurements_radio_decode(struct mip_measurements_radio *value,
                                         const struct mip_field *field);
 mip_error mip_measurements_radio_encode(const struct mip_measurements_radio *value,
+                                        struct mip_builder *builder);
+
+/**
+ * Cloud: data (0x80,0x08).
+ *
+ * The count can exceed what a field holds beside the value behind the array.
+ *
+ * Supported by Model A.
+ *
+ * - guide: Cloud
+ */
+struct mip_measurements_cloud {
+    /** Number of points. The number of elements of points. */
+    uint8_t num_points;
+    /** The points. */
+    struct mip_point points[61];
+    /** Behind an array that fills the field. */
+    uint64_t stamp;
+};
+
+#define MIP_MEASUREMENTS_CLOUD_DESCRIPTOR 0x08
+#define MIP_MEASUREMENTS_CLOUD_NAME "measurements.cloud"
+
+extern const struct mip_codec mip_measurements_cloud_codec;
+mip_error mip_measurements_cloud_decode(struct mip_measurements_cloud *value,
+                                        const struct mip_field *field);
+mip_error mip_measurements_cloud_encode(const struct mip_measurements_cloud *value,
                                         struct mip_builder *builder);
 
 #ifdef __cplusplus

@@ -16,6 +16,7 @@
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_TOOLS_SET 0x01
 
 /** Which member the union has. */
