@@ -76,6 +76,8 @@ def field(f: m.Field, model: m.Model) -> list[Fact]:
         found.append(_fact("advanced", (), "For advanced use."))
     if f.definition:
         found.append(_fact("definition", (_field(model.original(f)),), "Has the layout of {}."))
+    if f.also:
+        found.append(_fact("also", joined([(f"`{name}`",) for name in f.also]), "Also called {}."))
     if f.functions:
         found.append(_fact("functions", _functions(f.functions), "Functions: {}."))
     if f.responses:

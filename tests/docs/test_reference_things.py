@@ -65,6 +65,24 @@ def test_responses_follow_their_command(manual: Manual) -> None:
                     assert f"(#{command.full_name})" in manual.field(response)
 
 
+def test_descriptors_without_a_layout(manual: Manual) -> None:
+    for s in manual.model.sets:
+        rows = rows_of(manual.page(f"sets/{s.name}.md").partition("\n## Descriptors without a layout\n")[2])
+        for x in s.named:
+            role = [x.role] if s.kind == "command" else []
+            cited = "; ".join(f"{c.manual}: {c.section}" for c in x.sources)
+            assert [f"0x{x.descriptor:02X}", x.title, f"{s.name}.{x.name}", *role, cited] in rows, x.name
+
+
+def test_what_is_uncertain_of_sets_and_types(manual: Manual) -> None:
+    """Of fields, parameters, values and bits it is among their facts."""
+    for thing in (*manual.model.sets, *manual.model.all_types):
+        text = manual.page(f"sets/{thing.name}.md") if isinstance(thing, m.Set) else manual.type(thing)
+        said = [seen(f.sentence) for f in describe.uncertain(thing, manual.model)]
+        found = [b for b in bullets(text.partition("\n## Contents")[0]) if b.startswith("Uncertain: ")]
+        assert found == said, thing.name
+
+
 # --------------------------------------------------------------------------- forms of commands
 
 

@@ -826,3 +826,18 @@ def test_slots_and_equality() -> None:
 
 def test_root_of_the_project_is_not_needed() -> None:
     assert str(ROOT) not in "".join(p.read_text("utf-8") for p in (REAL / "mip_protocol").glob("*.py"))
+
+
+@pytest.mark.parametrize("spec", sorted(SPECS))
+def test_decimations(spec: str) -> None:
+    of = model(spec)
+    for d in of.devices:
+        device = (mip if spec == "invented" else real).devices.DEVICES[d.id]
+        rates = {rate.set.name: rate.hertz for rate in d.base_rates}
+        for s in of.sets:
+            base = rates.get(s.name, 0)
+            if base:
+                assert [device.decimation(s.number, base / n) for n in (1, 2, 10)] == [1, 2, 10]
+            else:
+                with pytest.raises(ValueError, match="no fixed rate"):
+                    device.decimation(s.number, 1)

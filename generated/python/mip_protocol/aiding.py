@@ -13,7 +13,7 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, Structure
+from .field import Command, Field, Response, ResponseClass, Structure
 from .protocol import FunctionSelector
 
 
@@ -117,7 +117,8 @@ _FRAME_CONFIGURATION_RESPONSE_2 = codec.Block("ffff", *["rotation"] * 4)
 class FrameConfigurationResponse(Response):
     """Frame configuration response (0x13,0x81).
 
-    Answers `FrameConfiguration`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `frame_config_response`. Answers `FrameConfiguration`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -243,8 +244,8 @@ class FrameConfiguration(Command):
 
     Where and how an external sensor is mounted on the vehicle.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `FrameConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `frame_config`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `FrameConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     Aiding measurements name the frame by its number. p_vehicle = R * p_frame + t, with the rotation
     R and the translation t. The rotation does not matter for GNSS positions and velocities; set it
@@ -322,7 +323,7 @@ class FrameConfiguration(Command):
         return cls(FunctionSelector.DEFAULT, frame_id=frame_id)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return FrameConfigurationResponse
         return None
@@ -465,7 +466,7 @@ class EchoControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return EchoControlResponse
         return None
@@ -511,8 +512,8 @@ class EcefPosition(Command):
 
     A measured position in Earth-fixed coordinates.
 
-    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
-    3DM-CV7-GNSS/INS.
+    Also called `pos_ecef`. Not acknowledged if `mode` of `EchoControl` is
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
     Use only one form of position: ECEF or LLH. The uncertainty of a valid axis must be greater than
     0. In mode `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back
@@ -577,8 +578,8 @@ class LlhPosition(Command):
 
     A measured position as latitude, longitude and height.
 
-    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
-    3DM-CV7-GNSS/INS.
+    Also called `pos_llh`. Not acknowledged if `mode` of `EchoControl` is
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
     Use only one form of position: ECEF or LLH. The uncertainty of a valid axis must be greater than
     0. In mode `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back
@@ -704,8 +705,8 @@ class EcefVelocity(Command):
 
     A measured velocity in Earth-fixed coordinates.
 
-    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
-    3DM-CV7-GNSS/INS.
+    Also called `vel_ecef`. Not acknowledged if `mode` of `EchoControl` is
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
     Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; that
     takes body_frame_velocity. The uncertainty of a valid axis must be greater than 0. In mode
@@ -771,8 +772,8 @@ class NedVelocity(Command):
 
     A measured velocity in the local level frame.
 
-    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
-    3DM-CV7-GNSS/INS.
+    Also called `vel_ned`. Not acknowledged if `mode` of `EchoControl` is
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
     Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; that
     takes body_frame_velocity. The uncertainty of a valid axis must be greater than 0. In mode
@@ -838,8 +839,8 @@ class BodyFrameVelocity(Command):
 
     A measured velocity of the vehicle in the frame of the sensor.
 
-    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
-    3DM-CV7-GNSS/INS.
+    Also called `vel_body_frame`. Not acknowledged if `mode` of `EchoControl` is
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
     An uncertainty of a valid axis that is not greater than 0 is refused as an invalid parameter.
     The device takes up to four sensors of this kind. A wheeled vehicle constraint is a velocity of
@@ -905,8 +906,8 @@ class TrueHeading(Command):
 
     A measured heading relative to true north.
 
-    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
-    3DM-CV7-GNSS/INS.
+    Also called `heading_true`. Not acknowledged if `mode` of `EchoControl` is
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
 
     The uncertainty of a valid measurement must be greater than 0. In mode `response` of echo
     control `EchoControl` (0x13,0x1F), the device sends the data back in a response of unknown

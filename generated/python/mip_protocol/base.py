@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, Structure
+from .field import Command, Field, Response, ResponseClass, Structure
 from .protocol import FunctionSelector
 
 _BASE_DEVICE_INFO_0 = codec.Block("H", "firmware_version")
@@ -86,7 +86,8 @@ class GpsTimeField(codec.OpenEnum):
 class GetDeviceInformationResponse(Response):
     """Get device information response (0x01,0x81).
 
-    Answers `GetDeviceInformation`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `get_device_info_response`. Answers `GetDeviceInformation`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -263,7 +264,8 @@ class GpsTimeUpdateTimeOfWeekResponse(Response):
 class GetDeviceDescriptorsExtendedResponse(Response):
     """Get device descriptors (extended) response (0x01,0x86).
 
-    Answers `GetDeviceDescriptorsExtended`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `get_extended_descriptors_response`. Answers `GetDeviceDescriptorsExtended`.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
     - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -300,7 +302,8 @@ _CONTINUOUS_BUILT_IN_TEST_RESPONSE_0 = codec.Block("BBBBBBBBBBBBBBBB", *["result
 class ContinuousBuiltInTestResponse(Response):
     """Continuous built-in test response (0x01,0x88).
 
-    Answers `ContinuousBuiltInTest`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `continuous_bit_response`. Answers `ContinuousBuiltInTest`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
     """
@@ -337,7 +340,7 @@ _COMM_PORT_SPEED_RESPONSE_0 = codec.Block("BI", "port", "baud")
 class CommPortSpeedResponse(Response):
     """Comm port speed response (0x01,0x89).
 
-    Answers `CommPortSpeed`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `comm_speed_response`. Answers `CommPortSpeed`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
     """
@@ -398,7 +401,7 @@ class SetToIdle(Command):
 
     Stops all data streams, and wakes a sleeping device, so that it can be set up.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `set_idle`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The resume command restores the previous mode. While idle the device sends no NMEA sentences
     either.
@@ -426,7 +429,8 @@ class GetDeviceInformation(Command):
 
     Gets the firmware version and the identity strings of the device.
 
-    Answered by `GetDeviceInformationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `get_device_info`. Answered by `GetDeviceInformationResponse`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -540,8 +544,8 @@ class GetDeviceDescriptorsExtended(Command):
 
     Gets the supported descriptors that did not fit into the reply of get device descriptors.
 
-    Answered by `GetDeviceDescriptorsExtendedResponse`. Supported by 3DM-CV7-GNSS/INS and
-    3DM-GX5-15.
+    Also called `get_extended_descriptors`. Answered by `GetDeviceDescriptorsExtendedResponse`.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     Only supported if get device descriptors lists `GetDeviceDescriptorsExtended` (0x01,0x07).
 
@@ -569,7 +573,8 @@ class ContinuousBuiltInTest(Command):
 
     Gets the flags of the tests that run all the time. It does not interrupt operation.
 
-    Answered by `ContinuousBuiltInTestResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `continuous_bit`. Answered by `ContinuousBuiltInTestResponse`. Supported by
+    3DM-CV7-GNSS/INS.
 
     It is less thorough than the built-in test command. Each flag stays set until it is reported by
     this command, apart from the copy of the streamed field. The self-test flags change only when
@@ -604,8 +609,8 @@ class CommPortSpeed(Command):
 
     Baud rate of one communication port.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `CommPortSpeedResponse`.
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `comm_speed`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `CommPortSpeedResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     The change waits until pending data is sent and received, at most 250 ms. Send it alone in a
     packet while the device is idle, and wait 250 ms before going on. Commands and data during the
@@ -654,7 +659,7 @@ class CommPortSpeed(Command):
         return cls(FunctionSelector.DEFAULT, port=port)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return CommPortSpeedResponse
         return None
@@ -762,7 +767,7 @@ class GpsTimeUpdate(Command):
         return self.function != FunctionSelector.APPLY
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ and self.field_id == 1:
             return GpsTimeUpdateWeekNumberResponse
         if self.function == FunctionSelector.READ and self.field_id == 2:
@@ -814,7 +819,7 @@ class ResetDevice(Command):
 
     Acknowledges the command, then resets the device at once.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `soft_reset`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
     - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)

@@ -13,7 +13,7 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response
+from .field import Command, Field, Response, ResponseClass
 from .protocol import FunctionSelector
 
 
@@ -306,7 +306,8 @@ _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_0 = codec.Block("fff", "roll", 
 class SensorToVehicleFrameTransformationResponse(Response):
     """Sensor to vehicle frame transformation response (0x0D,0x81).
 
-    Answers `SensorToVehicleFrameTransformation`. Supported by 3DM-GX5-15.
+    Also called `sensor_to_vehicle_rotation_euler_response`. Answers
+    `SensorToVehicleFrameTransformation`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -380,7 +381,8 @@ _GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 class GnssAntennaOffsetControlResponse(Response):
     """GNSS antenna offset response (0x0D,0x83).
 
-    Answers `GnssAntennaOffsetControl`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `antenna_offset_response`. Answers `GnssAntennaOffsetControl`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -416,7 +418,8 @@ _ESTIMATION_CONTROL_FLAGS_RESPONSE_0 = codec.Block("H", "flags")
 class EstimationControlFlagsResponse(Response):
     """Estimation control flags response (0x0D,0x84).
 
-    Answers `EstimationControlFlags`. Supported by 3DM-GX5-15.
+    Also called `estimation_control_response`. Answers `EstimationControlFlags`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -448,7 +451,8 @@ _GNSS_AIDING_SOURCE_CONTROL_RESPONSE_0 = codec.Block("B", "source")
 class GnssAidingSourceControlResponse(Response):
     """GNSS aiding source response (0x0D,0x86).
 
-    Answers `GnssAidingSourceControl`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `gnss_source_response`. Answers `GnssAidingSourceControl`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
@@ -480,7 +484,7 @@ _HEADING_UPDATE_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class HeadingUpdateControlResponse(Response):
     """Heading update control response (0x0D,0x87).
 
-    Answers `HeadingUpdateControl`. Supported by 3DM-GX5-15.
+    Also called `heading_source_response`. Answers `HeadingUpdateControl`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -512,7 +516,8 @@ _AUTO_INITIALIZATION_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class AutoInitializationControlResponse(Response):
     """Automatic initialization response (0x0D,0x88).
 
-    Answers `AutoInitializationControl`. Supported by 3DM-GX5-15.
+    Also called `auto_init_control_response`. Answers `AutoInitializationControl`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -544,7 +549,8 @@ _ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", *["noise
 class AccelerometerNoiseStandardDeviationResponse(Response):
     """Accelerometer noise response (0x0D,0x89).
 
-    Answers `AccelerometerNoiseStandardDeviation`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `accel_noise_response`. Answers `AccelerometerNoiseStandardDeviation`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -579,7 +585,8 @@ _GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", *["noise"] *
 class GyroscopeNoiseStandardDeviationResponse(Response):
     """Gyroscope noise response (0x0D,0x8A).
 
-    Answers `GyroscopeNoiseStandardDeviation`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `gyro_noise_response`. Answers `GyroscopeNoiseStandardDeviation`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -616,7 +623,8 @@ _ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_0 = codec.Block(
 class AccelerometerBiasModelParametersResponse(Response):
     """Accelerometer bias model response (0x0D,0x8B).
 
-    Answers `AccelerometerBiasModelParameters`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `accel_bias_model_response`. Answers `AccelerometerBiasModelParameters`. Supported
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -655,7 +663,8 @@ _GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 
 class GyroscopeBiasModelParametersResponse(Response):
     """Gyroscope bias model response (0x0D,0x8C).
 
-    Answers `GyroscopeBiasModelParameters`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `gyro_bias_model_response`. Answers `GyroscopeBiasModelParameters`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -730,7 +739,8 @@ _ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable", "thre
 class ZeroAngularRateUpdateControlResponse(Response):
     """Zero angular rate update response (0x0D,0x8E).
 
-    Answers `ZeroAngularRateUpdateControl`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `auto_angular_zupt_response`. Answers `ZeroAngularRateUpdateControl`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -768,7 +778,8 @@ _SET_REFERENCE_POSITION_RESPONSE_0 = codec.Block(
 class SetReferencePositionResponse(Response):
     """Set reference position response (0x0D,0x90).
 
-    Answers `SetReferencePosition`. Supported by 3DM-GX5-15.
+    Also called `reference_position_response`. Answers `SetReferencePosition`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -811,7 +822,8 @@ _GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", *["noise"] * 3
 class GravityNoiseStandardDeviationResponse(Response):
     """Gravity noise response (0x0D,0x93).
 
-    Answers `GravityNoiseStandardDeviation`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `gravity_noise_response`. Answers `GravityNoiseStandardDeviation`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -1042,7 +1054,8 @@ _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_0 = codec.Block("Bf", "sourc
 class MagneticFieldDeclinationSourceControlResponse(Response):
     """Magnetic declination source response (0x0D,0xB2).
 
-    Answers `MagneticFieldDeclinationSourceControl`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `magnetic_declination_source_response`. Answers
+    `MagneticFieldDeclinationSourceControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     """
@@ -1090,7 +1103,8 @@ _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class GravityMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Gravity magnitude error adaptive measurement response (0x0D,0xB3).
 
-    Answers `GravityMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15.
+    Also called `accel_magnitude_error_adaptive_measurement_response`. Answers
+    `GravityMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -1333,7 +1347,8 @@ _PITCH_ROLL_AIDING_CONTROL_RESPONSE_0 = codec.Block("B", "aiding")
 class PitchRollAidingControlResponse(Response):
     """Pitch and roll aiding response (0x0D,0xBB).
 
-    Answers `PitchRollAidingControl`. Supported by 3DM-GX5-15.
+    Also called `pitch_roll_aiding_response`. Answers `PitchRollAidingControl`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -1507,7 +1522,8 @@ _AIDING_MEASUREMENT_CONTROL_RESPONSE_0 = codec.Block("HB", "aiding_source", "ena
 class AidingMeasurementControlResponse(Response):
     """Aiding measurement control response (0x0D,0xD0).
 
-    Answers `AidingMeasurementControl`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `aiding_measurement_enable_response`. Answers `AidingMeasurementControl`. Supported
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -1595,7 +1611,8 @@ _NAVIGATION_FILTER_INITIALIZATION_RESPONSE_0 = codec.Block(
 class NavigationFilterInitializationResponse(Response):
     """Navigation filter initialization response (0x0D,0xD2).
 
-    Answers `NavigationFilterInitialization`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `initialization_configuration_response`. Answers `NavigationFilterInitialization`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
@@ -1680,7 +1697,8 @@ _ADAPTIVE_FILTER_CONTROL_RESPONSE_0 = codec.Block("BH", "level", "time_limit")
 class AdaptiveFilterControlResponse(Response):
     """Adaptive filter control response (0x0D,0xD3).
 
-    Answers `AdaptiveFilterControl`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `adaptive_filter_options_response`. Answers `AdaptiveFilterControl`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -1717,7 +1735,8 @@ _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_0 = codec.Block(
 class GnssMultiAntennaOffsetControlResponse(Response):
     """GNSS multi-antenna offset response (0x0D,0xD4).
 
-    Answers `GnssMultiAntennaOffsetControl`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `multi_antenna_offset_response`. Answers `GnssMultiAntennaOffsetControl`. Supported
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -1757,7 +1776,8 @@ _RELATIVE_POSITION_CONFIGURATION_RESPONSE_0 = codec.Block(
 class RelativePositionConfigurationResponse(Response):
     """Relative position configuration response (0x0D,0xD5).
 
-    Answers `RelativePositionConfiguration`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `rel_pos_configuration_response`. Answers `RelativePositionConfiguration`. Supported
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -1805,7 +1825,8 @@ _REFERENCE_POINT_LEVER_ARM_RESPONSE_0 = codec.Block(
 class ReferencePointLeverArmResponse(Response):
     """Reference point lever arm response (0x0D,0xD6).
 
-    Answers `ReferencePointLeverArm`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `ref_point_lever_arm_response`. Answers `ReferencePointLeverArm`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -1843,7 +1864,8 @@ _MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_0 = codec.Block("Bfff", "source", *["lever
 class MeasurementSpeedLeverArmResponse(Response):
     """Speed measurement lever arm response (0x0D,0xE1).
 
-    Answers `MeasurementSpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `speed_lever_arm_response`. Answers `MeasurementSpeedLeverArm`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
@@ -1944,7 +1966,8 @@ _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable"
 class GnssAntennaOffsetCalibrationControlResponse(Response):
     """GNSS antenna offset calibration response (0x0D,0xE4).
 
-    Answers `GnssAntennaOffsetCalibrationControl`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `gnss_antenna_cal_control_response`. Answers `GnssAntennaOffsetCalibrationControl`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
@@ -1983,7 +2006,7 @@ class ResetNavigationFilter(Command):
 
     Puts the filter back into its initialization state.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `reset`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     If automatic initialization is off, the attitude or heading must be set before the filter runs
     again. 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
@@ -2058,7 +2081,7 @@ class SetInitialHeadingControl(Command):
 
     Gives the filter its initial heading; pitch and roll come from the accelerometers.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `set_initial_heading`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if
     magnetometer aiding is on, the given heading is ignored.
@@ -2093,7 +2116,7 @@ class RunNavigationFilter(Command):
 
     Starts a filter that was set up to wait for this command.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `run`. Supported by 3DM-CV7-GNSS/INS.
 
     The filter waits in its initialization state if `wait_for_run_command` of
     `navigation_filter_initialization` is set.
@@ -2169,7 +2192,7 @@ class VehicleDynamicsMode(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return VehicleDynamicsModeResponse
         return None
@@ -2221,8 +2244,8 @@ class SensorToVehicleFrameTransformation(Command):
 
     Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleFrameTransformationResponse`. Supported by 3DM-GX5-15.
+    Also called `sensor_to_vehicle_rotation_euler`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `SensorToVehicleFrameTransformationResponse`. Supported by 3DM-GX5-15.
 
     It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
     velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
@@ -2274,7 +2297,7 @@ class SensorToVehicleFrameTransformation(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return SensorToVehicleFrameTransformationResponse
         return None
@@ -2389,7 +2412,7 @@ class SensorToVehicleOffset(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return SensorToVehicleOffsetResponse
         return None
@@ -2435,8 +2458,8 @@ class GnssAntennaOffsetControl(Command):
 
     Position of the GNSS antenna relative to the origin of the sensor.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `GnssAntennaOffsetControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `antenna_offset`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `GnssAntennaOffsetControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     The magnitude of the vector is limited to 10. 7-series devices expect the vehicle frame,
     5-series devices the sensor frame. On the 3DM-CV7 it is for GNSS data that come as NMEA; data
@@ -2485,7 +2508,7 @@ class GnssAntennaOffsetControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return GnssAntennaOffsetControlResponse
         return None
@@ -2531,8 +2554,8 @@ class EstimationControlFlags(Command):
 
     Which states the filter estimates.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `EstimationControlFlagsResponse`. Supported by 3DM-GX5-15.
+    Also called `estimation_control`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `EstimationControlFlagsResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -2575,7 +2598,7 @@ class EstimationControlFlags(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return EstimationControlFlagsResponse
         return None
@@ -2621,7 +2644,7 @@ class GnssAidingSourceControl(Command):
 
     Which GNSS receiver aids the filter.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Also called `gnss_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `GnssAidingSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     A change while the filter runs may put it back into initialization until the new source gives
@@ -2668,7 +2691,7 @@ class GnssAidingSourceControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return GnssAidingSourceControlResponse
         return None
@@ -2848,8 +2871,8 @@ class HeadingUpdateControl(Command):
 
     Source of the heading that aids the filter.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `HeadingUpdateControlResponse`. Supported by 3DM-GX5-15.
+    Also called `heading_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `HeadingUpdateControlResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -2892,7 +2915,7 @@ class HeadingUpdateControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return HeadingUpdateControlResponse
         return None
@@ -2938,8 +2961,8 @@ class AutoInitializationControl(Command):
 
     Whether the filter initializes by itself when the device starts.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `AutoInitializationControlResponse`. Supported by 3DM-GX5-15.
+    Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `AutoInitializationControlResponse`. Supported by 3DM-GX5-15.
 
     It needs a valid heading source.
 
@@ -2984,7 +3007,7 @@ class AutoInitializationControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return AutoInitializationControlResponse
         return None
@@ -3030,7 +3053,7 @@ class AccelerometerNoiseStandardDeviation(Command):
 
     Standard deviation of the accelerometer noise that the filter assumes (process noise).
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Also called `accel_noise`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `AccelerometerNoiseStandardDeviationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The factory values suit most laboratory conditions.
@@ -3079,7 +3102,7 @@ class AccelerometerNoiseStandardDeviation(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return AccelerometerNoiseStandardDeviationResponse
         return None
@@ -3127,7 +3150,7 @@ class GyroscopeNoiseStandardDeviation(Command):
 
     Standard deviation of the gyroscope noise that the filter assumes (process noise).
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Also called `gyro_noise`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `GyroscopeNoiseStandardDeviationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The factory values suit most laboratory conditions.
@@ -3176,7 +3199,7 @@ class GyroscopeNoiseStandardDeviation(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return GyroscopeNoiseStandardDeviationResponse
         return None
@@ -3225,8 +3248,8 @@ class AccelerometerBiasModelParameters(Command):
 
     Parameters of the model by which the accelerometer bias drifts.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `AccelerometerBiasModelParametersResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `accel_bias_model`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `AccelerometerBiasModelParametersResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -3275,7 +3298,7 @@ class AccelerometerBiasModelParameters(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return AccelerometerBiasModelParametersResponse
         return None
@@ -3335,8 +3358,9 @@ class GyroscopeBiasModelParameters(Command):
 
     Parameters of the model by which the gyroscope bias drifts.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `GyroscopeBiasModelParametersResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `gyro_bias_model`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `GyroscopeBiasModelParametersResponse`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -3386,7 +3410,7 @@ class GyroscopeBiasModelParameters(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return GyroscopeBiasModelParametersResponse
         return None
@@ -3490,7 +3514,7 @@ class AutoZupt(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return AutoZuptResponse
         return None
@@ -3607,8 +3631,9 @@ class ZeroAngularRateUpdateControl(Command):
 
     Lets the filter take the device as not rotating while its angular rate is small.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ZeroAngularRateUpdateControlResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `auto_angular_zupt`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `ZeroAngularRateUpdateControlResponse`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GX5-15.
 
     The update applies while the magnitude of the angular rate vector is at or below the threshold.
 
@@ -3658,7 +3683,7 @@ class ZeroAngularRateUpdateControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return ZeroAngularRateUpdateControlResponse
         return None
@@ -3760,7 +3785,7 @@ class TareOrientation(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return TareOrientationResponse
         return None
@@ -3825,7 +3850,7 @@ class CommandedZeroAngularRateUpdate(Command):
 
     Tells the filter once that the device is not rotating.
 
-    Supported by 3DM-GX5-15.
+    Also called `commanded_angular_zupt`. Supported by 3DM-GX5-15.
 
     At most 10 per second.
 
@@ -3864,8 +3889,8 @@ class SetReferencePosition(Command):
 
     Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SetReferencePositionResponse`. Supported by 3DM-GX5-15.
+    Also called `reference_position`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `SetReferencePositionResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -3922,7 +3947,7 @@ class SetReferencePosition(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return SetReferencePositionResponse
         return None
@@ -4045,8 +4070,8 @@ class GravityNoiseStandardDeviation(Command):
 
     Standard deviation of the gravity noise that the filter assumes (process noise).
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `GravityNoiseStandardDeviationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `gravity_noise`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `GravityNoiseStandardDeviationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The factory values suit most laboratory conditions.
 
@@ -4094,7 +4119,7 @@ class GravityNoiseStandardDeviation(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return GravityNoiseStandardDeviationResponse
         return None
@@ -4186,7 +4211,7 @@ class PressureAltitudeNoise(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return PressureAltitudeNoiseResponse
         return None
@@ -4278,7 +4303,7 @@ class HardIronOffsetNoise(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return HardIronOffsetNoiseResponse
         return None
@@ -4370,7 +4395,7 @@ class SoftIronMatrixNoise(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return SoftIronMatrixNoiseResponse
         return None
@@ -4460,7 +4485,7 @@ class EnableDisableMeasurements(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return EnableDisableMeasurementsResponse
         return None
@@ -4552,7 +4577,7 @@ class MagNoise(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return MagNoiseResponse
         return None
@@ -4602,8 +4627,9 @@ class MagneticFieldDeclinationSourceControl(Command):
 
     Source of the local declination of the magnetic field.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagneticFieldDeclinationSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `magnetic_declination_source`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `MagneticFieldDeclinationSourceControlResponse`. Supported by
+    3DM-CV7-GNSS/INS.
 
     Without a good declination source, keep automatic magnetometer calibration off.
 
@@ -4652,7 +4678,7 @@ class MagneticFieldDeclinationSourceControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return MagneticFieldDeclinationSourceControlResponse
         return None
@@ -4721,8 +4747,9 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
 
     How far the filter trusts gravity measurements whose magnitude is not that of gravity.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `GravityMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-15.
+    Also called `accel_magnitude_error_adaptive_measurement`. Functions: `write`, `read`, `save`,
+    `load` and `default`. Answered by `GravityMagnitudeErrorAdaptiveMeasurementResponse`. Supported
+    by 3DM-GX5-15.
 
     Also called accelerometer magnitude error adaptive measurement. All parameters after the
     selector keep their values if they are left out. Filter and limits take effect only with
@@ -4800,7 +4827,7 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return GravityMagnitudeErrorAdaptiveMeasurementResponse
         return None
@@ -5017,7 +5044,7 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return MagMagnitudeErrorAdaptiveMeasurementResponse
         return None
@@ -5212,7 +5239,7 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return MagDipAngleErrorAdaptiveMeasurementResponse
         return None
@@ -5342,7 +5369,7 @@ class AltitudeAiding(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return AltitudeAidingResponse
         return None
@@ -5388,8 +5415,8 @@ class PitchRollAidingControl(Command):
 
     What aids pitch and roll while the motion is gentle.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `PitchRollAidingControlResponse`. Supported by 3DM-GX5-15.
+    Also called `pitch_roll_aiding`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `PitchRollAidingControlResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -5432,7 +5459,7 @@ class PitchRollAidingControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return PitchRollAidingControlResponse
         return None
@@ -5529,7 +5556,7 @@ class InclinationSource(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return InclinationSourceResponse
         return None
@@ -5636,7 +5663,7 @@ class MagFieldMagnitudeSource(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return MagFieldMagnitudeSourceResponse
         return None
@@ -5744,7 +5771,7 @@ class SensorToVehicleRotationDcm(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return SensorToVehicleRotationDcmResponse
         return None
@@ -5840,7 +5867,7 @@ class SensorToVehicleRotationQuaternion(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return SensorToVehicleRotationQuaternionResponse
         return None
@@ -5889,8 +5916,8 @@ class AidingMeasurementControl(Command):
 
     Enables or disables one source of aiding measurements.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `AidingMeasurementControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `aiding_measurement_enable`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `AidingMeasurementControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -5935,7 +5962,7 @@ class AidingMeasurementControl(Command):
         return cls(FunctionSelector.DEFAULT, aiding_source=aiding_source)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return AidingMeasurementControlResponse
         return None
@@ -6056,7 +6083,7 @@ class KinematicConstraint(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return KinematicConstraintResponse
         return None
@@ -6138,8 +6165,8 @@ class NavigationFilterInitialization(Command):
 
     Sources and values of the initial attitude, position and velocity of the filter.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `NavigationFilterInitializationResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `initialization_configuration`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `NavigationFilterInitializationResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     Single precision resolves the latitude and longitude of the initial position to about a metre
     only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment
@@ -6234,7 +6261,7 @@ class NavigationFilterInitialization(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return NavigationFilterInitializationResponse
         return None
@@ -6368,8 +6395,8 @@ class AdaptiveFilterControl(Command):
 
     How the filter adapts to measurements that do not fit its model.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `AdaptiveFilterControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `adaptive_filter_options`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `AdaptiveFilterControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -6416,7 +6443,7 @@ class AdaptiveFilterControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return AdaptiveFilterControlResponse
         return None
@@ -6475,8 +6502,8 @@ class GnssMultiAntennaOffsetControl(Command):
 
     Position of the antenna of one receiver on devices with several antennas.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `GnssMultiAntennaOffsetControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `multi_antenna_offset`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `GnssMultiAntennaOffsetControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     The magnitude of the vector is limited to 10.
 
@@ -6527,7 +6554,7 @@ class GnssMultiAntennaOffsetControl(Command):
         return cls(FunctionSelector.DEFAULT, receiver_id=receiver_id)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return GnssMultiAntennaOffsetControlResponse
         return None
@@ -6590,8 +6617,8 @@ class RelativePositionConfiguration(Command):
 
     Reference point of the relative position that the filter reports.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `RelativePositionConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `rel_pos_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `RelativePositionConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -6652,7 +6679,7 @@ class RelativePositionConfiguration(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return RelativePositionConfigurationResponse
         return None
@@ -6722,8 +6749,8 @@ class ReferencePointLeverArm(Command):
 
     Moves the point to which the position and the velocity of the filter refer.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ReferencePointLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `ref_point_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `ReferencePointLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     It shifts `llh_position`, `velocity_ned`, `ecef_position`, `ecef_velocity` and
     `ned_relative_position` of set `filter_data`, depending on the attitude and, for velocities, on
@@ -6778,7 +6805,7 @@ class ReferencePointLeverArm(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return ReferencePointLeverArmResponse
         return None
@@ -6882,8 +6909,8 @@ class MeasurementSpeedLeverArm(Command):
 
     Position of the point whose speed is measured, such as the wheel that an odometer is on.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MeasurementSpeedLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `speed_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `MeasurementSpeedLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     It corrects for the speed that such a point has only because the vehicle turns.
 
@@ -6932,7 +6959,7 @@ class MeasurementSpeedLeverArm(Command):
         return cls(FunctionSelector.DEFAULT, source=1)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return MeasurementSpeedLeverArmResponse
         return None
@@ -7035,7 +7062,7 @@ class VerticalGyroConstraintControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return VerticalGyroConstraintControlResponse
         return None
@@ -7128,7 +7155,7 @@ class WheeledVehicleConstraintControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return WheeledVehicleConstraintControlResponse
         return None
@@ -7178,8 +7205,9 @@ class GnssAntennaOffsetCalibrationControl(Command):
 
     Lets the filter track the error of the antenna offset.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `GnssAntennaOffsetCalibrationControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `gnss_antenna_cal_control`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `GnssAntennaOffsetCalibrationControlResponse`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
@@ -7227,7 +7255,7 @@ class GnssAntennaOffsetCalibrationControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return GnssAntennaOffsetCalibrationControlResponse
         return None

@@ -333,7 +333,7 @@ class LlhPosition(Data):
 
     Estimated position.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
     """
@@ -633,7 +633,7 @@ class LlhPositionUncertainty(Data):
 
     Standard deviation of the estimated position, in the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
     """
@@ -682,7 +682,7 @@ class NedVelocityUncertainty(Data):
 
     Standard deviation of the estimated velocity.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
     """
@@ -943,7 +943,7 @@ class Wgs84LocalGravityMagnitude(Data):
 
     Magnitude of gravity at the position of the device by the WGS84 model.
 
-    Supported by 3DM-GX5-15.
+    Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
 
     The model holds up to an altitude of 20 km.
 
@@ -1183,7 +1183,7 @@ class HeadingUpdateSourceState(Data):
 
     The last heading that updated the filter and where it came from.
 
-    Supported by 3DM-GX5-15.
+    Also called `heading_update_state`. Supported by 3DM-GX5-15.
 
     The valid bit means that the source gave data within the last 2 seconds.
 
@@ -1544,7 +1544,7 @@ class CompensatedAcceleration(Data):
 
     Acceleration without the estimated bias; gravity is still in it.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `comp_accel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
     - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
@@ -1737,6 +1737,8 @@ class MagOffset(Data):
 
     Estimated hard iron offset of the magnetometer.
 
+    Also called `magnetometer_offset`.
+
     The filter adds it to the stored hard iron offset `mip_3dm.MagnetometerHardIronOffset`
     (0x0C,0x3A).
 
@@ -1776,6 +1778,8 @@ class MagMatrix(Data):
     """Magnetometer matrix (0x82,0x26).
 
     Estimated soft iron matrix of the magnetometer.
+
+    Also called `magnetometer_matrix`.
 
     The filter multiplies the stored soft iron matrix `mip_3dm.MagnetometerSoftIronMatrix`
     (0x0C,0x3B) by it, from the right.
@@ -1817,6 +1821,8 @@ class MagOffsetUncertainty(Data):
 
     Standard deviation of the estimated hard iron offset.
 
+    Also called `magnetometer_offset_uncertainty`.
+
     - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
     """
 
@@ -1855,6 +1861,8 @@ class MagMatrixUncertainty(Data):
     """Magnetometer matrix uncertainty (0x82,0x29).
 
     Standard deviation of the estimated soft iron matrix.
+
+    Also called `magnetometer_matrix_uncertainty`.
 
     - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
     """
@@ -1895,6 +1903,8 @@ class MagCovarianceMatrix(Data):
 
     Covariance of the magnetometer measurement.
 
+    Also called `magnetometer_covariance_matrix`.
+
     - mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A)
     """
 
@@ -1934,6 +1944,8 @@ class MagResidualVector(Data):
     """Magnetometer residual vector (0x82,0x2C).
 
     Residual of the magnetometer measurement.
+
+    Also called `magnetometer_residual_vector`.
 
     - mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C)
     """
@@ -2243,7 +2255,7 @@ class EcefPositionUncertainty(Data):
 
     Standard deviation of the estimated position.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
     """
@@ -2284,7 +2296,7 @@ class EcefVelocityUncertainty(Data):
 
     Standard deviation of the estimated velocity.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
     """
@@ -2325,7 +2337,7 @@ class EcefPosition(Data):
 
     Estimated position.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
     """
@@ -2366,7 +2378,7 @@ class EcefVelocity(Data):
 
     Estimated velocity.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
     """
@@ -2407,7 +2419,7 @@ class NedRelativePosition(Data):
 
     Estimated position relative to the point that `filter.RelativePositionConfiguration` sets.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
     """
@@ -2450,7 +2462,7 @@ class GnssPositionAidingStatus(Data):
 
     How the filter uses the position measurements of one GNSS receiver.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -2500,6 +2512,8 @@ class GnssAttitudeAidingStatus(Data):
 
     How the filter uses the attitude that two GNSS antennas give.
 
+    Also called `gnss_att_aid_status`.
+
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
     - mip-sdk-4: Gnss Att Aid Status (0x82,0x44)
@@ -2543,6 +2557,8 @@ class HeadingAidingStatus(Data):
     """Heading aiding status (0x82,0x45).
 
     The heading measurement that the filter used last.
+
+    Also called `head_aid_status`.
 
     Single precision resolves the time of week to 0.0625 s at the end of the week.
 
@@ -2782,7 +2798,7 @@ class AidingFrameConfigurationError(Data):
 
     Estimated error of a frame that `aiding.FrameConfiguration` defines; it is corrected for.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `aiding_frame_config_error`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
     """
@@ -2828,7 +2844,7 @@ class AidingFrameConfigurationErrorUncertainty(Data):
 
     Uncertainty of the estimated error of a frame that `aiding.FrameConfiguration` defines.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `aiding_frame_config_error_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
     """

@@ -12,7 +12,7 @@ from enum import IntFlag
 
 from . import codec
 from .errors import Truncated
-from .field import Command, Field, Response, Structure
+from .field import Command, Field, Response, ResponseClass, Structure
 from .protocol import FunctionSelector
 
 _RECEIVER_INFO_ENTRY_0 = codec.Block("BB", "receiver_id", "mip_data_descriptor_set")
@@ -436,7 +436,7 @@ class SignalConfiguration(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return SignalConfigurationResponse
         return None
@@ -567,7 +567,7 @@ class RtkDongleConfiguration(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return RtkDongleConfigurationResponse
         return None
@@ -722,7 +722,7 @@ class SpartnConfiguration(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return SpartnConfigurationResponse
         return None

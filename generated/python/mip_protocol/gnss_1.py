@@ -685,7 +685,7 @@ class GnssLlhPosition(Data):
 
     GNSS position as latitude, longitude and height.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
     """
@@ -765,7 +765,7 @@ class GnssEcefPosition(Data):
 
     GNSS position in Earth-fixed coordinates.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `pos_ecef`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
     """
@@ -820,7 +820,7 @@ class NedVelocity(Data):
 
     GNSS velocity in the local level frame.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
     """
@@ -892,7 +892,7 @@ class GnssEcefVelocity(Data):
 
     GNSS velocity in Earth-fixed coordinates.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `vel_ecef`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
     """
@@ -1285,7 +1285,7 @@ class GnssHardwareStatus(Data):
 
     State of the receiver and of its antenna.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `hw_status`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
     """
@@ -2554,7 +2554,7 @@ class GlonassEphemeris(Data):
 
     Broadcast orbit and clock of one GLONASS satellite.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS.
 
     The interface control document of GLONASS explains p and ft. A period of four years has 1461
     days; the manual does not say how nt, a u8, counts them.
@@ -3309,6 +3309,8 @@ class GpsIonoCorrection(Data):
 
     Model of the ionosphere that GPS broadcasts.
 
+    Also called `gps_iono_corr`.
+
     - mip-sdk-4: Gps Iono Corr (0x81,0x71)
     """
 
@@ -3366,6 +3368,8 @@ class GalileoIonoCorrection(Data):
     """Galileo ionospheric correction (0x91,0x73).
 
     Model of the ionosphere that Galileo broadcasts.
+
+    Also called `galileo_iono_corr`.
 
     - mip-sdk-4: Galileo Iono Corr (0x81,0x73)
     """
@@ -3432,6 +3436,8 @@ class BeidouIonoCorrection(Data):
     """BeiDou ionospheric correction (0x91,0x74).
 
     Model of the ionosphere that BeiDou broadcasts.
+
+    Also called `beidou_iono_corr`.
 
     - mip-sdk-4: Beidou Iono Corr (0x81,0x74)
     """

@@ -16,7 +16,8 @@ class GnssLlhPosition(gnss_1.GnssLlhPosition):
 
     GNSS position as latitude, longitude and height.
 
-    Has the layout of `gnss_1.GnssLlhPosition`. Supported by 3DM-CV7-GNSS/INS.
+    Has the layout of `gnss_1.GnssLlhPosition`. Also called `pos_llh`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
     """
@@ -32,7 +33,8 @@ class GnssEcefPosition(gnss_1.GnssEcefPosition):
 
     GNSS position in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.GnssEcefPosition`. Supported by 3DM-CV7-GNSS/INS.
+    Has the layout of `gnss_1.GnssEcefPosition`. Also called `pos_ecef`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
     """
@@ -48,7 +50,7 @@ class NedVelocity(gnss_1.NedVelocity):
 
     GNSS velocity in the local level frame.
 
-    Has the layout of `gnss_1.NedVelocity`. Supported by 3DM-CV7-GNSS/INS.
+    Has the layout of `gnss_1.NedVelocity`. Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
     """
@@ -64,7 +66,8 @@ class GnssEcefVelocity(gnss_1.GnssEcefVelocity):
 
     GNSS velocity in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.GnssEcefVelocity`. Supported by 3DM-CV7-GNSS/INS.
+    Has the layout of `gnss_1.GnssEcefVelocity`. Also called `vel_ecef`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06)
     """
@@ -181,7 +184,8 @@ class GnssHardwareStatus(gnss_1.GnssHardwareStatus):
 
     State of the receiver and of its antenna.
 
-    Has the layout of `gnss_1.GnssHardwareStatus`. Supported by 3DM-CV7-GNSS/INS.
+    Has the layout of `gnss_1.GnssHardwareStatus`. Also called `hw_status`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
     """
@@ -407,7 +411,8 @@ class GlonassEphemeris(gnss_1.GlonassEphemeris):
 
     Broadcast orbit and clock of one GLONASS satellite.
 
-    Has the layout of `gnss_1.GlonassEphemeris`. Supported by 3DM-CV7-GNSS/INS.
+    Has the layout of `gnss_1.GlonassEphemeris`. Also called `glo_ephemeris`. Supported by
+    3DM-CV7-GNSS/INS.
 
     The interface control document of GLONASS explains p and ft. A period of four years has 1461
     days; the manual does not say how nt, a u8, counts them.
@@ -464,7 +469,7 @@ class GpsIonoCorrection(gnss_1.GpsIonoCorrection):
 
     Model of the ionosphere that GPS broadcasts.
 
-    Has the layout of `gnss_1.GpsIonoCorrection`.
+    Has the layout of `gnss_1.GpsIonoCorrection`. Also called `gps_iono_corr`.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -480,7 +485,7 @@ class GalileoIonoCorrection(gnss_1.GalileoIonoCorrection):
 
     Model of the ionosphere that Galileo broadcasts.
 
-    Has the layout of `gnss_1.GalileoIonoCorrection`.
+    Has the layout of `gnss_1.GalileoIonoCorrection`. Also called `galileo_iono_corr`.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """
@@ -496,7 +501,7 @@ class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
 
     Model of the ionosphere that BeiDou broadcasts.
 
-    Has the layout of `gnss_1.BeidouIonoCorrection`.
+    Has the layout of `gnss_1.BeidouIonoCorrection`. Also called `beidou_iono_corr`.
 
     - mip-sdk-4: Gnss2 Data (0x92)
     """

@@ -18,7 +18,8 @@ class GnssLlhPosition(gnss_1.GnssLlhPosition):
 
     GNSS position as latitude, longitude and height.
 
-    Has the layout of `gnss_1.GnssLlhPosition`. Supported by 3DM-CV7-GNSS/INS.
+    Has the layout of `gnss_1.GnssLlhPosition`. Also called `pos_llh`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03)
     """
@@ -34,7 +35,7 @@ class GnssEcefPosition(gnss_1.GnssEcefPosition):
 
     GNSS position in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.GnssEcefPosition`.
+    Has the layout of `gnss_1.GnssEcefPosition`. Also called `pos_ecef`.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -50,7 +51,7 @@ class NedVelocity(gnss_1.NedVelocity):
 
     GNSS velocity in the local level frame.
 
-    Has the layout of `gnss_1.NedVelocity`. Supported by 3DM-CV7-GNSS/INS.
+    Has the layout of `gnss_1.NedVelocity`. Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05)
     """
@@ -66,7 +67,7 @@ class GnssEcefVelocity(gnss_1.GnssEcefVelocity):
 
     GNSS velocity in Earth-fixed coordinates.
 
-    Has the layout of `gnss_1.GnssEcefVelocity`.
+    Has the layout of `gnss_1.GnssEcefVelocity`. Also called `vel_ecef`.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -183,7 +184,7 @@ class GnssHardwareStatus(gnss_1.GnssHardwareStatus):
 
     State of the receiver and of its antenna.
 
-    Has the layout of `gnss_1.GnssHardwareStatus`.
+    Has the layout of `gnss_1.GnssHardwareStatus`. Also called `hw_status`.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -409,7 +410,7 @@ class GlonassEphemeris(gnss_1.GlonassEphemeris):
 
     Broadcast orbit and clock of one GLONASS satellite.
 
-    Has the layout of `gnss_1.GlonassEphemeris`.
+    Has the layout of `gnss_1.GlonassEphemeris`. Also called `glo_ephemeris`.
 
     The interface control document of GLONASS explains p and ft. A period of four years has 1461
     days; the manual does not say how nt, a u8, counts them.
@@ -466,7 +467,7 @@ class GpsIonoCorrection(gnss_1.GpsIonoCorrection):
 
     Model of the ionosphere that GPS broadcasts.
 
-    Has the layout of `gnss_1.GpsIonoCorrection`.
+    Has the layout of `gnss_1.GpsIonoCorrection`. Also called `gps_iono_corr`.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -482,7 +483,7 @@ class GalileoIonoCorrection(gnss_1.GalileoIonoCorrection):
 
     Model of the ionosphere that Galileo broadcasts.
 
-    Has the layout of `gnss_1.GalileoIonoCorrection`.
+    Has the layout of `gnss_1.GalileoIonoCorrection`. Also called `galileo_iono_corr`.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """
@@ -498,7 +499,7 @@ class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
 
     Model of the ionosphere that BeiDou broadcasts.
 
-    Has the layout of `gnss_1.BeidouIonoCorrection`.
+    Has the layout of `gnss_1.BeidouIonoCorrection`. Also called `beidou_iono_corr`.
 
     - mip-sdk-4: Gnss4 Data (0x94)
     """

@@ -13,7 +13,7 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, Structure
+from .field import Command, Field, Response, ResponseClass, Structure
 from .protocol import FunctionSelector
 
 _POLL_ENTRY_0 = codec.Block("BH", "descriptor", "reserved")
@@ -449,7 +449,8 @@ _ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors
 class EstimationFilterMessageFormatResponse(Response):
     """Estimation Filter Message Format response (0x0C,0x82).
 
-    Answers `EstimationFilterMessageFormat`. Supported by 3DM-GX5-15.
+    Also called `filter_message_format_response`. Answers `EstimationFilterMessageFormat`. Supported
+    by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
@@ -489,7 +490,7 @@ _GET_IMU_DATA_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 class GetImuDataBaseRateResponse(Response):
     """Get IMU Data Base Rate response (0x0C,0x83).
 
-    Answers `GetImuDataBaseRate`. Supported by 3DM-GX5-15.
+    Also called `imu_get_base_rate_response`. Answers `GetImuDataBaseRate`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -521,7 +522,7 @@ _GET_GNSS_DATA_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 class GetGnssDataBaseRateResponse(Response):
     """Get GNSS Data Base Rate response (0x0C,0x84).
 
-    Answers `GetGnssDataBaseRate`.
+    Also called `gnss_get_base_rate_response`. Answers `GetGnssDataBaseRate`.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -553,7 +554,8 @@ _DATA_STREAM_CONTROL_RESPONSE_0 = codec.Block("BB", "desc_set", "enabled")
 class DataStreamControlResponse(Response):
     """Data Stream Control response (0x0C,0x85).
 
-    Answers `DataStreamControl`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `datastream_control_response`. Answers `DataStreamControl`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -593,7 +595,8 @@ _UART_BAUD_RATE_RESPONSE_0 = codec.Block("I", "baud")
 class UartBaudRateResponse(Response):
     """UART Baud Rate response (0x0C,0x87).
 
-    Answers `UartBaudRate`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `uart_baudrate_response`. Answers `UartBaudRate`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -626,7 +629,8 @@ _GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 class GetEstimationFilterDataBaseRateResponse(Response):
     """Get Estimation Filter Data Base Rate response (0x0C,0x8A).
 
-    Answers `GetEstimationFilterDataBaseRate`. Supported by 3DM-GX5-15.
+    Also called `filter_get_base_rate_response`. Answers `GetEstimationFilterDataBaseRate`.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -660,7 +664,8 @@ _ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_0 = codec.Block(
 class AdvancedLowPassFilterSettingsResponse(Response):
     """Advanced Low-Pass Filter Settings response (0x0C,0x8B).
 
-    Answers `AdvancedLowPassFilterSettings`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `imu_lowpass_filter_response`. Answers `AdvancedLowPassFilterSettings`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
     - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -752,7 +757,7 @@ _GET_DATA_BASE_RATE_RESPONSE_0 = codec.Block("BH", "desc_set", "rate")
 class GetDataBaseRateResponse(Response):
     """Get Data Base Rate response (0x0C,0x8E).
 
-    Answers `GetDataBaseRate`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `get_base_rate_response`. Answers `GetDataBaseRate`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
@@ -1031,7 +1036,8 @@ _COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_0 = codec.Block(
 class ComplementaryFilterConfigurationResponse(Response):
     """Complementary Filter Configuration response (0x0C,0x97).
 
-    Answers `ComplementaryFilterConfiguration`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `complementary_filter_response`. Answers `ComplementaryFilterConfiguration`.
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -1080,7 +1086,8 @@ _ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_0 = codec.Block("fff", *["bias"] * 3)
 class AccelerometerBiasConfigurationResponse(Response):
     """Accelerometer Bias Configuration response (0x0C,0x9A).
 
-    Answers `AccelerometerBiasConfiguration`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `accel_bias_response`. Answers `AccelerometerBiasConfiguration`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -1117,8 +1124,9 @@ class GyroscopeBiasConfigurationResponse(Response):
 
     The bias in use.
 
-    Answers `GyroscopeBiasConfiguration` and `CaptureGyroscopeBias`. Supported by 3DM-CV7-GNSS/INS
-    and 3DM-GX5-15.
+    Also called `gyro_bias_response` and `capture_gyro_bias_response`. Answers
+    `GyroscopeBiasConfiguration` and `CaptureGyroscopeBias`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -1151,7 +1159,8 @@ _MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 class MagnetometerHardIronOffsetResponse(Response):
     """Magnetometer Hard Iron Offset response (0x0C,0x9C).
 
-    Answers `MagnetometerHardIronOffset`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `mag_hard_iron_offset_response`. Answers `MagnetometerHardIronOffset`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     """
@@ -1185,7 +1194,8 @@ _MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_0 = codec.Block("fffffffff", *["offset"]
 class MagnetometerSoftIronMatrixResponse(Response):
     """Magnetometer Soft Iron Matrix response (0x0C,0x9D).
 
-    Answers `MagnetometerSoftIronMatrix`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `mag_soft_iron_matrix_response`. Answers `MagnetometerSoftIronMatrix`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     """
@@ -1221,7 +1231,8 @@ _CONING_AND_SCULLING_ENABLE_RESPONSE_0 = codec.Block("B", "enable")
 class ConingAndScullingEnableResponse(Response):
     """Coning and Sculling Enable response (0x0C,0x9E).
 
-    Answers `ConingAndScullingEnable`. Supported by 3DM-GX5-15.
+    Also called `coning_sculling_enable_response`. Answers `ConingAndScullingEnable`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -1432,7 +1443,7 @@ _PPS_SOURCE_CONTROL_RESPONSE_0 = codec.Block("B", "source")
 class PpsSourceControlResponse(Response):
     """PPS Source Control response (0x0C,0xA8).
 
-    Answers `PpsSourceControl`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `pps_source_response`. Answers `PpsSourceControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
@@ -1466,7 +1477,8 @@ _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_0 = codec.Block(
 class SensorToVehicleFrameTransformationEulerResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
 
-    Answers `SensorToVehicleFrameTransformationEuler`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `sensor_2_vehicle_transform_euler_response`. Answers
+    `SensorToVehicleFrameTransformationEuler`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -1508,7 +1520,8 @@ _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_0 = codec.Block("fff
 class SensorToVehicleFrameTransformationQuaternionResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
 
-    Answers `SensorToVehicleFrameTransformationQuaternion`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
+    `SensorToVehicleFrameTransformationQuaternion`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -1548,8 +1561,8 @@ _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_0 = cod
 class SensorToVehicleFrameTransformationDirectionCosineMatrixResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
 
-    Answers `SensorToVehicleFrameTransformationDirectionCosineMatrix`. Supported by
-    3DM-CV7-GNSS/INS.
+    Also called `sensor_2_vehicle_transform_dcm_response`. Answers
+    `SensorToVehicleFrameTransformationDirectionCosineMatrix`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -1587,7 +1600,8 @@ _GET_SUPPORTED_EVENTS_RESPONSE_0 = codec.Block("BBB", "query", "max_instances", 
 class GetSupportedEventsResponse(Response):
     """Get Supported Events response (0x0C,0xB4).
 
-    Answers `GetSupportedEvents`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `get_event_support_response`. Answers `GetSupportedEvents`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -1746,7 +1760,8 @@ _EVENT_TRIGGER_CONFIGURATION_RESPONSE_0 = codec.Block("BB", "instance", "type")
 class EventTriggerConfigurationResponse(Response):
     """Event Trigger Configuration response (0x0C,0xB8).
 
-    Answers `EventTriggerConfiguration`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `event_trigger_response`. Answers `EventTriggerConfiguration`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
@@ -1817,7 +1832,8 @@ _EVENT_ACTION_CONFIGURATION_RESPONSE_0 = codec.Block("BBB", "instance", "trigger
 class EventActionConfigurationResponse(Response):
     """Event Action Configuration response (0x0C,0xB9).
 
-    Answers `EventActionConfiguration`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `event_action_response`. Answers `EventActionConfiguration`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     """
@@ -1877,7 +1893,7 @@ _GPIO_CONFIGURATION_RESPONSE_0 = codec.Block("BBBB", "pin", "feature", "behavior
 class GpioConfigurationResponse(Response):
     """GPIO Configuration response (0x0C,0xC1).
 
-    Answers `GpioConfiguration`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `gpio_config_response`. Answers `GpioConfiguration`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
@@ -1976,7 +1992,7 @@ _ODOMETER_CONFIGURATION_RESPONSE_0 = codec.Block("Bff", "mode", "scaling", "unce
 class OdometerConfigurationResponse(Response):
     """Odometer Configuration response (0x0C,0xC3).
 
-    Answers `OdometerConfiguration`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `odometer_response`. Answers `OdometerConfiguration`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -2051,7 +2067,8 @@ _GET_CALIBRATED_SENSOR_RANGES_RESPONSE_0 = codec.Block("BB", "sensor", "num_rang
 class GetCalibratedSensorRangesResponse(Response):
     """Get Calibrated Sensor Ranges response (0x0C,0xD3).
 
-    Answers `GetCalibratedSensorRanges`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `calibrated_sensor_ranges_response`. Answers `GetCalibratedSensorRanges`. Supported
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
@@ -2096,7 +2113,8 @@ _LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_0 = codec.Block(
 class LowPassAntiAliasingFilterResponse(Response):
     """Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
 
-    Answers `LowPassAntiAliasingFilter`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `lowpass_filter_response`. Answers `LowPassAntiAliasingFilter`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
@@ -2144,7 +2162,8 @@ class PollImuData(Command):
 
     Asks for one sensor data packet (0x80) with the fields listed, in their order.
 
-    Not acknowledged if `suppress_ack` is true. Supported by 3DM-GX5-15.
+    Also called `poll_imu_message`. Not acknowledged if `suppress_ack` is true. Supported by
+    3DM-GX5-15.
 
     An empty list polls the stored message format; without one the device refuses. Descriptors that
     the device does not know are ignored. The data comes in a packet of its own behind the reply.
@@ -2196,7 +2215,7 @@ class PollGnssData(Command):
 
     Asks for one GNSS data packet with the fields listed, in their order.
 
-    Not acknowledged if `suppress_ack` is true.
+    Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true.
 
     An empty list polls the stored GNSS message format `GnssMessageFormat` (0x0C,0x09); without one
     the device refuses. Descriptors that the device does not know are left out. The data comes in a
@@ -2252,7 +2271,8 @@ class PollEstimationFilterData(Command):
 
     Asks for one filter data packet (0x82) with the fields listed, in their order.
 
-    Not acknowledged if `suppress_ack` is true. Supported by 3DM-GX5-15.
+    Also called `poll_filter_message`. Not acknowledged if `suppress_ack` is true. Supported by
+    3DM-GX5-15.
 
     An empty list polls the stored message format; without one the device refuses. Descriptors that
     the device does not know are ignored. The data comes in a packet of its own behind the reply.
@@ -2304,7 +2324,8 @@ class PollNmeaData(Command):
 
     Asks for the NMEA sentences listed, once.
 
-    Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS.
+    Also called `nmea_poll_data`. Not acknowledged if `suppress_ack` is true. Supported by
+    3DM-CV7-GNSS/INS.
 
     An empty list polls the stored NMEA format; without one the device refuses. The sentences follow
     the reply as ordinary NMEA text, on the port of the command even if NMEA is off there. A
@@ -2356,7 +2377,8 @@ class GetImuDataBaseRate(Command):
 
     Asks for the rate that the decimations of the IMU message format divide.
 
-    Answered by `GetImuDataBaseRateResponse`. Supported by 3DM-GX5-15.
+    Also called `imu_get_base_rate`. Answered by `GetImuDataBaseRateResponse`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -2381,7 +2403,7 @@ class GetGnssDataBaseRate(Command):
 
     Asks for the rate that the decimations of the GNSS message format divide.
 
-    Answered by `GetGnssDataBaseRateResponse`.
+    Also called `gnss_get_base_rate`. Answered by `GetGnssDataBaseRateResponse`.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -2461,7 +2483,7 @@ class ImuMessageFormat(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return ImuMessageFormatResponse
         return None
@@ -2564,7 +2586,7 @@ class GnssMessageFormat(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return GnssMessageFormatResponse
         return None
@@ -2617,8 +2639,8 @@ class EstimationFilterMessageFormat(Command):
 
     Fields of the filter data packets (0x82), in order, with their decimations.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `EstimationFilterMessageFormatResponse`. Supported by 3DM-GX5-15.
+    Also called `filter_message_format`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `EstimationFilterMessageFormatResponse`. Supported by 3DM-GX5-15.
 
     The decimation is the base rate, as the get estimation filter data base rate command reports it,
     divided by the wanted rate. The list replaces the one before. If any descriptor is unknown the
@@ -2667,7 +2689,7 @@ class EstimationFilterMessageFormat(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return EstimationFilterMessageFormatResponse
         return None
@@ -2717,7 +2739,8 @@ class GetEstimationFilterDataBaseRate(Command):
 
     Asks for the rate that the decimations of the estimation filter message format divide.
 
-    Answered by `GetEstimationFilterDataBaseRateResponse`. Supported by 3DM-GX5-15.
+    Also called `filter_get_base_rate`. Answered by `GetEstimationFilterDataBaseRateResponse`.
+    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -2796,7 +2819,7 @@ class NmeaMessageFormat(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return NmeaMessageFormatResponse
         return None
@@ -2906,7 +2929,8 @@ class GetDataBaseRate(Command):
 
     Asks for the rate that the decimations of a descriptor set divide.
 
-    Answered by `GetDataBaseRateResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `get_base_rate`. Answered by `GetDataBaseRateResponse`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
@@ -2996,7 +3020,7 @@ class MessageFormat(Command):
         return cls(FunctionSelector.DEFAULT, desc_set=desc_set)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return MessageFormatResponse
         return None
@@ -3096,8 +3120,8 @@ class DataStreamControl(Command):
 
     Switches a data stream on or off.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `DataStreamControlResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `datastream_control`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `DataStreamControlResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     5-series devices name the stream by a number of their own (legacy_data_stream), others by its
     descriptor set.
@@ -3150,7 +3174,7 @@ class DataStreamControl(Command):
         return cls(FunctionSelector.DEFAULT, desc_set=desc_set)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return DataStreamControlResponse
         return None
@@ -3267,7 +3291,7 @@ class ConstellationSettings(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return ConstellationSettingsResponse
         return None
@@ -3390,7 +3414,7 @@ class GnssSbasSettings(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return GnssSbasSettingsResponse
         return None
@@ -3513,7 +3537,7 @@ class GnssAssistedFix(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return GnssAssistedFixResponse
         return None
@@ -3609,7 +3633,7 @@ class GnssTimeAssistance(Command):
         return cls(FunctionSelector.READ)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return GnssTimeAssistanceResponse
         return None
@@ -3673,7 +3697,7 @@ class PpsSourceControl(Command):
 
     Where the device takes its pulse per second from.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Also called `pps_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `PpsSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     The pins are configured apart from this by the GPIO configuration command. The filter needs a
@@ -3720,7 +3744,7 @@ class PpsSourceControl(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return PpsSourceControlResponse
         return None
@@ -3764,7 +3788,8 @@ class GetSupportedEvents(Command):
 
     Asks which types of event triggers or actions there are and how many of each.
 
-    Answered by `GetSupportedEventsResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `get_event_support`. Answered by `GetSupportedEventsResponse`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -3851,7 +3876,7 @@ class EventControl(Command):
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return EventControlResponse
         return None
@@ -4005,8 +4030,8 @@ class EventTriggerConfiguration(Command):
 
     Kind and condition of an event trigger.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `EventTriggerConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `EventTriggerConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     The trigger is disabled afterwards; the event control command enables it. A GPIO trigger needs
     its pin configured by the GPIO configuration command.
@@ -4072,7 +4097,7 @@ class EventTriggerConfiguration(Command):
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return EventTriggerConfigurationResponse
         return None
@@ -4164,8 +4189,8 @@ class EventActionConfiguration(Command):
 
     Trigger and effect of an event action.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `EventActionConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `event_action`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `EventActionConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     A packet holds one descriptor set; for several sets use several actions with the same trigger. A
     GPIO action needs its pin configured as an output with the gpio feature.
@@ -4234,7 +4259,7 @@ class EventActionConfiguration(Command):
         return cls(FunctionSelector.DEFAULT, instance=instance)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return EventActionConfigurationResponse
         return None
@@ -4315,8 +4340,8 @@ class DeviceStartUpSettings(Command):
 
     Saves, loads or resets all settings of the device at once.
 
-    Functions: `save`, `load` and `default`. The device may take 1 s to answer. Supported by
-    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `device_settings`. Functions: `save`, `load` and `default`. The device may take 1 s
+    to answer. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     A save may disturb the data output for a short time.
 
@@ -4378,8 +4403,9 @@ class SensorToVehicleFrameTransformationEuler(Command):
 
     Mounting of the sensor in the vehicle as Euler angles.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleFrameTransformationEulerResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `sensor_2_vehicle_transform_euler`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `SensorToVehicleFrameTransformationEulerResponse`. Supported by
+    3DM-CV7-GNSS/INS.
 
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
     be another form of it. The mounting is reached from the vehicle frame by turning about the
@@ -4436,7 +4462,7 @@ class SensorToVehicleFrameTransformationEuler(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return SensorToVehicleFrameTransformationEulerResponse
         return None
@@ -4500,8 +4526,9 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
 
     Mounting of the sensor in the vehicle as a quaternion.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleFrameTransformationQuaternionResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `sensor_2_vehicle_transform_quaternion`. Functions: `write`, `read`, `save`, `load`
+    and `default`. Answered by `SensorToVehicleFrameTransformationQuaternionResponse`. Supported by
+    3DM-CV7-GNSS/INS.
 
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
     be another form of it. A change resets the low-pass filters, the complementary filter and the
@@ -4550,7 +4577,7 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return SensorToVehicleFrameTransformationQuaternionResponse
         return None
@@ -4602,9 +4629,9 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
 
     Mounting of the sensor in the vehicle as a direction cosine matrix.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleFrameTransformationDirectionCosineMatrixResponse`. Supported by
-    3DM-CV7-GNSS/INS.
+    Also called `sensor_2_vehicle_transform_dcm`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `SensorToVehicleFrameTransformationDirectionCosineMatrixResponse`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
     be another form of it. A vector in the vehicle frame is this matrix times the vector in the
@@ -4654,7 +4681,7 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return SensorToVehicleFrameTransformationDirectionCosineMatrixResponse
         return None
@@ -4706,9 +4733,10 @@ class AccelerometerBiasConfiguration(Command):
 
     Bias that is subtracted from the scaled acceleration.
 
-    For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
-    `AccelerometerBiasConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
-    3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+    For advanced use. Also called `accel_bias`. Functions: `write`, `read`, `save`, `load`,
+    `default` and `apply`. Answered by `AccelerometerBiasConfigurationResponse`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and
+    `default` only.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -4763,7 +4791,7 @@ class AccelerometerBiasConfiguration(Command):
         return self.function != FunctionSelector.APPLY
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return AccelerometerBiasConfigurationResponse
         return None
@@ -4809,9 +4837,9 @@ class GyroscopeBiasConfiguration(Command):
 
     Bias that is subtracted from the scaled angular rate.
 
-    For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
-    `GyroscopeBiasConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
-    3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
+    For advanced use. Also called `gyro_bias`. Functions: `write`, `read`, `save`, `load`, `default`
+    and `apply`. Answered by `GyroscopeBiasConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GX5-15. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -4866,7 +4894,7 @@ class GyroscopeBiasConfiguration(Command):
         return self.function != FunctionSelector.APPLY
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return GyroscopeBiasConfigurationResponse
         return None
@@ -4910,8 +4938,8 @@ class CaptureGyroscopeBias(Command):
 
     Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
 
-    Answered by `GyroscopeBiasConfigurationResponse`. The device may take 31 s to answer. Supported
-    by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `capture_gyro_bias`. Answered by `GyroscopeBiasConfigurationResponse`. The device
+    may take 31 s to answer. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The device must stand still, with as little vibration as possible, for the whole time. The reply
     comes after the averaging time. The bias is not saved; the gyroscope bias configuration command
@@ -4954,8 +4982,8 @@ class MagnetometerHardIronOffset(Command):
 
     Offset that corrects the scaled magnetic field for hard iron.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagnetometerHardIronOffsetResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `mag_hard_iron_offset`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `MagnetometerHardIronOffsetResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     The values come from a calibration of the device as it is installed.
 
@@ -5000,7 +5028,7 @@ class MagnetometerHardIronOffset(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return MagnetometerHardIronOffsetResponse
         return None
@@ -5046,8 +5074,8 @@ class MagnetometerSoftIronMatrix(Command):
 
     Matrix that corrects the scaled magnetic field for soft iron.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagnetometerSoftIronMatrixResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `mag_soft_iron_matrix`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `MagnetometerSoftIronMatrixResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     The values come from a calibration of the device as it is installed.
 
@@ -5094,7 +5122,7 @@ class MagnetometerSoftIronMatrix(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return MagnetometerSoftIronMatrixResponse
         return None
@@ -5140,8 +5168,8 @@ class ConingAndScullingEnable(Command):
 
     Switches the compensation of coning and sculling on or off.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ConingAndScullingEnableResponse`. Supported by 3DM-GX5-15.
+    Also called `coning_sculling_enable`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `ConingAndScullingEnableResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -5184,7 +5212,7 @@ class ConingAndScullingEnable(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return ConingAndScullingEnableResponse
         return None
@@ -5230,8 +5258,8 @@ class UartBaudRate(Command):
 
     Baud rate of the main port.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `UartBaudRateResponse`.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `UartBaudRateResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later. The
     3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then nothing is
@@ -5283,7 +5311,7 @@ class UartBaudRate(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return UartBaudRateResponse
         return None
@@ -5337,7 +5365,7 @@ class GpioConfiguration(Command):
 
     What a GPIO pin is used for.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Also called `gpio_config`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `GpioConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     Not every pin has every feature. Configure the function behind an output before its pin, and the
@@ -5417,7 +5445,7 @@ class GpioConfiguration(Command):
         return cls(FunctionSelector.DEFAULT, pin=pin)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return GpioConfigurationResponse
         return None
@@ -5526,7 +5554,7 @@ class GpioState(Command):
         return cls(FunctionSelector.READ, pin=pin)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return GpioStateResponse
         return None
@@ -5587,7 +5615,7 @@ class OdometerConfiguration(Command):
 
     Input from a wheel encoder.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    Also called `odometer`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
     `OdometerConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
@@ -5638,7 +5666,7 @@ class OdometerConfiguration(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return OdometerConfigurationResponse
         return None
@@ -5712,9 +5740,9 @@ class AdvancedLowPassFilterSettings(Command):
 
     Low-pass filter of one quantity of the sensor data.
 
-    Deprecated: use `LowPassAntiAliasingFilter` where the device has it. For advanced use.
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `AdvancedLowPassFilterSettingsResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Deprecated: use `LowPassAntiAliasingFilter` where the device has it. For advanced use. Also
+    called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `AdvancedLowPassFilterSettingsResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The filter has one pole. By default it is on and its cutoff is half the rate of the message
     format.
@@ -5788,7 +5816,7 @@ class AdvancedLowPassFilterSettings(Command):
         return cls(FunctionSelector.DEFAULT, target_descriptor=target_descriptor)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return AdvancedLowPassFilterSettingsResponse
         return None
@@ -5878,8 +5906,9 @@ class ComplementaryFilterConfiguration(Command):
 
     Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ComplementaryFilterConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `complementary_filter`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `ComplementaryFilterConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GX5-15.
 
     Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero. The
     heading follows the magnetometer, if the device has one. The device refuses time constants out
@@ -5956,7 +5985,7 @@ class ComplementaryFilterConfiguration(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return ComplementaryFilterConfigurationResponse
         return None
@@ -6085,7 +6114,7 @@ class SensorRange(Command):
         return cls(FunctionSelector.DEFAULT, sensor=sensor)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return SensorRangeResponse
         return None
@@ -6138,7 +6167,8 @@ class GetCalibratedSensorRanges(Command):
 
     Asks for the ranges that a sensor supports.
 
-    Answered by `GetCalibratedSensorRangesResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `calibrated_sensor_ranges`. Answered by `GetCalibratedSensorRangesResponse`.
+    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
@@ -6185,8 +6215,8 @@ class LowPassAntiAliasingFilter(Command):
 
     Low-pass filter of a data field.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `LowPassAntiAliasingFilterResponse`. Supported by 3DM-CV7-GNSS/INS.
+    Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `LowPassAntiAliasingFilterResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
 
@@ -6252,7 +6282,7 @@ class LowPassAntiAliasingFilter(Command):
         return cls(FunctionSelector.DEFAULT, desc_set=desc_set, field_desc=field_desc)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return LowPassAntiAliasingFilterResponse
         return None
@@ -6356,7 +6386,7 @@ class DeviceStatus(Command):
         return data[0:2] == b"\x18n"
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.status_selector == 1:
             return DeviceStatusBasicResponse
         if self.status_selector == 2:

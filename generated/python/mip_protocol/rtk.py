@@ -12,7 +12,7 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response
+from .field import Command, Field, Response, ResponseClass
 from .protocol import FunctionSelector
 
 
@@ -260,7 +260,7 @@ class ConnectedDeviceTypeResponse(Response):
 class GetActivationCodeResponse(Response):
     """Get activation code response (0x0F,0x87).
 
-    Answers `GetActivationCode`.
+    Also called `get_act_code_response`. Answers `GetActivationCode`.
 
     - mip-sdk-4: Get Act Code (0x0F,0x07)
     """
@@ -543,7 +543,7 @@ class ConnectedDeviceType(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return ConnectedDeviceTypeResponse
         return None
@@ -584,7 +584,7 @@ class GetActivationCode(Command):
 
     Asks for the activation code.
 
-    Answered by `GetActivationCodeResponse`.
+    Also called `get_act_code`. Answered by `GetActivationCodeResponse`.
 
     - mip-sdk-4: Get Act Code (0x0F,0x07)
     """
@@ -677,7 +677,7 @@ class EraseStorage(Command):
 
     Erases a storage medium down to its raw state.
 
-    For advanced use.
+    For advanced use. Also called `prod_erase_storage`.
 
     All that is stored is lost. The command is for production. Accepted in calibration mode only.
 

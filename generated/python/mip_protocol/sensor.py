@@ -333,7 +333,7 @@ class ComplementaryFilterOrientationMatrix(Data):
 
     Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `comp_orientation_matrix`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     v_vehicle = M * v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
 
@@ -374,7 +374,7 @@ class ComplementaryFilterQuaternion(Data):
 
     Attitude by the complementary filter as a quaternion, relative to the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `comp_quaternion`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     v_vehicle = q^-1 * v_ned * q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
 
@@ -449,7 +449,7 @@ class ComplementaryFilterEulerAngles(Data):
 
     Attitude by the complementary filter as Euler angles, relative to the NED frame.
 
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `comp_euler_angles`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     The rotations are in the order yaw, pitch, roll (3-2-1).
 
@@ -598,7 +598,7 @@ class ComplementaryFilterStabilizedNorthVector(Data):
 
     Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
 
-    Supported by 3DM-GX5-15.
+    Also called `north_vector`. Supported by 3DM-GX5-15.
 
     Without magnetic disturbance it equals the measured magnetic field. A lasting disturbance is not
     compensated.
@@ -637,7 +637,7 @@ class ComplementaryFilterStabilizedUpVector(Data):
 
     Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
 
-    Supported by 3DM-GX5-15.
+    Also called `up_vector`. Supported by 3DM-GX5-15.
 
     At rest it equals the measured acceleration.
 
@@ -731,7 +731,7 @@ class TemperatureStatistics(Data):
 
     Temperatures since the last power-on or reset.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS.
 
     The values come from the inertial sensors, alone or together with sensors on the board.
 
@@ -874,7 +874,7 @@ class Odometer(Data):
 
     Speed by the wheel encoder.
 
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
     """

@@ -12,7 +12,7 @@ from enum import IntFlag
 
 from . import codec
 from .errors import Truncated
-from .field import Command, Field, Response
+from .field import Command, Field, Response, ResponseClass
 from .protocol import FunctionSelector
 
 
@@ -116,7 +116,7 @@ _COMMUNICATION_MODE_RESPONSE_0 = codec.Block("B", "mode")
 class CommunicationModeResponse(Response):
     """Communication mode response (0x7F,0x90).
 
-    Answers `CommunicationMode`. Supported by 3DM-GX5-15.
+    Also called `comm_mode_response`. Answers `CommunicationMode`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """
@@ -223,7 +223,7 @@ class InterfaceControl(Command):
         return cls(FunctionSelector.DEFAULT, port=port)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return InterfaceControlResponse
         return None
@@ -287,8 +287,8 @@ class CommunicationMode(Command):
 
     Switches the port between the device and one of the sensors inside it.
 
-    For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `CommunicationModeResponse`. Supported by 3DM-GX5-15.
+    For advanced use. Also called `comm_mode`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `CommunicationModeResponse`. Supported by 3DM-GX5-15.
 
     The acknowledge is sent in the old mode, just before the switch. In a direct mode only this
     command and device status `mip_3dm.DeviceStatus` (0x0C,0x64) of the device itself are answered.
@@ -334,7 +334,7 @@ class CommunicationMode(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return CommunicationModeResponse
         return None

@@ -277,7 +277,8 @@ typedef uint8_t mip_3dm_legacy_data_stream;
  *
  * Asks for one sensor data packet (0x80) with the fields listed, in their order.
  *
- * Not acknowledged if suppress_ack is true. Supported by 3DM-GX5-15.
+ * Also called `poll_imu_message`. Not acknowledged if suppress_ack is true. Supported by
+ * 3DM-GX5-15.
  *
  * An empty list polls the stored message format; without one the device refuses.
  *
@@ -313,7 +314,7 @@ struct mip_3dm_poll_imu_data mip_3dm_poll_imu_data_make(
  *
  * Asks for one GNSS data packet with the fields listed, in their order.
  *
- * Not acknowledged if suppress_ack is true.
+ * Also called `poll_gnss_message`. Not acknowledged if suppress_ack is true.
  *
  * An empty list polls the stored GNSS message format (0x0C,0x09); without one the device refuses.
  *
@@ -352,7 +353,8 @@ struct mip_3dm_poll_gnss_data mip_3dm_poll_gnss_data_make(
  *
  * Asks for one filter data packet (0x82) with the fields listed, in their order.
  *
- * Not acknowledged if suppress_ack is true. Supported by 3DM-GX5-15.
+ * Also called `poll_filter_message`. Not acknowledged if suppress_ack is true. Supported by
+ * 3DM-GX5-15.
  *
  * An empty list polls the stored message format; without one the device refuses.
  *
@@ -388,7 +390,8 @@ struct mip_3dm_poll_estimation_filter_data mip_3dm_poll_estimation_filter_data_m
  *
  * Asks for the NMEA sentences listed, once.
  *
- * Not acknowledged if suppress_ack is true. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `nmea_poll_data`. Not acknowledged if suppress_ack is true. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * An empty list polls the stored NMEA format; without one the device refuses.
  *
@@ -425,7 +428,8 @@ struct mip_3dm_poll_nmea_data mip_3dm_poll_nmea_data_make(
  *
  * Asks for the rate that the decimations of the IMU message format divide.
  *
- * Answered by mip_3dm_get_imu_data_base_rate_response. Supported by 3DM-GX5-15.
+ * Also called `imu_get_base_rate`. Answered by mip_3dm_get_imu_data_base_rate_response. Supported
+ * by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -446,7 +450,8 @@ mip_error mip_3dm_get_imu_data_base_rate_encode(const struct mip_3dm_get_imu_dat
 /**
  * Get IMU Data Base Rate response: response (0x0C,0x83).
  *
- * Answers mip_3dm_get_imu_data_base_rate. Supported by 3DM-GX5-15.
+ * Also called `imu_get_base_rate_response`. Answers mip_3dm_get_imu_data_base_rate. Supported by
+ * 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -469,7 +474,7 @@ mip_error mip_3dm_get_imu_data_base_rate_response_encode(
  *
  * Asks for the rate that the decimations of the GNSS message format divide.
  *
- * Answered by mip_3dm_get_gnss_data_base_rate_response.
+ * Also called `gnss_get_base_rate`. Answered by mip_3dm_get_gnss_data_base_rate_response.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -490,7 +495,7 @@ mip_error mip_3dm_get_gnss_data_base_rate_encode(
 /**
  * Get GNSS Data Base Rate response: response (0x0C,0x84).
  *
- * Answers mip_3dm_get_gnss_data_base_rate.
+ * Also called `gnss_get_base_rate_response`. Answers mip_3dm_get_gnss_data_base_rate.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -653,7 +658,7 @@ mip_error mip_3dm_gnss_message_format_response_encode(
  *
  * Fields of the filter data packets (0x82), in order, with their decimations.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `filter_message_format`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_estimation_filter_message_format_response. Supported by 3DM-GX5-15.
  *
  * The decimation is the base rate, as the get estimation filter data base rate command reports it,
@@ -699,7 +704,8 @@ mip_3dm_estimation_filter_message_format_default(void);
 /**
  * Estimation Filter Message Format response: response (0x0C,0x82).
  *
- * Answers mip_3dm_estimation_filter_message_format. Supported by 3DM-GX5-15.
+ * Also called `filter_message_format_response`. Answers mip_3dm_estimation_filter_message_format.
+ * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
@@ -726,7 +732,8 @@ mip_error mip_3dm_estimation_filter_message_format_response_encode(
  *
  * Asks for the rate that the decimations of the estimation filter message format divide.
  *
- * Answered by mip_3dm_get_estimation_filter_data_base_rate_response. Supported by 3DM-GX5-15.
+ * Also called `filter_get_base_rate`. Answered by
+ * mip_3dm_get_estimation_filter_data_base_rate_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -747,7 +754,8 @@ mip_error mip_3dm_get_estimation_filter_data_base_rate_encode(
 /**
  * Get Estimation Filter Data Base Rate response: response (0x0C,0x8A).
  *
- * Answers mip_3dm_get_estimation_filter_data_base_rate. Supported by 3DM-GX5-15.
+ * Also called `filter_get_base_rate_response`. Answers
+ * mip_3dm_get_estimation_filter_data_base_rate. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -881,7 +889,8 @@ struct mip_3dm_poll_data mip_3dm_poll_data_make(uint8_t desc_set, mip_bool suppr
  *
  * Asks for the rate that the decimations of a descriptor set divide.
  *
- * Answered by mip_3dm_get_data_base_rate_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `get_base_rate`. Answered by mip_3dm_get_data_base_rate_response. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -904,7 +913,8 @@ struct mip_3dm_get_data_base_rate mip_3dm_get_data_base_rate_make(uint8_t desc_s
 /**
  * Get Data Base Rate response: response (0x0C,0x8E).
  *
- * Answers mip_3dm_get_data_base_rate. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `get_base_rate_response`. Answers mip_3dm_get_data_base_rate. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -1031,8 +1041,8 @@ mip_3dm_factory_streaming_make(mip_3dm_factory_streaming_action action);
  *
  * Switches a data stream on or off.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_data_stream_control_response.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `datastream_control`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_data_stream_control_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * 5-series devices name the stream by a number of their own (legacy_data_stream), others by its
  * descriptor set.
@@ -1077,7 +1087,8 @@ struct mip_3dm_data_stream_control mip_3dm_data_stream_control_default(uint8_t d
 /**
  * Data Stream Control response: response (0x0C,0x85).
  *
- * Answers mip_3dm_data_stream_control. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `datastream_control_response`. Answers mip_3dm_data_stream_control. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -1410,8 +1421,8 @@ mip_error mip_3dm_gnss_time_assistance_response_encode(
  *
  * Where the device takes its pulse per second from.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_pps_source_control_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `pps_source`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_pps_source_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The pins are configured apart from this by the GPIO configuration command.
  *
@@ -1450,7 +1461,8 @@ struct mip_3dm_pps_source_control mip_3dm_pps_source_control_default(void);
 /**
  * PPS Source Control response: response (0x0C,0xA8).
  *
- * Answers mip_3dm_pps_source_control. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `pps_source_response`. Answers mip_3dm_pps_source_control. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
@@ -1473,7 +1485,8 @@ mip_error mip_3dm_pps_source_control_response_encode(
  *
  * Asks which types of event triggers or actions there are and how many of each.
  *
- * Answered by mip_3dm_get_supported_events_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `get_event_support`. Answered by mip_3dm_get_supported_events_response. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
@@ -1497,7 +1510,8 @@ mip_3dm_get_supported_events_make(mip_3dm_supported_events_query query);
 /**
  * Get Supported Events response: response (0x0C,0xB4).
  *
- * Answers mip_3dm_get_supported_events. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `get_event_support_response`. Answers mip_3dm_get_supported_events. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
@@ -1718,7 +1732,7 @@ union mip_3dm_event_trigger_configuration_parameters {
  *
  * Kind and condition of an event trigger.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `event_trigger`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_event_trigger_configuration_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The trigger is disabled afterwards; the event control command enables it.
@@ -1787,7 +1801,8 @@ union mip_3dm_event_trigger_configuration_response_parameters {
 /**
  * Event Trigger Configuration response: response (0x0C,0xB8).
  *
- * Answers mip_3dm_event_trigger_configuration. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `event_trigger_response`. Answers mip_3dm_event_trigger_configuration. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
@@ -1822,7 +1837,7 @@ union mip_3dm_event_action_configuration_parameters {
  *
  * Trigger and effect of an event action.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `event_action`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_event_action_configuration_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * A packet holds one descriptor set; for several sets use several actions with the same trigger.
@@ -1882,7 +1897,8 @@ union mip_3dm_event_action_configuration_response_parameters {
 /**
  * Event Action Configuration response: response (0x0C,0xB9).
  *
- * Answers mip_3dm_event_action_configuration. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `event_action_response`. Answers mip_3dm_event_action_configuration. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  */
@@ -1911,8 +1927,8 @@ mip_error mip_3dm_event_action_configuration_response_encode(
  *
  * Saves, loads or resets all settings of the device at once.
  *
- * Functions: save, load and default. The device may take 1 s to answer. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `device_settings`. Functions: save, load and default. The device may take 1 s to
+ * answer. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * A save may disturb the data output for a short time.
  *
@@ -1944,8 +1960,9 @@ struct mip_3dm_device_start_up_settings mip_3dm_device_start_up_settings_default
  *
  * Mounting of the sensor in the vehicle as Euler angles.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_sensor_to_vehicle_frame_transformation_euler_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and default.
+ * Answered by mip_3dm_sensor_to_vehicle_frame_transformation_euler_response. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
@@ -2007,7 +2024,8 @@ mip_3dm_sensor_to_vehicle_frame_transformation_euler_default(void);
 /**
  * Sensor-to-Vehicle Frame Transformation Euler response: response (0x0C,0xB1).
  *
- * Answers mip_3dm_sensor_to_vehicle_frame_transformation_euler. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `sensor_2_vehicle_transform_euler_response`. Answers
+ * mip_3dm_sensor_to_vehicle_frame_transformation_euler. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
@@ -2037,9 +2055,9 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_encode(
  *
  * Mounting of the sensor in the vehicle as a quaternion.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Also called `sensor_2_vehicle_transform_quaternion`. Functions: write, read, save, load and
+ * default. Answered by mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
@@ -2090,7 +2108,8 @@ mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_default(void);
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion response: response (0x0C,0xB2).
  *
- * Answers mip_3dm_sensor_to_vehicle_frame_transformation_quaternion. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
+ * mip_3dm_sensor_to_vehicle_frame_transformation_quaternion. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
@@ -2120,9 +2139,9 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_enc
  *
  * Mounting of the sensor in the vehicle as a direction cosine matrix.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response. Supported by
- * 3DM-CV7-GNSS/INS.
+ * Also called `sensor_2_vehicle_transform_dcm`. Functions: write, read, save, load and default.
+ * Answered by mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
@@ -2176,7 +2195,8 @@ mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_default(v
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response: response (0x0C,0xB3).
  *
- * Answers mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix. Supported by
+ * Also called `sensor_2_vehicle_transform_dcm_response`. Answers
+ * mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix. Supported by
  * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
@@ -2209,9 +2229,10 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
  *
  * Bias that is subtracted from the scaled acceleration.
  *
- * For advanced use. Functions: write, read, save, load, default and apply. Answered by
- * mip_3dm_accelerometer_bias_configuration_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
- * On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * For advanced use. Also called `accel_bias`. Functions: write, read, save, load, default and
+ * apply. Answered by mip_3dm_accelerometer_bias_configuration_response. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the 3DM-CV7-GNSS/INS: write, read, save, load and default
+ * only.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -2254,7 +2275,8 @@ mip_3dm_accelerometer_bias_configuration_apply(const float bias[3]);
 /**
  * Accelerometer Bias Configuration response: response (0x0C,0x9A).
  *
- * Answers mip_3dm_accelerometer_bias_configuration. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `accel_bias_response`. Answers mip_3dm_accelerometer_bias_configuration. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -2280,9 +2302,9 @@ mip_error mip_3dm_accelerometer_bias_configuration_response_encode(
  *
  * Bias that is subtracted from the scaled angular rate.
  *
- * For advanced use. Functions: write, read, save, load, default and apply. Answered by
- * mip_3dm_gyroscope_bias_configuration_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On
- * the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+ * For advanced use. Also called `gyro_bias`. Functions: write, read, save, load, default and apply.
+ * Answered by mip_3dm_gyroscope_bias_configuration_response. Supported by 3DM-CV7-GNSS/INS and
+ * 3DM-GX5-15. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -2326,7 +2348,8 @@ mip_3dm_gyroscope_bias_configuration_apply(const float bias[3]);
  *
  * The bias in use.
  *
- * Answers mip_3dm_gyroscope_bias_configuration and mip_3dm_capture_gyroscope_bias. Supported by
+ * Also called `gyro_bias_response` and `capture_gyro_bias_response`. Answers
+ * mip_3dm_gyroscope_bias_configuration and mip_3dm_capture_gyroscope_bias. Supported by
  * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
@@ -2352,8 +2375,8 @@ mip_error mip_3dm_gyroscope_bias_configuration_response_encode(
  *
  * Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
  *
- * Answered by mip_3dm_gyroscope_bias_configuration_response. The device may take 31 s to answer.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `capture_gyro_bias`. Answered by mip_3dm_gyroscope_bias_configuration_response. The
+ * device may take 31 s to answer. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The device must stand still, with as little vibration as possible, for the whole time.
  *
@@ -2388,7 +2411,7 @@ mip_3dm_capture_gyroscope_bias_make(uint16_t averaging_time_ms);
  *
  * Offset that corrects the scaled magnetic field for hard iron.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `mag_hard_iron_offset`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_magnetometer_hard_iron_offset_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The values come from a calibration of the device as it is installed.
@@ -2427,7 +2450,8 @@ struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offs
 /**
  * Magnetometer Hard Iron Offset response: response (0x0C,0x9C).
  *
- * Answers mip_3dm_magnetometer_hard_iron_offset. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `mag_hard_iron_offset_response`. Answers mip_3dm_magnetometer_hard_iron_offset.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  */
@@ -2452,7 +2476,7 @@ mip_error mip_3dm_magnetometer_hard_iron_offset_response_encode(
  *
  * Matrix that corrects the scaled magnetic field for soft iron.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `mag_soft_iron_matrix`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_magnetometer_soft_iron_matrix_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The values come from a calibration of the device as it is installed.
@@ -2494,7 +2518,8 @@ struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matr
 /**
  * Magnetometer Soft Iron Matrix response: response (0x0C,0x9D).
  *
- * Answers mip_3dm_magnetometer_soft_iron_matrix. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `mag_soft_iron_matrix_response`. Answers mip_3dm_magnetometer_soft_iron_matrix.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  */
@@ -2522,7 +2547,7 @@ mip_error mip_3dm_magnetometer_soft_iron_matrix_response_encode(
  *
  * Switches the compensation of coning and sculling on or off.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `coning_sculling_enable`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_coning_and_sculling_enable_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
@@ -2558,7 +2583,8 @@ struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_def
 /**
  * Coning and Sculling Enable response: response (0x0C,0x9E).
  *
- * Answers mip_3dm_coning_and_sculling_enable. Supported by 3DM-GX5-15.
+ * Also called `coning_sculling_enable_response`. Answers mip_3dm_coning_and_sculling_enable.
+ * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -2581,8 +2607,8 @@ mip_error mip_3dm_coning_and_sculling_enable_response_encode(
  *
  * Baud rate of the main port.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_uart_baud_rate_response.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `uart_baudrate`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_uart_baud_rate_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later.
  *
@@ -2625,7 +2651,8 @@ struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_default(void);
 /**
  * UART Baud Rate response: response (0x0C,0x87).
  *
- * Answers mip_3dm_uart_baud_rate. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `uart_baudrate_response`. Answers mip_3dm_uart_baud_rate. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -2649,8 +2676,8 @@ mip_error mip_3dm_uart_baud_rate_response_encode(
  *
  * What a GPIO pin is used for.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_gpio_configuration_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `gpio_config`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_gpio_configuration_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * Not every pin has every feature.
  *
@@ -2712,7 +2739,8 @@ struct mip_3dm_gpio_configuration mip_3dm_gpio_configuration_default(uint8_t pin
 /**
  * GPIO Configuration response: response (0x0C,0xC1).
  *
- * Answers mip_3dm_gpio_configuration. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `gpio_config_response`. Answers mip_3dm_gpio_configuration. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
@@ -2816,7 +2844,7 @@ mip_error mip_3dm_gpio_state_response_encode(const struct mip_3dm_gpio_state_res
  *
  * Input from a wheel encoder.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `odometer`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_odometer_configuration_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
@@ -2862,7 +2890,8 @@ struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_default(voi
 /**
  * Odometer Configuration response: response (0x0C,0xC3).
  *
- * Answers mip_3dm_odometer_configuration. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `odometer_response`. Answers mip_3dm_odometer_configuration. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
@@ -2894,7 +2923,7 @@ mip_error mip_3dm_odometer_configuration_response_encode(
  * Low-pass filter of one quantity of the sensor data.
  *
  * Deprecated: use mip_3dm_low_pass_anti_aliasing_filter where the device has it. For advanced use.
- * Functions: write, read, save, load and default. Answered by
+ * Also called `imu_lowpass_filter`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_advanced_low_pass_filter_settings_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The filter has one pole. By default it is on and its cutoff is half the rate of the message
@@ -2958,7 +2987,8 @@ mip_3dm_advanced_low_pass_filter_settings_default(uint8_t target_descriptor);
 /**
  * Advanced Low-Pass Filter Settings response: response (0x0C,0x8B).
  *
- * Answers mip_3dm_advanced_low_pass_filter_settings. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `imu_lowpass_filter_response`. Answers mip_3dm_advanced_low_pass_filter_settings.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -2998,7 +3028,7 @@ mip_error mip_3dm_advanced_low_pass_filter_settings_response_encode(
  *
  * Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `complementary_filter`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_complementary_filter_configuration_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
  *
@@ -3068,7 +3098,8 @@ mip_3dm_complementary_filter_configuration_default(void);
 /**
  * Complementary Filter Configuration response: response (0x0C,0x97).
  *
- * Answers mip_3dm_complementary_filter_configuration. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `complementary_filter_response`. Answers mip_3dm_complementary_filter_configuration.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -3170,7 +3201,8 @@ mip_error mip_3dm_sensor_range_response_encode(const struct mip_3dm_sensor_range
  *
  * Asks for the ranges that a sensor supports.
  *
- * Answered by mip_3dm_get_calibrated_sensor_ranges_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `calibrated_sensor_ranges`. Answered by
+ * mip_3dm_get_calibrated_sensor_ranges_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
@@ -3194,7 +3226,8 @@ mip_3dm_get_calibrated_sensor_ranges_make(mip_3dm_sensor_range_type sensor);
 /**
  * Get Calibrated Sensor Ranges response: response (0x0C,0xD3).
  *
- * Answers mip_3dm_get_calibrated_sensor_ranges. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `calibrated_sensor_ranges_response`. Answers mip_3dm_get_calibrated_sensor_ranges.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
@@ -3222,7 +3255,7 @@ mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
  *
  * Low-pass filter of a data field.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `lowpass_filter`. Functions: write, read, save, load and default. Answered by
  * mip_3dm_low_pass_anti_aliasing_filter_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
@@ -3279,7 +3312,8 @@ mip_3dm_low_pass_anti_aliasing_filter_default(uint8_t desc_set, uint8_t field_de
 /**
  * Low-Pass Anti-Aliasing Filter response: response (0x0C,0xD4).
  *
- * Answers mip_3dm_low_pass_anti_aliasing_filter. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `lowpass_filter_response`. Answers mip_3dm_low_pass_anti_aliasing_filter. Supported
+ * by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */

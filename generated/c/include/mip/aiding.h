@@ -104,7 +104,7 @@ union mip_aiding_frame_configuration_rotation {
  *
  * Where and how an external sensor is mounted on the vehicle.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `frame_config`. Functions: write, read, save, load and default. Answered by
  * mip_aiding_frame_configuration_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * Aiding measurements name the frame by its number.
@@ -177,7 +177,8 @@ union mip_aiding_frame_configuration_response_rotation {
 /**
  * Frame configuration response: response (0x13,0x81).
  *
- * Answers mip_aiding_frame_configuration. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `frame_config_response`. Answers mip_aiding_frame_configuration. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
  * - 3dm-cv7-gnss-ins: Aiding Frames
@@ -272,8 +273,8 @@ mip_error mip_aiding_echo_control_response_encode(
  *
  * A measured position in Earth-fixed coordinates.
  *
- * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `pos_ecef`. Not acknowledged if mode of mip_aiding_echo_control is
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
  *
  * Use only one form of position: ECEF or LLH.
  *
@@ -324,8 +325,8 @@ struct mip_aiding_ecef_position mip_aiding_ecef_position_make(
  *
  * A measured position as latitude, longitude and height.
  *
- * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `pos_llh`. Not acknowledged if mode of mip_aiding_echo_control is
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
  *
  * Use only one form of position: ECEF or LLH.
  *
@@ -426,8 +427,8 @@ struct mip_aiding_height_above_ellipsoid mip_aiding_height_above_ellipsoid_make(
  *
  * A measured velocity in Earth-fixed coordinates.
  *
- * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `vel_ecef`. Not acknowledged if mode of mip_aiding_echo_control is
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
  *
  * Use only one form of velocity: ECEF or NED.
  *
@@ -480,8 +481,8 @@ struct mip_aiding_ecef_velocity mip_aiding_ecef_velocity_make(
  *
  * A measured velocity in the local level frame.
  *
- * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `vel_ned`. Not acknowledged if mode of mip_aiding_echo_control is
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
  *
  * Use only one form of velocity: ECEF or NED.
  *
@@ -534,8 +535,8 @@ struct mip_aiding_ned_velocity mip_aiding_ned_velocity_make(
  *
  * A measured velocity of the vehicle in the frame of the sensor.
  *
- * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `vel_body_frame`. Not acknowledged if mode of mip_aiding_echo_control is
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
  *
  * An uncertainty of a valid axis that is not greater than 0 is refused as an invalid parameter.
  *
@@ -593,8 +594,8 @@ struct mip_aiding_body_frame_velocity mip_aiding_body_frame_velocity_make(
  *
  * A measured heading relative to true north.
  *
- * Not acknowledged if mode of mip_aiding_echo_control is MIP_AIDING_ECHO_MODE_SUPPRESS_ACK.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `heading_true`. Not acknowledged if mode of mip_aiding_echo_control is
+ * MIP_AIDING_ECHO_MODE_SUPPRESS_ACK. Supported by 3DM-CV7-GNSS/INS.
  *
  * The uncertainty of a valid measurement must be greater than 0.
  *

@@ -80,7 +80,7 @@ mip_error mip_base_ping_encode(const struct mip_base_ping *value, struct mip_bui
  *
  * Stops all data streams, and wakes a sleeping device, so that it can be set up.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `set_idle`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The resume command restores the previous mode.
  *
@@ -108,8 +108,8 @@ mip_error mip_base_set_to_idle_encode(const struct mip_base_set_to_idle *value,
  *
  * Gets the firmware version and the identity strings of the device.
  *
- * Answered by mip_base_get_device_information_response. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15.
+ * Also called `get_device_info`. Answered by mip_base_get_device_information_response. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -131,7 +131,8 @@ mip_error mip_base_get_device_information_encode(
 /**
  * Get device information response: response (0x01,0x81).
  *
- * Answers mip_base_get_device_information. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `get_device_info_response`. Answers mip_base_get_device_information. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -290,8 +291,8 @@ mip_error mip_base_resume_encode(const struct mip_base_resume *value, struct mip
  *
  * Gets the supported descriptors that did not fit into the reply of get device descriptors.
  *
- * Answered by mip_base_get_device_descriptors_extended_response. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15.
+ * Also called `get_extended_descriptors`. Answered by
+ * mip_base_get_device_descriptors_extended_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * Only supported if get device descriptors lists (0x01,0x07).
  *
@@ -315,7 +316,8 @@ mip_error mip_base_get_device_descriptors_extended_encode(
 /**
  * Get device descriptors (extended) response: response (0x01,0x86).
  *
- * Answers mip_base_get_device_descriptors_extended. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `get_extended_descriptors_response`. Answers
+ * mip_base_get_device_descriptors_extended. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
  * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -346,7 +348,8 @@ mip_error mip_base_get_device_descriptors_extended_response_encode(
  *
  * Gets the flags of the tests that run all the time. It does not interrupt operation.
  *
- * Answered by mip_base_continuous_built_in_test_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `continuous_bit`. Answered by mip_base_continuous_built_in_test_response. Supported
+ * by 3DM-CV7-GNSS/INS.
  *
  * It is less thorough than the built-in test command.
  *
@@ -374,7 +377,8 @@ mip_error mip_base_continuous_built_in_test_encode(
 /**
  * Continuous built-in test response: response (0x01,0x88).
  *
- * Answers mip_base_continuous_built_in_test. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `continuous_bit_response`. Answers mip_base_continuous_built_in_test. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
  */
@@ -400,8 +404,8 @@ mip_error mip_base_continuous_built_in_test_response_encode(
  *
  * Baud rate of one communication port.
  *
- * Functions: write, read, save, load and default. Answered by mip_base_comm_port_speed_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `comm_speed`. Functions: write, read, save, load and default. Answered by
+ * mip_base_comm_port_speed_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The change waits until pending data is sent and received, at most 250 ms.
  *
@@ -444,7 +448,8 @@ struct mip_base_comm_port_speed mip_base_comm_port_speed_default(uint8_t port);
 /**
  * Comm port speed response: response (0x01,0x89).
  *
- * Answers mip_base_comm_port_speed. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `comm_speed_response`. Answers mip_base_comm_port_speed. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
  */
@@ -577,7 +582,7 @@ mip_error mip_base_gps_time_update_time_of_week_response_encode(
  *
  * Acknowledges the command, then resets the device at once.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `soft_reset`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
  * - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)

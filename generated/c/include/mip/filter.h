@@ -233,7 +233,7 @@ typedef uint8_t mip_filter_reference_point;
  *
  * Puts the filter back into its initialization state.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `reset`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * If automatic initialization is off, the attitude or heading must be set before the filter runs
  * again.
@@ -296,7 +296,7 @@ struct mip_filter_set_initial_attitude mip_filter_set_initial_attitude_make(floa
  *
  * Gives the filter its initial heading; pitch and roll come from the accelerometers.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `set_initial_heading`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * 3DM-GX5: accepted only in the initialization state.
  *
@@ -328,7 +328,7 @@ mip_filter_set_initial_heading_control_make(float heading);
  *
  * Starts a filter that was set up to wait for this command.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `run`. Supported by 3DM-CV7-GNSS/INS.
  *
  * The filter waits in its initialization state if `wait_for_run_command` of
  * `navigation_filter_initialization` is set.
@@ -414,8 +414,8 @@ mip_error mip_filter_vehicle_dynamics_mode_response_encode(
  *
  * Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_frame_transformation_response. Supported by 3DM-GX5-15.
+ * Also called `sensor_to_vehicle_rotation_euler`. Functions: write, read, save, load and default.
+ * Answered by mip_filter_sensor_to_vehicle_frame_transformation_response. Supported by 3DM-GX5-15.
  *
  * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
@@ -467,7 +467,8 @@ mip_filter_sensor_to_vehicle_frame_transformation_default(void);
 /**
  * Sensor to vehicle frame transformation response: response (0x0D,0x81).
  *
- * Answers mip_filter_sensor_to_vehicle_frame_transformation. Supported by 3DM-GX5-15.
+ * Also called `sensor_to_vehicle_rotation_euler_response`. Answers
+ * mip_filter_sensor_to_vehicle_frame_transformation. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
@@ -570,7 +571,7 @@ mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
  *
  * Position of the GNSS antenna relative to the origin of the sensor.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `antenna_offset`. Functions: write, read, save, load and default. Answered by
  * mip_filter_gnss_antenna_offset_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The magnitude of the vector is limited to 10.
@@ -617,7 +618,8 @@ struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_con
 /**
  * GNSS antenna offset response: response (0x0D,0x83).
  *
- * Answers mip_filter_gnss_antenna_offset_control. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `antenna_offset_response`. Answers mip_filter_gnss_antenna_offset_control. Supported
+ * by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
@@ -645,7 +647,7 @@ mip_error mip_filter_gnss_antenna_offset_control_response_encode(
  *
  * Which states the filter estimates.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `estimation_control`. Functions: write, read, save, load and default. Answered by
  * mip_filter_estimation_control_flags_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
@@ -682,7 +684,8 @@ struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_d
 /**
  * Estimation control flags response: response (0x0D,0x84).
  *
- * Answers mip_filter_estimation_control_flags. Supported by 3DM-GX5-15.
+ * Also called `estimation_control_response`. Answers mip_filter_estimation_control_flags. Supported
+ * by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -705,7 +708,7 @@ mip_error mip_filter_estimation_control_flags_response_encode(
  *
  * Which GNSS receiver aids the filter.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `gnss_source`. Functions: write, read, save, load and default. Answered by
  * mip_filter_gnss_aiding_source_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * A change while the filter runs may put it back into initialization until the new source gives
@@ -745,7 +748,8 @@ struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_contr
 /**
  * GNSS aiding source response: response (0x0D,0x86).
  *
- * Answers mip_filter_gnss_aiding_source_control. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `gnss_source_response`. Answers mip_filter_gnss_aiding_source_control. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
@@ -859,7 +863,7 @@ struct mip_filter_external_heading_update mip_filter_external_heading_update_mak
  *
  * Source of the heading that aids the filter.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `heading_source`. Functions: write, read, save, load and default. Answered by
  * mip_filter_heading_update_control_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
@@ -896,7 +900,8 @@ struct mip_filter_heading_update_control mip_filter_heading_update_control_defau
 /**
  * Heading update control response: response (0x0D,0x87).
  *
- * Answers mip_filter_heading_update_control. Supported by 3DM-GX5-15.
+ * Also called `heading_source_response`. Answers mip_filter_heading_update_control. Supported by
+ * 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -919,7 +924,7 @@ mip_error mip_filter_heading_update_control_response_encode(
  *
  * Whether the filter initializes by itself when the device starts.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `auto_init_control`. Functions: write, read, save, load and default. Answered by
  * mip_filter_auto_initialization_control_response. Supported by 3DM-GX5-15.
  *
  * It needs a valid heading source.
@@ -958,7 +963,8 @@ struct mip_filter_auto_initialization_control mip_filter_auto_initialization_con
 /**
  * Automatic initialization response: response (0x0D,0x88).
  *
- * Answers mip_filter_auto_initialization_control. Supported by 3DM-GX5-15.
+ * Also called `auto_init_control_response`. Answers mip_filter_auto_initialization_control.
+ * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
  */
@@ -983,7 +989,7 @@ mip_error mip_filter_auto_initialization_control_response_encode(
  *
  * Standard deviation of the accelerometer noise that the filter assumes (process noise).
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `accel_noise`. Functions: write, read, save, load and default. Answered by
  * mip_filter_accelerometer_noise_standard_deviation_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
  *
@@ -1033,8 +1039,8 @@ mip_filter_accelerometer_noise_standard_deviation_default(void);
 /**
  * Accelerometer noise response: response (0x0D,0x89).
  *
- * Answers mip_filter_accelerometer_noise_standard_deviation. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15.
+ * Also called `accel_noise_response`. Answers mip_filter_accelerometer_noise_standard_deviation.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -1061,7 +1067,7 @@ mip_error mip_filter_accelerometer_noise_standard_deviation_response_encode(
  *
  * Standard deviation of the gyroscope noise that the filter assumes (process noise).
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `gyro_noise`. Functions: write, read, save, load and default. Answered by
  * mip_filter_gyroscope_noise_standard_deviation_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
  *
@@ -1110,8 +1116,8 @@ mip_filter_gyroscope_noise_standard_deviation_default(void);
 /**
  * Gyroscope noise response: response (0x0D,0x8A).
  *
- * Answers mip_filter_gyroscope_noise_standard_deviation. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15.
+ * Also called `gyro_noise_response`. Answers mip_filter_gyroscope_noise_standard_deviation.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -1138,7 +1144,7 @@ mip_error mip_filter_gyroscope_noise_standard_deviation_response_encode(
  *
  * Parameters of the model by which the accelerometer bias drifts.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `accel_bias_model`. Functions: write, read, save, load and default. Answered by
  * mip_filter_accelerometer_bias_model_parameters_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
@@ -1189,7 +1195,8 @@ mip_filter_accelerometer_bias_model_parameters_default(void);
 /**
  * Accelerometer bias model response: response (0x0D,0x8B).
  *
- * Answers mip_filter_accelerometer_bias_model_parameters. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `accel_bias_model_response`. Answers mip_filter_accelerometer_bias_model_parameters.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
@@ -1220,7 +1227,7 @@ mip_error mip_filter_accelerometer_bias_model_parameters_response_encode(
  *
  * Parameters of the model by which the gyroscope bias drifts.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `gyro_bias_model`. Functions: write, read, save, load and default. Answered by
  * mip_filter_gyroscope_bias_model_parameters_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
  *
@@ -1271,7 +1278,8 @@ mip_filter_gyroscope_bias_model_parameters_default(void);
 /**
  * Gyroscope bias model response: response (0x0D,0x8C).
  *
- * Answers mip_filter_gyroscope_bias_model_parameters. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `gyro_bias_model_response`. Answers mip_filter_gyroscope_bias_model_parameters.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -1423,7 +1431,7 @@ mip_filter_external_heading_update_with_time_make(double gps_time, uint16_t gps_
  *
  * Lets the filter take the device as not rotating while its angular rate is small.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `auto_angular_zupt`. Functions: write, read, save, load and default. Answered by
  * mip_filter_zero_angular_rate_update_control_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
  *
@@ -1473,8 +1481,8 @@ mip_filter_zero_angular_rate_update_control_default(void);
 /**
  * Zero angular rate update response: response (0x0D,0x8E).
  *
- * Answers mip_filter_zero_angular_rate_update_control. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15.
+ * Also called `auto_angular_zupt_response`. Answers mip_filter_zero_angular_rate_update_control.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -1591,7 +1599,7 @@ mip_error mip_filter_commanded_zupt_encode(const struct mip_filter_commanded_zup
  *
  * Tells the filter once that the device is not rotating.
  *
- * Supported by 3DM-GX5-15.
+ * Also called `commanded_angular_zupt`. Supported by 3DM-GX5-15.
  *
  * At most 10 per second.
  *
@@ -1617,7 +1625,7 @@ mip_error mip_filter_commanded_zero_angular_rate_update_encode(
  *
  * Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `reference_position`. Functions: write, read, save, load and default. Answered by
  * mip_filter_set_reference_position_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
@@ -1662,7 +1670,8 @@ struct mip_filter_set_reference_position mip_filter_set_reference_position_defau
 /**
  * Set reference position response: response (0x0D,0x90).
  *
- * Answers mip_filter_set_reference_position. Supported by 3DM-GX5-15.
+ * Also called `reference_position_response`. Answers mip_filter_set_reference_position. Supported
+ * by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
@@ -1723,7 +1732,7 @@ struct mip_filter_mag_capture_auto_cal mip_filter_mag_capture_auto_cal_save(void
  *
  * Standard deviation of the gravity noise that the filter assumes (process noise).
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `gravity_noise`. Functions: write, read, save, load and default. Answered by
  * mip_filter_gravity_noise_standard_deviation_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
  *
@@ -1771,8 +1780,8 @@ mip_filter_gravity_noise_standard_deviation_default(void);
 /**
  * Gravity noise response: response (0x0D,0x93).
  *
- * Answers mip_filter_gravity_noise_standard_deviation. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15.
+ * Also called `gravity_noise_response`. Answers mip_filter_gravity_noise_standard_deviation.
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -2113,8 +2122,9 @@ mip_error mip_filter_mag_noise_response_encode(const struct mip_filter_mag_noise
  *
  * Source of the local declination of the magnetic field.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_magnetic_field_declination_source_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `magnetic_declination_source`. Functions: write, read, save, load and default.
+ * Answered by mip_filter_magnetic_field_declination_source_control_response. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * Without a good declination source, keep automatic magnetometer calibration off.
  *
@@ -2162,7 +2172,8 @@ mip_filter_magnetic_field_declination_source_control_default(void);
 /**
  * Magnetic declination source response: response (0x0D,0xB2).
  *
- * Answers mip_filter_magnetic_field_declination_source_control. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `magnetic_declination_source_response`. Answers
+ * mip_filter_magnetic_field_declination_source_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  */
@@ -2190,8 +2201,9 @@ mip_error mip_filter_magnetic_field_declination_source_control_response_encode(
  *
  * How far the filter trusts gravity measurements whose magnitude is not that of gravity.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_gravity_magnitude_error_adaptive_measurement_response. Supported by 3DM-GX5-15.
+ * Also called `accel_magnitude_error_adaptive_measurement`. Functions: write, read, save, load and
+ * default. Answered by mip_filter_gravity_magnitude_error_adaptive_measurement_response. Supported
+ * by 3DM-GX5-15.
  *
  * Also called accelerometer magnitude error adaptive measurement.
  *
@@ -2268,7 +2280,8 @@ mip_filter_gravity_magnitude_error_adaptive_measurement_default(void);
 /**
  * Gravity magnitude error adaptive measurement response: response (0x0D,0xB3).
  *
- * Answers mip_filter_gravity_magnitude_error_adaptive_measurement. Supported by 3DM-GX5-15.
+ * Also called `accel_magnitude_error_adaptive_measurement_response`. Answers
+ * mip_filter_gravity_magnitude_error_adaptive_measurement. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
@@ -2621,7 +2634,7 @@ mip_error mip_filter_altitude_aiding_response_encode(
  *
  * What aids pitch and roll while the motion is gentle.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `pitch_roll_aiding`. Functions: write, read, save, load and default. Answered by
  * mip_filter_pitch_roll_aiding_control_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
@@ -2658,7 +2671,8 @@ struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control
 /**
  * Pitch and roll aiding response: response (0x0D,0xBB).
  *
- * Answers mip_filter_pitch_roll_aiding_control. Supported by 3DM-GX5-15.
+ * Also called `pitch_roll_aiding_response`. Answers mip_filter_pitch_roll_aiding_control. Supported
+ * by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
@@ -2992,8 +3006,8 @@ mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_encode(
  *
  * Enables or disables one source of aiding measurements.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_aiding_measurement_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `aiding_measurement_enable`. Functions: write, read, save, load and default. Answered
+ * by mip_filter_aiding_measurement_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -3035,7 +3049,8 @@ mip_filter_aiding_measurement_control_default(mip_filter_aiding_source aiding_so
 /**
  * Aiding measurement control response: response (0x0D,0xD0).
  *
- * Answers mip_filter_aiding_measurement_control. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `aiding_measurement_enable_response`. Answers mip_filter_aiding_measurement_control.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -3142,8 +3157,8 @@ mip_error mip_filter_kinematic_constraint_response_encode(
  *
  * Sources and values of the initial attitude, position and velocity of the filter.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_navigation_filter_initialization_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `initialization_configuration`. Functions: write, read, save, load and default.
+ * Answered by mip_filter_navigation_filter_initialization_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * Single precision resolves the latitude and longitude of the initial position to about a metre
  * only.
@@ -3221,7 +3236,8 @@ mip_filter_navigation_filter_initialization_default(void);
 /**
  * Navigation filter initialization response: response (0x0D,0xD2).
  *
- * Answers mip_filter_navigation_filter_initialization. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `initialization_configuration_response`. Answers
+ * mip_filter_navigation_filter_initialization. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
@@ -3273,8 +3289,8 @@ mip_error mip_filter_navigation_filter_initialization_response_encode(
  *
  * How the filter adapts to measurements that do not fit its model.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_adaptive_filter_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `adaptive_filter_options`. Functions: write, read, save, load and default. Answered
+ * by mip_filter_adaptive_filter_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
@@ -3315,7 +3331,8 @@ struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_def
 /**
  * Adaptive filter control response: response (0x0D,0xD3).
  *
- * Answers mip_filter_adaptive_filter_control. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `adaptive_filter_options_response`. Answers mip_filter_adaptive_filter_control.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
@@ -3340,7 +3357,7 @@ mip_error mip_filter_adaptive_filter_control_response_encode(
  *
  * Position of the antenna of one receiver on devices with several antennas.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `multi_antenna_offset`. Functions: write, read, save, load and default. Answered by
  * mip_filter_gnss_multi_antenna_offset_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The magnitude of the vector is limited to 10.
@@ -3389,7 +3406,8 @@ mip_filter_gnss_multi_antenna_offset_control_default(uint8_t receiver_id);
 /**
  * GNSS multi-antenna offset response: response (0x0D,0xD4).
  *
- * Answers mip_filter_gnss_multi_antenna_offset_control. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `multi_antenna_offset_response`. Answers
+ * mip_filter_gnss_multi_antenna_offset_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
@@ -3419,7 +3437,7 @@ mip_error mip_filter_gnss_multi_antenna_offset_control_response_encode(
  *
  * Reference point of the relative position that the filter reports.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `rel_pos_configuration`. Functions: write, read, save, load and default. Answered by
  * mip_filter_relative_position_configuration_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
@@ -3469,7 +3487,8 @@ mip_filter_relative_position_configuration_default(void);
 /**
  * Relative position configuration response: response (0x0D,0xD5).
  *
- * Answers mip_filter_relative_position_configuration. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `rel_pos_configuration_response`. Answers mip_filter_relative_position_configuration.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
@@ -3503,7 +3522,7 @@ mip_error mip_filter_relative_position_configuration_response_encode(
  *
  * Moves the point to which the position and the velocity of the filter refer.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `ref_point_lever_arm`. Functions: write, read, save, load and default. Answered by
  * mip_filter_reference_point_lever_arm_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * It shifts `llh_position`, `velocity_ned`, `ecef_position`, `ecef_velocity` and
@@ -3551,7 +3570,8 @@ struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm
 /**
  * Reference point lever arm response: response (0x0D,0xD6).
  *
- * Answers mip_filter_reference_point_lever_arm. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ref_point_lever_arm_response`. Answers mip_filter_reference_point_lever_arm.
+ * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
@@ -3615,7 +3635,7 @@ struct mip_filter_speed_measurement mip_filter_speed_measurement_make(float tow,
  *
  * Position of the point whose speed is measured, such as the wheel that an odometer is on.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `speed_lever_arm`. Functions: write, read, save, load and default. Answered by
  * mip_filter_measurement_speed_lever_arm_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * It corrects for the speed that such a point has only because the vehicle turns.
@@ -3659,7 +3679,8 @@ struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever
 /**
  * Speed measurement lever arm response: response (0x0D,0xE1).
  *
- * Answers mip_filter_measurement_speed_lever_arm. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `speed_lever_arm_response`. Answers mip_filter_measurement_speed_lever_arm. Supported
+ * by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
@@ -3826,8 +3847,8 @@ mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
  *
  * Lets the filter track the error of the antenna offset.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_gnss_antenna_offset_calibration_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default. Answered
+ * by mip_filter_gnss_antenna_offset_calibration_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
@@ -3876,7 +3897,8 @@ mip_filter_gnss_antenna_offset_calibration_control_default(void);
 /**
  * GNSS antenna offset calibration response: response (0x0D,0xE4).
  *
- * Answers mip_filter_gnss_antenna_offset_calibration_control. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `gnss_antenna_cal_control_response`. Answers
+ * mip_filter_gnss_antenna_offset_calibration_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration

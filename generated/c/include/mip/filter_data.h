@@ -309,7 +309,7 @@ static inline void mip_filter_data_cv7_status_flags_set_solution_error(
  *
  * Estimated position.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
  */
@@ -544,7 +544,7 @@ mip_error mip_filter_data_accel_bias_encode(const struct mip_filter_data_accel_b
  *
  * Standard deviation of the estimated position, in the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
  */
@@ -582,7 +582,7 @@ mip_error mip_filter_data_llh_position_uncertainty_encode(
  *
  * Standard deviation of the estimated velocity.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
  */
@@ -777,7 +777,7 @@ mip_error mip_filter_data_comp_angular_rate_encode(
  *
  * Magnitude of gravity at the position of the device by the WGS84 model.
  *
- * Supported by 3DM-GX5-15.
+ * Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
  *
  * The model holds up to an altitude of 20 km.
  *
@@ -952,7 +952,7 @@ mip_error mip_filter_data_gravity_vector_encode(const struct mip_filter_data_gra
  *
  * The last heading that updated the filter and where it came from.
  *
- * Supported by 3DM-GX5-15.
+ * Also called `heading_update_state`. Supported by 3DM-GX5-15.
  *
  * The valid bit means that the source gave data within the last 2 seconds.
  *
@@ -1192,7 +1192,7 @@ mip_error mip_filter_data_mag_bias_uncertainty_encode(
  *
  * Acceleration without the estimated bias; gravity is still in it.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `comp_accel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
  * - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
@@ -1318,6 +1318,8 @@ mip_error mip_filter_data_density_altitude_encode(
  *
  * Estimated hard iron offset of the magnetometer.
  *
+ * Also called `magnetometer_offset`.
+ *
  * The filter adds it to the stored hard iron offset (0x0C,0x3A).
  *
  * - mip-sdk-4: Magnetometer Offset (0x82,0x25)
@@ -1345,6 +1347,8 @@ mip_error mip_filter_data_mag_offset_encode(const struct mip_filter_data_mag_off
  * Magnetometer matrix: data (0x82,0x26).
  *
  * Estimated soft iron matrix of the magnetometer.
+ *
+ * Also called `magnetometer_matrix`.
  *
  * The filter multiplies the stored soft iron matrix (0x0C,0x3B) by it, from the right.
  *
@@ -1374,6 +1378,8 @@ mip_error mip_filter_data_mag_matrix_encode(const struct mip_filter_data_mag_mat
  *
  * Standard deviation of the estimated hard iron offset.
  *
+ * Also called `magnetometer_offset_uncertainty`.
+ *
  * - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
  */
 struct mip_filter_data_mag_offset_uncertainty {
@@ -1399,6 +1405,8 @@ mip_error mip_filter_data_mag_offset_uncertainty_encode(
  * Magnetometer matrix uncertainty: data (0x82,0x29).
  *
  * Standard deviation of the estimated soft iron matrix.
+ *
+ * Also called `magnetometer_matrix_uncertainty`.
  *
  * - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
  */
@@ -1426,6 +1434,8 @@ mip_error mip_filter_data_mag_matrix_uncertainty_encode(
  *
  * Covariance of the magnetometer measurement.
  *
+ * Also called `magnetometer_covariance_matrix`.
+ *
  * - mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A)
  */
 struct mip_filter_data_mag_covariance_matrix {
@@ -1452,6 +1462,8 @@ mip_error mip_filter_data_mag_covariance_matrix_encode(
  * Magnetometer residual vector: data (0x82,0x2C).
  *
  * Residual of the magnetometer measurement.
+ *
+ * Also called `magnetometer_residual_vector`.
  *
  * - mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C)
  */
@@ -1668,7 +1680,7 @@ mip_error mip_filter_data_multi_antenna_offset_correction_uncertainty_encode(
  *
  * Standard deviation of the estimated position.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
  */
@@ -1696,7 +1708,7 @@ mip_error mip_filter_data_ecef_position_uncertainty_encode(
  *
  * Standard deviation of the estimated velocity.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
  */
@@ -1724,7 +1736,7 @@ mip_error mip_filter_data_ecef_velocity_uncertainty_encode(
  *
  * Estimated position.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
  */
@@ -1752,7 +1764,7 @@ mip_error mip_filter_data_ecef_position_encode(const struct mip_filter_data_ecef
  *
  * Estimated velocity.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
  */
@@ -1780,7 +1792,7 @@ mip_error mip_filter_data_ecef_velocity_encode(const struct mip_filter_data_ecef
  *
  * Estimated position relative to the point that mip_filter_relative_position_configuration sets.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
  */
@@ -1808,7 +1820,7 @@ mip_error mip_filter_data_ned_relative_position_encode(
  *
  * How the filter uses the position measurements of one GNSS receiver.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -1839,6 +1851,8 @@ mip_error mip_filter_data_gnss_position_aiding_status_encode(
  *
  * How the filter uses the attitude that two GNSS antennas give.
  *
+ * Also called `gnss_att_aid_status`.
+ *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
  * - mip-sdk-4: Gnss Att Aid Status (0x82,0x44)
@@ -1868,6 +1882,8 @@ mip_error mip_filter_data_gnss_attitude_aiding_status_encode(
  * Heading aiding status: data (0x82,0x45).
  *
  * The heading measurement that the filter used last.
+ *
+ * Also called `head_aid_status`.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
  *
@@ -2031,7 +2047,7 @@ mip_error mip_filter_data_gnss_dual_antenna_status_encode(
  *
  * Estimated error of a frame that mip_aiding_frame_configuration defines; it is corrected for.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `aiding_frame_config_error`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
  */
@@ -2060,7 +2076,7 @@ mip_error mip_filter_data_aiding_frame_configuration_error_encode(
  *
  * Uncertainty of the estimated error of a frame that mip_aiding_frame_configuration defines.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `aiding_frame_config_error_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
  */

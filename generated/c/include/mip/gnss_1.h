@@ -563,7 +563,7 @@ typedef uint16_t mip_gnss_1_beidou_iono_correction_flags;
  *
  * GNSS position as latitude, longitude and height.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
  */
@@ -616,7 +616,7 @@ mip_error mip_gnss_1_gnss_llh_position_encode(const struct mip_gnss_1_gnss_llh_p
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `pos_ecef`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
  */
@@ -649,7 +649,7 @@ mip_error mip_gnss_1_gnss_ecef_position_encode(const struct mip_gnss_1_gnss_ecef
  *
  * GNSS velocity in the local level frame.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
  */
@@ -702,7 +702,7 @@ mip_error mip_gnss_1_ned_velocity_encode(const struct mip_gnss_1_ned_velocity *v
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `vel_ecef`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
  */
@@ -970,7 +970,7 @@ mip_error mip_gnss_1_sv_info_encode(const struct mip_gnss_1_sv_info *value,
  *
  * State of the receiver and of its antenna.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `hw_status`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
  */
@@ -1737,7 +1737,7 @@ mip_error mip_gnss_1_gps_ephemeris_encode(const struct mip_gnss_1_gps_ephemeris 
  *
  * Broadcast orbit and clock of one GLONASS satellite.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS.
  *
  * The interface control document of GLONASS explains p and ft.
  *
@@ -2207,6 +2207,8 @@ mip_error mip_gnss_1_beidou_ephemeris_encode(const struct mip_gnss_1_beidou_ephe
  *
  * Model of the ionosphere that GPS broadcasts.
  *
+ * Also called `gps_iono_corr`.
+ *
  * - mip-sdk-4: Gps Iono Corr (0x81,0x71)
  */
 struct mip_gnss_1_gps_iono_correction {
@@ -2247,6 +2249,8 @@ mip_error mip_gnss_1_gps_iono_correction_encode(const struct mip_gnss_1_gps_iono
  * Galileo ionospheric correction: data (0x91,0x73).
  *
  * Model of the ionosphere that Galileo broadcasts.
+ *
+ * Also called `galileo_iono_corr`.
  *
  * - mip-sdk-4: Galileo Iono Corr (0x81,0x73)
  */
@@ -2289,6 +2293,8 @@ mip_error mip_gnss_1_galileo_iono_correction_encode(
  * BeiDou ionospheric correction: data (0x91,0x74).
  *
  * Model of the ionosphere that BeiDou broadcasts.
+ *
+ * Also called `beidou_iono_corr`.
  *
  * - mip-sdk-4: Beidou Iono Corr (0x81,0x74)
  */

@@ -25,7 +25,8 @@ extern "C" {
  *
  * GNSS position as latitude, longitude and height.
  *
- * Has the layout of mip_gnss_1_gnss_llh_position. Supported by 3DM-CV7-GNSS/INS.
+ * Has the layout of mip_gnss_1_gnss_llh_position. Also called `pos_llh`. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03)
  */
@@ -41,7 +42,8 @@ extern "C" {
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_position. Supported by 3DM-CV7-GNSS/INS.
+ * Has the layout of mip_gnss_1_gnss_ecef_position. Also called `pos_ecef`. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04)
  */
@@ -57,7 +59,7 @@ extern "C" {
  *
  * GNSS velocity in the local level frame.
  *
- * Has the layout of mip_gnss_1_ned_velocity. Supported by 3DM-CV7-GNSS/INS.
+ * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x92,0x05)
  */
@@ -73,7 +75,8 @@ extern "C" {
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_velocity. Supported by 3DM-CV7-GNSS/INS.
+ * Has the layout of mip_gnss_1_gnss_ecef_velocity. Also called `vel_ecef`. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06)
  */
@@ -190,7 +193,8 @@ extern "C" {
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_gnss_hardware_status. Supported by 3DM-CV7-GNSS/INS.
+ * Has the layout of mip_gnss_1_gnss_hardware_status. Also called `hw_status`. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
  */
@@ -418,7 +422,8 @@ extern "C" {
  *
  * Broadcast orbit and clock of one GLONASS satellite.
  *
- * Has the layout of mip_gnss_1_glonass_ephemeris. Supported by 3DM-CV7-GNSS/INS.
+ * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * The interface control document of GLONASS explains p and ft.
  *
@@ -480,7 +485,7 @@ extern "C" {
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Has the layout of mip_gnss_1_gps_iono_correction.
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -496,7 +501,7 @@ extern "C" {
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Has the layout of mip_gnss_1_galileo_iono_correction.
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */
@@ -512,7 +517,7 @@ extern "C" {
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Has the layout of mip_gnss_1_beidou_iono_correction.
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`.
  *
  * - mip-sdk-4: Gnss2 Data (0x92)
  */

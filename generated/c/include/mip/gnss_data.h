@@ -25,7 +25,7 @@ extern "C" {
  *
  * GNSS position as latitude, longitude and height.
  *
- * Has the layout of mip_gnss_1_gnss_llh_position.
+ * Has the layout of mip_gnss_1_gnss_llh_position. Also called `pos_llh`.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -41,7 +41,7 @@ extern "C" {
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_position.
+ * Has the layout of mip_gnss_1_gnss_ecef_position. Also called `pos_ecef`.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -57,7 +57,7 @@ extern "C" {
  *
  * GNSS velocity in the local level frame.
  *
- * Has the layout of mip_gnss_1_ned_velocity.
+ * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -73,7 +73,7 @@ extern "C" {
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_velocity.
+ * Has the layout of mip_gnss_1_gnss_ecef_velocity. Also called `vel_ecef`.
  *
  * - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
  */
@@ -190,7 +190,7 @@ extern "C" {
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_gnss_hardware_status.
+ * Has the layout of mip_gnss_1_gnss_hardware_status. Also called `hw_status`.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -419,7 +419,7 @@ extern "C" {
  *
  * Broadcast orbit and clock of one GLONASS satellite.
  *
- * Has the layout of mip_gnss_1_glonass_ephemeris.
+ * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`.
  *
  * The interface control document of GLONASS explains p and ft.
  *
@@ -481,7 +481,7 @@ extern "C" {
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Has the layout of mip_gnss_1_gps_iono_correction.
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -497,7 +497,7 @@ extern "C" {
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Has the layout of mip_gnss_1_galileo_iono_correction.
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
@@ -513,7 +513,7 @@ extern "C" {
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Has the layout of mip_gnss_1_beidou_iono_correction.
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */

@@ -27,7 +27,8 @@ extern "C" {
  *
  * GNSS position as latitude, longitude and height.
  *
- * Has the layout of mip_gnss_1_gnss_llh_position. Supported by 3DM-CV7-GNSS/INS.
+ * Has the layout of mip_gnss_1_gnss_llh_position. Also called `pos_llh`. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03)
  */
@@ -43,7 +44,7 @@ extern "C" {
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_position.
+ * Has the layout of mip_gnss_1_gnss_ecef_position. Also called `pos_ecef`.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -59,7 +60,7 @@ extern "C" {
  *
  * GNSS velocity in the local level frame.
  *
- * Has the layout of mip_gnss_1_ned_velocity. Supported by 3DM-CV7-GNSS/INS.
+ * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x94,0x05)
  */
@@ -75,7 +76,7 @@ extern "C" {
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_velocity.
+ * Has the layout of mip_gnss_1_gnss_ecef_velocity. Also called `vel_ecef`.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -192,7 +193,7 @@ extern "C" {
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_gnss_hardware_status.
+ * Has the layout of mip_gnss_1_gnss_hardware_status. Also called `hw_status`.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -420,7 +421,7 @@ extern "C" {
  *
  * Broadcast orbit and clock of one GLONASS satellite.
  *
- * Has the layout of mip_gnss_1_glonass_ephemeris.
+ * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`.
  *
  * The interface control document of GLONASS explains p and ft.
  *
@@ -482,7 +483,7 @@ extern "C" {
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Has the layout of mip_gnss_1_gps_iono_correction.
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -498,7 +499,7 @@ extern "C" {
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Has the layout of mip_gnss_1_galileo_iono_correction.
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */
@@ -514,7 +515,7 @@ extern "C" {
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Has the layout of mip_gnss_1_beidou_iono_correction.
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`.
  *
  * - mip-sdk-4: Gnss4 Data (0x94)
  */

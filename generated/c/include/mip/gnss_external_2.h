@@ -25,7 +25,7 @@ extern "C" {
  *
  * GNSS position as latitude, longitude and height.
  *
- * Has the layout of mip_gnss_1_gnss_llh_position.
+ * Has the layout of mip_gnss_1_gnss_llh_position. Also called `pos_llh`.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -41,7 +41,7 @@ extern "C" {
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_position.
+ * Has the layout of mip_gnss_1_gnss_ecef_position. Also called `pos_ecef`.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -57,7 +57,7 @@ extern "C" {
  *
  * GNSS velocity in the local level frame.
  *
- * Has the layout of mip_gnss_1_ned_velocity.
+ * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -73,7 +73,7 @@ extern "C" {
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_velocity.
+ * Has the layout of mip_gnss_1_gnss_ecef_velocity. Also called `vel_ecef`.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -190,7 +190,7 @@ extern "C" {
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_gnss_hardware_status.
+ * Has the layout of mip_gnss_1_gnss_hardware_status. Also called `hw_status`.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -418,7 +418,7 @@ extern "C" {
  *
  * Broadcast orbit and clock of one GLONASS satellite.
  *
- * Has the layout of mip_gnss_1_glonass_ephemeris.
+ * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`.
  *
  * The interface control document of GLONASS explains p and ft.
  *
@@ -480,7 +480,7 @@ extern "C" {
  *
  * Model of the ionosphere that GPS broadcasts.
  *
- * Has the layout of mip_gnss_1_gps_iono_correction.
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -496,7 +496,7 @@ extern "C" {
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
- * Has the layout of mip_gnss_1_galileo_iono_correction.
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */
@@ -512,7 +512,7 @@ extern "C" {
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
- * Has the layout of mip_gnss_1_beidou_iono_correction.
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`.
  *
  * - mip-sdk-4: Gnss5 Data (0x95)
  */

@@ -352,7 +352,7 @@ mip_error mip_rtk_connected_device_type_response_encode(
  *
  * Asks for the activation code.
  *
- * Answered by mip_rtk_get_activation_code_response.
+ * Also called `get_act_code`. Answered by mip_rtk_get_activation_code_response.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
  */
@@ -373,7 +373,7 @@ mip_error mip_rtk_get_activation_code_encode(const struct mip_rtk_get_activation
 /**
  * Get activation code response: response (0x0F,0x87).
  *
- * Answers mip_rtk_get_activation_code.
+ * Also called `get_act_code_response`. Answers mip_rtk_get_activation_code.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
  */
@@ -496,7 +496,7 @@ mip_error mip_rtk_service_status_response_encode(
  *
  * Erases a storage medium down to its raw state.
  *
- * For advanced use.
+ * For advanced use. Also called `prod_erase_storage`.
  *
  * All that is stored is lost. The command is for production.
  *

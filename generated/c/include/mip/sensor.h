@@ -241,7 +241,7 @@ mip_error mip_sensor_delta_velocity_encode(const struct mip_sensor_delta_velocit
  *
  * Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `comp_orientation_matrix`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * v_vehicle = M * v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
  *
@@ -273,7 +273,7 @@ mip_error mip_sensor_complementary_filter_orientation_matrix_encode(
  *
  * Attitude by the complementary filter as a quaternion, relative to the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `comp_quaternion`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * v_vehicle = q^-1 * v_ned * q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
  *
@@ -328,7 +328,7 @@ mip_error mip_sensor_comp_orientation_update_matrix_encode(
  *
  * Attitude by the complementary filter as Euler angles, relative to the NED frame.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `comp_euler_angles`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * The rotations are in the order yaw, pitch, roll (3-2-1).
  *
@@ -431,7 +431,7 @@ mip_error mip_sensor_pps_timestamp_encode(const struct mip_sensor_pps_timestamp 
  *
  * Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
  *
- * Supported by 3DM-GX5-15.
+ * Also called `north_vector`. Supported by 3DM-GX5-15.
  *
  * Without magnetic disturbance it equals the measured magnetic field.
  *
@@ -461,7 +461,7 @@ mip_error mip_sensor_complementary_filter_stabilized_north_vector_encode(
  *
  * Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
  *
- * Supported by 3DM-GX5-15.
+ * Also called `up_vector`. Supported by 3DM-GX5-15.
  *
  * At rest it equals the measured acceleration.
  *
@@ -535,7 +535,7 @@ mip_error mip_sensor_gps_timestamp_encode(const struct mip_sensor_gps_timestamp 
  *
  * Temperatures since the last power-on or reset.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS.
  *
  * The values come from the inertial sensors, alone or together with sensors on the board.
  *
@@ -632,7 +632,7 @@ mip_error mip_sensor_overrange_status_encode(const struct mip_sensor_overrange_s
  *
  * Speed by the wheel encoder.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
  */

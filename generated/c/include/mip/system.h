@@ -156,8 +156,8 @@ mip_error mip_system_interface_control_response_encode(
  *
  * Switches the port between the device and one of the sensors inside it.
  *
- * For advanced use. Functions: write, read, save, load and default. Answered by
- * mip_system_communication_mode_response. Supported by 3DM-GX5-15.
+ * For advanced use. Also called `comm_mode`. Functions: write, read, save, load and default.
+ * Answered by mip_system_communication_mode_response. Supported by 3DM-GX5-15.
  *
  * The acknowledge is sent in the old mode, just before the switch.
  *
@@ -198,7 +198,7 @@ struct mip_system_communication_mode mip_system_communication_mode_default(void)
 /**
  * Communication mode response: response (0x7F,0x90).
  *
- * Answers mip_system_communication_mode. Supported by 3DM-GX5-15.
+ * Also called `comm_mode_response`. Answers mip_system_communication_mode. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */

@@ -92,6 +92,8 @@ FILTERS_OF_PAGE: Filters = {
     "call_table": fields.call_table,
     "own_responses": fields.own_responses,
     "contents": fields.contents,
+    "named": fields.named,
+    "uncertain": fields.uncertain,
     "parameter_table": parameters.parameter_table,
     "parameter_values": parameters.parameter_values,
     "parameter_notes": parameters.parameter_notes,

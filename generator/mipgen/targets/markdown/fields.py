@@ -115,6 +115,25 @@ def contents(page: Page, s: m.Set) -> str:
     return table(rows, [*ENTRY, "Supported by"])
 
 
+def named(page: Page, s: m.Set) -> str:
+    """The descriptors that sources name without a layout; empty if there are none."""
+    rows = []
+    for x in s.named:
+        links = {
+            c.manual: page.link(next(k for k in page.model.protocol.manuals if k.id == c.manual)) for c in x.sources
+        }
+        role = [x.role] if s.kind == "command" else []
+        where = "; ".join(f"{links[c.manual]}: {inline(c.section)}" for c in x.sources)
+        rows.append([code(hexadecimal(x.descriptor)), inline(x.title), code(f"{s.name}.{x.name}"), *role, where])
+    headings = ["Descriptor", "Title", "Name", *(["Role"] if s.kind == "command" else []), "Sources"]
+    return table(rows, headings) if rows else ""
+
+
+def uncertain(page: Page, thing: m.Set | m.Type) -> list[str]:
+    """What is not sure about a set or a type; a field has it among its facts."""
+    return [opening(page.say(x.sentence)) for x in describe.uncertain(thing, page.model)]
+
+
 def asked(s: m.Set) -> list[m.Field]:
     """The fields of a set that are no responses; these are with their commands."""
     return [f for f in s.fields if f.role != m.RESPONSE]

@@ -116,8 +116,8 @@ class Radio(measurements.Radio):
 
     A bool vouches for values; one source has no layout that agrees with it.
 
-    Has the layout of `measurements.Radio`. Uncertain: The leaflet gives the strength two bytes.
-    Uncertain: Inferred: the strength is never positive.
+    Has the layout of `measurements.Radio`. Also called `modem` and `rf`. Uncertain: The leaflet
+    gives the strength two bytes. Uncertain: Inferred: the strength is never positive.
 
     - sheet: Copied measurements
     """

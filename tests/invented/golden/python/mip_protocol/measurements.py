@@ -376,8 +376,8 @@ class Radio(Data):
 
     A bool vouches for values; one source has no layout that agrees with it.
 
-    Uncertain: The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is never
-    positive.
+    Also called `modem` and `rf`. Uncertain: The leaflet gives the strength two bytes. Uncertain:
+    Inferred: the strength is never positive.
 
     - sheet: Radio
     """

@@ -10,7 +10,7 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, Structure
+from .field import Command, Field, Response, ResponseClass, Structure
 from .protocol import FunctionSelector
 
 
@@ -489,7 +489,7 @@ _HELLO_RESPONSE_0 = codec.Block("I", "seen")
 class HelloResponse(Response):
     """Hello response (0x01,0x8C).
 
-    Answers `Hello`. Uncertain: When it comes.
+    Also called `keep_alive_response` and `welcome`. Answers `Hello`. Uncertain: When it comes.
 
     - sheet: Hello
     """
@@ -768,7 +768,7 @@ class Settings(Command):
         return self.function != FunctionSelector.APPLY
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return SettingsResponse
         return None
@@ -893,7 +893,7 @@ class SetTime(Command):
         return self.function != FunctionSelector.APPLY
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ and self.part == 1:
             return SetTimeFastResponse
         if self.function == FunctionSelector.READ and self.part == 2:
@@ -971,7 +971,7 @@ class Status(Command):
         return data[0:2] == b"\x12g"
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.selector == 1:
             return StatusShort
         if self.selector == 2:
@@ -1051,7 +1051,7 @@ class Bias(Command):
         return cls(FunctionSelector.DEFAULT)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return BiasVector
         return None
@@ -1227,7 +1227,7 @@ class Choice(Command):
         return cls(FunctionSelector.READ, instance=instance)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return ChoiceResponse
         return None
@@ -1351,7 +1351,7 @@ class List(Command):
         return cls(FunctionSelector.SAVE)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return ListResponse
         return None
@@ -1462,7 +1462,7 @@ class Pin(Command):
         return cls(FunctionSelector.READ, drive=drive)
 
     @property
-    def expected(self) -> type[Response] | None:
+    def expected(self) -> ResponseClass | None:
         if self.function == FunctionSelector.READ:
             return PinResponse
         return None
@@ -1517,7 +1517,8 @@ class Hello(Command):
 
     The device asks and a host answers.
 
-    Answered by `HelloResponse`. The device sends it, and the host answers.
+    Also called `keep_alive`. Answered by `HelloResponse`. The device sends it, and the host
+    answers.
 
     - sheet: Hello
     """

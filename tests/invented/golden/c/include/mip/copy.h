@@ -125,8 +125,8 @@ extern "C" {
  *
  * A bool vouches for values; one source has no layout that agrees with it.
  *
- * Has the layout of mip_measurements_radio. Uncertain: The leaflet gives the strength two bytes.
- * Uncertain: Inferred: the strength is never positive.
+ * Has the layout of mip_measurements_radio. Also called `modem` and `rf`. Uncertain: The leaflet
+ * gives the strength two bytes. Uncertain: Inferred: the strength is never positive.
  *
  * - sheet: Copied measurements
  */

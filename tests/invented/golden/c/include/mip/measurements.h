@@ -222,8 +222,8 @@ mip_error mip_measurements_growing_encode(const struct mip_measurements_growing 
  *
  * A bool vouches for values; one source has no layout that agrees with it.
  *
- * Uncertain: The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is never
- * positive.
+ * Also called `modem` and `rf`. Uncertain: The leaflet gives the strength two bytes. Uncertain:
+ * Inferred: the strength is never positive.
  *
  * - sheet: Radio
  */

@@ -758,7 +758,8 @@ mip_error mip_tools_pin_response_encode(const struct mip_tools_pin_response *val
  *
  * The device asks and a host answers.
  *
- * Answered by mip_tools_hello_response. The device sends it, and the host answers.
+ * Also called `keep_alive`. Answered by mip_tools_hello_response. The device sends it, and the host
+ * answers.
  *
  * - sheet: Hello
  */
@@ -783,7 +784,8 @@ mip_error mip_tools_hello_encode(const struct mip_tools_hello *value, struct mip
 /**
  * Hello response: response (0x01,0x8C).
  *
- * Answers mip_tools_hello. Uncertain: When it comes.
+ * Also called `keep_alive_response` and `welcome`. Answers mip_tools_hello. Uncertain: When it
+ * comes.
  *
  * - sheet: Hello
  */
