@@ -361,7 +361,7 @@ class _Devices:
         manuals = [x.id for x in self.model.protocol.manuals]
         if node["manual"].value not in manuals:
             manual = node["manual"].value
-            self.problems.add(node["manual"].position, f"unknown manual '{manual}'{nearest(manual, manuals)}")
+            self.problems.add(node["manual"].position, meaning.unknown_manual(manual, manuals))
         for key in ("limits", "notes"):
             self.unique(key, node.get(key))
         fields = self.supports(node["supports"])
