@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from . import model as m
+from .problems import nearest
 
 Values = dict[str, Any]
 
@@ -342,7 +343,7 @@ def canonical_record(operations: tuple[m.Operation, ...], values: Any, where: st
             flat[inner.member] = inner
     for name in values:
         if name not in flat:
-            raise ValueError(f"{where} has no parameter '{name}'; known: {', '.join(flat) or 'none'}")
+            raise ValueError(f"{where} has no parameter '{name}'{nearest(name, flat)}")
     return {name: canonical(flat[name], v, f"{where}.{name}") for name, v in values.items()}
 
 
@@ -371,13 +372,15 @@ def _canonical_number(op: m.ScalarOp, value: Any, where: str) -> int | str:
     if isinstance(value, str) and isinstance(op.type, m.Enum):
         known = op.type.by_name(value)
         if known is None:
-            raise ValueError(f"{where}: '{op.type.name}' has no value '{value}'")
+            near = nearest(value, [v.name for v in op.type.values])
+            raise ValueError(f"{where}: '{op.type.name}' has no value '{value}'{near}")
         return known.value
     if isinstance(value, list) and isinstance(op.type, m.Bitfield):
         bits = {b.name: b for b in op.type.bits}
         unknown = [n for n in value if not isinstance(n, str) or n not in bits]
         if unknown:
-            raise ValueError(f"{where}: '{op.type.name}' has no bit '{unknown[0]}'")
+            near = nearest(str(unknown[0]), bits)
+            raise ValueError(f"{where}: '{op.type.name}' has no bit '{unknown[0]}'{near}")
         mask = 0
         for n in value:
             mask |= bits[n].mask

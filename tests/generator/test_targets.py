@@ -239,7 +239,7 @@ def test_every_folder_stands_alone(first: Path) -> None:
 
 def test_command_line_names_what_is_wrong(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     assert cli.main(["validate", "--spec", str(tmp_path)]) == 1
-    assert "protocol.yaml is missing" in capsys.readouterr().err
+    assert "it has no protocol.yaml" in capsys.readouterr().err
     with pytest.raises(SystemExit):
         cli.main(["generate", "--target", "cobol"])
     assert "cobol" in capsys.readouterr().err
