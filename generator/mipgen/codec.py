@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from . import model as m
+from .problems import nearest
 
 Values = dict[str, Any]
 
@@ -21,8 +22,8 @@ _FORMATS = {"u8": "B", "u16": "H", "u32": "I", "u64": "Q", "s8": "b", "s16": "h"
 class CodecError(Exception):
     """`kind` is the word that the conformance protocol uses."""
 
-    def __init__(self, kind: str, detail: str = "") -> None:
-        super().__init__(f"{kind}: {detail}" if detail else kind)
+    def __init__(self, kind: str, message: str) -> None:
+        super().__init__(message)
         self.kind = kind
 
 
@@ -43,7 +44,7 @@ def checksum(data: bytes) -> bytes:
 
 def build(model: m.Model, set_number: int, fields: list[tuple[int, bytes]]) -> bytes:
     if any(len(data) > m.MAX_FIELD_DATA for _, data in fields):
-        raise CodecError("length", f"a field holds {m.MAX_FIELD_DATA} bytes of data")
+        raise CodecError("length", f"a field holds at most {m.MAX_FIELD_DATA} bytes of data")
     payload = b"".join(bytes((len(data) + 2, descriptor)) + data for descriptor, data in fields)
     if len(payload) > model.protocol.max_payload:
         raise CodecError("length", "the payload is longer than a packet holds")
@@ -54,11 +55,13 @@ def build(model: m.Model, set_number: int, fields: list[tuple[int, bytes]]) -> b
 def split(model: m.Model, packet: bytes) -> list[tuple[int, bytes]]:
     """The fields of a packet: (descriptor, data). Raises on anything that is not one whole packet."""
     if packet[:2] != bytes(model.protocol.sync):
-        raise CodecError("sync", f"begins with {packet[:2].hex()}")
+        begin, sync = (x.hex().upper() for x in (packet[:2], bytes(model.protocol.sync)))
+        raise CodecError("sync", f"it begins with {begin}, not {sync}")
     if len(packet) < 6 or len(packet) != packet[3] + 6 or packet[2] == 0:
-        raise CodecError("length", f"{len(packet)} bytes do not make a packet")
+        raise CodecError("length", f"its {len(packet)} bytes are not a whole packet")
     if checksum(packet[:-2]) != packet[-2:]:
-        raise CodecError("checksum", f"{packet[-2:].hex()} should be {checksum(packet[:-2]).hex()}")
+        printed, right = (x.hex().upper() for x in (packet[-2:], checksum(packet[:-2])))
+        raise CodecError("checksum", f"its checksum is {printed}, but should be {right}")
     payload, fields = packet[4:-2], []
     while payload:
         length = payload[0]
@@ -89,7 +92,8 @@ class _Reader:
 
     def take(self, size: int) -> bytes:
         if size > len(self.data) - self.at:
-            raise CodecError("truncated", f"{size} bytes wanted, {len(self.data) - self.at} left")
+            short = size - (len(self.data) - self.at)
+            raise CodecError("truncated", f"the data are {short} byte{'s' if short > 1 else ''} short")
         self.at += size
         return self.data[self.at - size : self.at]
 
@@ -217,12 +221,12 @@ def encode(f: m.Field, values: Values) -> bytes:
                 required = f.required(values["function"])
             absent = [i.member for i in op.body if not isinstance(i, m.ConstantOp) and i.member not in values]  # type: ignore[union-attr]
             if absent and op.last <= required:
-                raise CodecError("missing", absent[0])
+                raise CodecError("missing", f"{absent[0]} is missing")
             if absent:
                 ended = ended or absent[0]
             if ended is not None:
                 if any(not isinstance(i, m.GroupOp) and i.member in values for i in op.body):
-                    raise CodecError("missing", ended)
+                    raise CodecError("missing", f"{ended} is missing")
                 continue
             for inner in op.body:
                 _write(inner, values, out)
@@ -241,7 +245,7 @@ def _write(op: m.Operation, values: Values, out: bytearray) -> None:
             raise AssertionError("groups are in fields only")
         case _:
             if op.member not in values:
-                raise CodecError("missing", op.member)
+                raise CodecError("missing", f"{op.member} is missing")
             _put(op, values[op.member], values, out)
 
 
@@ -264,7 +268,7 @@ def _put(op: m.Operation, value: Any, values: Values, out: bytearray) -> None:
             try:
                 out += value.encode("latin-1")
             except UnicodeEncodeError as error:
-                raise CodecError("range", op.member) from error
+                raise CodecError("range", f"{op.member} is out of range") from error
         case m.ArrayOp():
             _check_count(op, value)
             for item in value:
@@ -341,7 +345,7 @@ def canonical_record(operations: tuple[m.Operation, ...], values: Any, where: st
             flat[inner.member] = inner
     for name in values:
         if name not in flat:
-            raise ValueError(f"{where} has no parameter '{name}'; known: {', '.join(flat) or 'none'}")
+            raise ValueError(f"{where} has no parameter '{name}'{nearest(name, flat)}")
     return {name: canonical(flat[name], v, f"{where}.{name}") for name, v in values.items()}
 
 
@@ -370,13 +374,15 @@ def _canonical_number(op: m.ScalarOp, value: Any, where: str) -> int | str:
     if isinstance(value, str) and isinstance(op.type, m.Enum):
         known = op.type.by_name(value)
         if known is None:
-            raise ValueError(f"{where}: '{op.type.name}' has no value '{value}'")
+            near = nearest(value, [v.name for v in op.type.values])
+            raise ValueError(f"{where}: '{op.type.name}' has no value '{value}'{near}")
         return known.value
     if isinstance(value, list) and isinstance(op.type, m.Bitfield):
         bits = {b.name: b for b in op.type.bits}
         unknown = [n for n in value if not isinstance(n, str) or n not in bits]
         if unknown:
-            raise ValueError(f"{where}: '{op.type.name}' has no bit '{unknown[0]}'")
+            near = nearest(str(unknown[0]), bits)
+            raise ValueError(f"{where}: '{op.type.name}' has no bit '{unknown[0]}'{near}")
         mask = 0
         for n in value:
             mask |= bits[n].mask

@@ -98,7 +98,7 @@ class _Device:
         manuals = [x.id for x in self.model.protocol.manuals]
         manual = node["manual"]
         if manual.value not in manuals:
-            self.problems.add(manual.position, f"unknown manual '{manual.value}'{nearest(manual.value, manuals)}")
+            self.problems.add(manual.position, meaning.unknown_manual(manual.value, manuals))
         for key in ("limits", "notes"):
             entries = (entry["name"] for entry in node.get(key) or ())
             _unique(entries, f"'{{}}' is used twice in {key}; rename one", self.problems)

@@ -201,7 +201,8 @@ class _Example:
         try:
             split = codec.split(self.model, packet)
         except codec.CodecError as error:
-            raise _Wrong(place, f"this is not a packet: {error}") from error
+            printed = "" if "packet" in self.node else "; if it is printed so, give the right bytes in 'packet'"
+            raise _Wrong(place, f"this is not a packet: {error}{printed}") from error
         stated = list(self.node.get("fields") or ())
         if stated and len(stated) != len(split):
             there, listed = (f"{n} field{'s' if n != 1 else ''}" for n in (len(split), len(stated)))

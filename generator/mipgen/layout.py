@@ -153,8 +153,8 @@ class Types:
                 continue
             low, high = int(parts[1]), int(parts[2] or parts[1])
             if high < low or high >= width:
-                wanted = f"write {high}-{low}" if high < low else f"there are only 0 to {width - 1}"
-                self.problems.add(span.position, f"'{name}': no bits {span.value}; {wanted}")
+                wrong = f"write {high}-{low}, the lower bit first" if high < low else f"there are only 0 to {width - 1}"
+                self.problems.add(span.position, f"'{name}' is at bit {span.value}; {wrong}")
                 continue
             place = node["bits"].keys[name]
             enum = self._enum_of(entry, owner)

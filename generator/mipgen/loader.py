@@ -37,7 +37,7 @@ OVERLAY = {"overlay": "overlay.yaml", **{kind: path for kind, path in LAYOUT.ite
 def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Document]:
     """Reads all files of a specification and its overlays; `problems` takes what is wrong with them."""
     if not (spec / "protocol.yaml").is_file():
-        problems.add(Position(shown(spec), 1, 1), "this is not a specification: protocol.yaml is missing")
+        problems.add(Position(shown(spec), 1, 1), "this is not a specification: it has no protocol.yaml")
         return []
     documents = _documents(spec, LAYOUT, False, problems)
     for folder in overlays:
@@ -144,13 +144,14 @@ def messages(error: Any, root: str) -> Iterator[tuple[list[str | int], str]]:
     instance, schema, rule = error.instance, error.schema, error.validator_value
     inside = _inside(list(error.absolute_path), root)
     if "propertyNames" in error.absolute_schema_path:
-        yield [instance], f"the name '{instance}' must be {_form(schema, rule)}{strange(instance)}"
+        yield [instance], f"the name '{instance}' must be {_form(schema) or rule}{strange(instance)}"
         return
     match error.validator:
         case "additionalProperties":
             known = schema.get("properties", {})
             for key in sorted(set(instance) - set(known)):
-                yield [key], f"unknown key '{key}'{nearest(key, known)}"
+                rest = "; if it ends the text before it, put the whole text in quotes"
+                yield [key], f"unknown key '{key}'{rest if instance[key] is None else nearest(key, known)}"
         case "required":
             for key in rule:
                 if key not in instance:
@@ -158,14 +159,15 @@ def messages(error: Any, root: str) -> Iterator[tuple[list[str | int], str]]:
                     yield [], f"'{key}' is missing in {inside}{alone}"
         case "type":
             kinds = [rule] if isinstance(rule, str) else rule
-            yield [], f"{inside} must be {_kinds(kinds)}, not {_shown(instance)}{_instead(instance, kinds)}"
+            wanted = _form(schema) or _kinds(kinds)
+            yield [], f"{inside} must be {wanted}, not {_shown(instance)}{_instead(instance, kinds)}"
         case "enum":
             known = [str(x) for x in rule]
             yield [], f"{inside} must be {' or '.join(known)}, not {_shown(instance)}{close(str(instance), known)}"
         case "const":
             yield [], f"{inside} must be {_shown(rule)}, or be left out, not {_shown(instance)}"
         case "pattern":
-            yield [], f"{inside} must be {_form(schema, rule)}, not {_shown(instance)}{strange(instance)}"
+            yield [], f"{inside} must be {_form(schema) or rule}, not {_shown(instance)}{strange(instance)}"
         case "minimum":
             yield [], f"{inside} must be at least {rule}, not {_shown(instance)}"
         case "exclusiveMinimum":
@@ -209,8 +211,11 @@ def _instead(value: Any, kinds: list[str]) -> str:
             return ""
 
 
-def _form(schema: Any, pattern: Any) -> str:
-    return str(schema.get("description", f"text of the form {pattern}"))
+def _form(schema: Any) -> str | None:
+    """The description of a definition says what a value must look like; that of a property, which ends with a full
+    stop, says what it is for."""
+    words = str(schema.get("description", "."))
+    return None if words.endswith(".") else words
 
 
 def _kinds(kinds: list[str]) -> str:

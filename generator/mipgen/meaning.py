@@ -13,26 +13,35 @@ Problem = Callable[[m.Position, str], None]
 Number = int | float
 
 
+def unknown(what: str, word: str, known: Iterable[str], home: str, guess: bool = True) -> str:
+    """About a word that is not in one of the vocabularies, which grow in the file `home`.
+
+    >>> unknown("unit", "sec", ["m", "s"], "protocol.yaml"), unknown("unit", "km/h", ["m", "s"], "protocol.yaml")
+    ("unknown unit 'sec', did you mean 's'?", "unknown unit 'km/h'; known: m, s; add a new one to protocol.yaml")
+    """
+    known = list(known)
+    remedy = close(word, known, guess) or f"{nearest(word, known, guess)}; add a new one to {home}"
+    return f"unknown {what} '{word}'{remedy}"
+
+
+def unknown_unit(word: str, known: Iterable[str]) -> str:
+    return unknown("unit", word, known, "protocol.yaml", guess=False)  # units are told apart by one letter
+
+
+def unknown_manual(word: str, known: Iterable[str]) -> str:
+    return unknown("manual", word, known, "manuals/")
+
+
 def citation(node: Node, manuals: Mapping[str, m.Manual], problem: Problem) -> tuple[str, str]:
     """The manual and the section that a source, an example or an erratum names."""
     manual, section = node["manual"].value, node["section"].value
     known = manuals.get(manual)
     if known is None:
-        problem(node["manual"].position, f"unknown manual '{manual}'{nearest(manual, manuals)}")
+        problem(node["manual"].position, unknown_manual(manual, manuals))
     elif known.sections and section not in known.sections:
         near = close(section, known.sections) or "; add it to the sections of the manual if the manual has it"
         problem(node["section"].position, f"'{manual}' lists no section '{section}'{near}")
     return manual, section
-
-
-def unknown_unit(unit: str, known: Iterable[str]) -> str:
-    """
-    >>> unknown_unit("km/h", ["m", "s"]), unknown_unit("sec", ["m", "s"])
-    ("unknown unit 'km/h'; known: m, s; add a new one to protocol.yaml", "unknown unit 'sec', did you mean 's'?")
-    """
-    known = list(known)
-    remedy = close(unit, known, guess=False) or f"{nearest(unit, known, guess=False)}; add a new one to protocol.yaml"
-    return f"unknown unit '{unit}'{remedy}"
 
 
 def units(node: Node, p: m.Parameter, known: Collection[str], problem: Problem) -> tuple[str, ...]:
@@ -53,7 +62,7 @@ def units(node: Node, p: m.Parameter, known: Collection[str], problem: Problem) 
 def frame(node: Node, known: set[str], problem: Problem) -> str | None:
     found: str | None = node.scalar("frame")
     if found is not None and found not in known:
-        problem(node["frame"].position, f"unknown frame '{found}'{nearest(found, known)}")
+        problem(node["frame"].position, unknown("frame", found, known, "protocol.yaml"))
     return found
 
 

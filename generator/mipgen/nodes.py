@@ -159,7 +159,7 @@ class _Reader:
         """A problem at the current event."""
         self.problems.add(_position(self.file, self.event.start_mark), message)
 
-    def node(self, event: Any, depth: int) -> Node:
+    def node(self, event: Any, depth: int, item: bool = False) -> Node:
         position = _position(self.file, event.start_mark)
         if isinstance(event, yaml.AliasEvent):
             self.complain(f"aliases (*{event.anchor}) are not supported; write the value out, or put text in quotes")
@@ -175,7 +175,7 @@ class _Reader:
         elif isinstance(event, yaml.SequenceStartEvent):
             found = Node(list(self.sequence(depth)), position)
         else:
-            found = self.mapping(position, depth)
+            found = self.mapping(position, depth, item)
         if event.anchor is not None:
             self.anchors[event.anchor] = found
         return found
@@ -189,11 +189,12 @@ class _Reader:
 
     def sequence(self, depth: int) -> Iterator[Node]:
         while not isinstance(event := self.next(), yaml.SequenceEndEvent):
-            yield self.node(event, depth + 1)
+            yield self.node(event, depth + 1, item=True)
 
-    def mapping(self, position: Position, depth: int) -> Node:
+    def mapping(self, position: Position, depth: int, item: bool) -> Node:
         mapping: dict[str, Node] = {}
         keys: dict[str, Position] = {}
+        merged = False  # with the next item, whose '- ' is missing: its other keys are duplicates, too
         while not isinstance(event := self.next(), yaml.MappingEndEvent):
             place = _position(self.file, event.start_mark)
             if not isinstance(event, yaml.ScalarEvent) or event.anchor is not None or event.tag is not None:
@@ -204,7 +205,11 @@ class _Reader:
             key = event.value
             value = self.node(self.next(), depth + 1)
             if key in mapping:
-                self.problems.add(place, f"duplicate key '{key}', first in line {keys[key].line}; remove one")
+                again = item and key == next(iter(mapping))
+                remedy = "put '- ' before it to begin another item" if again else "remove one"
+                if not merged:
+                    self.problems.add(place, f"duplicate key '{key}', first in line {keys[key].line}; {remedy}")
+                merged = merged or again
                 continue
             keys[key] = place
             mapping[key] = value

@@ -63,7 +63,7 @@ class SpecError(Failure):
 def nearest(word: str, choices: Iterable[str], guess: bool = True) -> str:
     """The remedy for an unknown word: the one that was probably meant, else all that are known.
 
-    `guess`: take a similar word for the one that was meant. Units are told apart by one letter.
+    `guess`: take a similar word for the one that was meant.
 
     >>> nearest("discription", ["description", "title"])
     ", did you mean 'description'?"

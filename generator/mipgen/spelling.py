@@ -27,7 +27,7 @@ SYNONYMS = {
     # units
     "1": ("none", "dimensionless", "unitless", "-", "count", "ratio"),
     "m": ("meter", "meters", "metre", "metres"),
-    "m/s": ("m/sec", "mps", "meters/second", "metres/second", "m s^-1"),
+    "m/s": ("m/sec", "mps", "meters/second", "metres/second", "meters/sec", "metres/sec", "m s^-1"),
     "m/s^2": ("m/s2", "m/s²", "m/s/s", "m/sec^2", "m/sec2", "m/s**2", "m s^-2"),
     "s": ("sec", "secs", "second", "seconds"),
     "ms": ("msec", "millisecond", "milliseconds"),

@@ -33,9 +33,9 @@ _REMEDIES = {
     "block sequence entries are not allowed": "a list begins on the line below its key",
     "found unknown escape character": "an unknown escape; write '\\\\' for a backslash, or use single quotes",
     "did not find expected '-' indicator":
-        "this does not belong to the list that begins in line {line}; begin items with '- ' and indent them alike",
+        "this line is neither an item nor a key of the list that begins in line {line}; check '- ' and indentation",
     "did not find expected key":
-        "this does not belong to the mapping that begins in line {line}; indent its keys alike",
+        "this line is not a key of the mapping that begins in line {line}; check its indentation",
 }  # fmt: skip
 
 _UNCLOSED_QUOTE = "the quote that opens here is not closed on this line; close it, or remove it"
@@ -69,7 +69,7 @@ def _explain(text: str, error: yaml.MarkedYAMLError) -> Fault:
         return _fault(mark, "a tab; indent with spaces")
     if "unexpected end of stream" in problem:
         return _fault(began, _UNCLOSED_QUOTE)
-    if found := _unbalanced(text, mark.index):
+    if found := _unbalanced(text, mark.index, began.index):
         return found
     if "could not find expected ':'" in problem:
         return _fault(began, "a key without its colon; write 'key: value', with a space after the colon")
@@ -90,8 +90,11 @@ def _line(text: str, number: int) -> str:
     return lines[number] if 0 <= number < len(lines) else ""
 
 
-def _unbalanced(text: str, end: int) -> Fault | None:
-    """The first quote up to `end`, or the first bracket, that is not closed, or that closes what is not open."""
+def _unbalanced(text: str, end: int, began: int) -> Fault | None:
+    """The first quote up to `end`, or the first bracket, that is not closed, or that closes what is not open.
+
+    `began`: where the mapping or list begins that the parser could not finish.
+    """
     opened: list[Any] = []
     try:
         for token in yaml.scan(text, Loader=LOADER):
@@ -113,8 +116,8 @@ def _unbalanced(text: str, end: int) -> Fault | None:
                     place = f"'{sign}' in line {mark.line + 1}, column {mark.column + 1}"
                     return _unclosed(text, opened[-1], f" before the {place}")
                 opened.pop()
-    except yaml.YAMLError:
-        return None  # it stops in the middle, where brackets may well be open
+    except yaml.YAMLError:  # it stops in the middle, where other brackets may well be open
+        opened = [bracket for bracket in opened if bracket.start_mark.index == began]
     return _unclosed(text, opened[-1]) if opened else None
 
 
