@@ -15,7 +15,7 @@ import pytest
 from mipgen import cli, codec
 from mipgen import model as m
 from mipgen.targets.c import members, names
-from support import ROOT, SPECS, heavy, model, need
+from support import ROOT, SPECS, heavy, model, need, sent
 
 HERE = Path(__file__).parent
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror"]
@@ -249,7 +249,7 @@ def record(operations: tuple[m.Operation, ...], parameters: tuple[m.Parameter, .
                 if q.counts == p.name:
                     values[q.name] = len(values[p.name])
         if p.name in values and p.reserved is not None:
-            values[p.name] = p.reserved if p.length is None else [p.reserved] * len(values[p.name])
+            values[p.name] = sent(p)
     return values
 
 

@@ -208,7 +208,7 @@ def test_references() -> None:
 
 
 def test_sets_are_sorted_and_fields_too() -> None:
-    assert [s.number for s in INVENTED.sets] == [0x01, 0x0C, 0x80, 0x81, 0x82, 0xFF]
+    assert [s.number for s in INVENTED.sets] == [0x01, 0x0C, 0x80, 0x81, 0x92, 0xFF]
     assert [s.kind for s in INVENTED.sets] == ["command", "command", "data", "data", "data", "shared"]
     for s in INVENTED.sets:
         keys = [(f.role == m.RESPONSE, f.descriptor) for f in s.fields]
@@ -216,7 +216,7 @@ def test_sets_are_sorted_and_fields_too() -> None:
 
 
 def test_a_set_that_repeats_another_as_a_whole() -> None:
-    origin, copy = INVENTED.set(0x80), INVENTED.set(0x82)
+    origin, copy = INVENTED.set(0x80), INVENTED.set(0x92)
     assert origin is not None and copy is not None
     assert [f.name for f in copy.fields] == [f.name for f in origin.fields] and not copy.own_fields
     assert {f.definition for f in copy.fields} == {f.full_name for f in origin.fields}
@@ -238,7 +238,7 @@ def test_descriptors_that_are_only_named() -> None:
 
 
 def test_what_is_uncertain_is_kept_apart() -> None:
-    copy, radio, answer = INVENTED.set(0x82), invented("measurements.radio"), invented("tools.hello_response")
+    copy, radio, answer = INVENTED.set(0x92), invented("measurements.radio"), invented("tools.hello_response")
     assert copy is not None and copy.uncertain == ("Which device sends it.",)
     assert len(radio.uncertain) == 2 and radio.notes == () and answer.uncertain == ("When it comes.",)
     strength = radio.parameters[1]

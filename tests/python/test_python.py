@@ -19,7 +19,7 @@ from mipgen import model as m
 from mipgen import render
 from mipgen.resolve import load_model
 from mipgen.targets.python import members, names
-from support import ROOT, SPECS, all_fields, another_python, model, parse_as
+from support import ROOT, SPECS, all_fields, another_python, heavy, model, parse_as
 from terse import filled
 
 INVENTED = SPECS["invented"][1] / "python"
@@ -803,6 +803,7 @@ def test_syntax_of_other_python_versions(version: str) -> None:
     parse_as(version, REAL / "mip_protocol")
 
 
+@heavy("other Pythons")
 @VERSIONS
 def test_other_python_versions(version: str) -> None:
     code = (

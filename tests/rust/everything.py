@@ -15,6 +15,7 @@ from conformance.client_model import wanted_response
 from mipgen import codec
 from mipgen import model as m
 from mipgen.targets import rust
+from support import sent
 
 HEAD = """//! Made by everything.py.
 
@@ -201,7 +202,7 @@ class _Writer:
             if p.selector or p.constant is not None or (p.name not in needed and p.counts not in needed):
                 continue
             if p.reserved is not None:
-                values[p.name] = [p.reserved] * p.length if isinstance(p.length, int) else p.reserved
+                values[p.name] = sent(p)
                 continue
             union = next((q for q in record.parameters if q.tag == p.name and q.name in arguments), None)
             if union is not None:
@@ -352,20 +353,20 @@ def defaults(f: m.Field | m.Struct) -> codec.Values:
     values: codec.Values = {}
     for p in f.parameters:
         if p.constant is None and not p.optional:
-            values[p.name] = default(p.operation, p.reserved or 0, values)
+            values[p.name] = sent(p) if p.reserved is not None else default(p.operation)
     return values
 
 
-def default(op: m.Operation, number: int, values: codec.Values) -> Any:
+def default(op: m.Operation) -> Any:
     match op:
         case m.ScalarOp() | m.CounterOp():
-            return "0x" + "00" * op.size if op.scalar.kind == "float" else number
+            return "0x" + "00" * op.size if op.scalar.kind == "float" else 0
         case m.BitsOp():
             return [0] * op.size
         case m.TextOp():
             return " " * (op.count or 0)
         case m.ArrayOp():
-            return [default(op.item, number, {}) for _ in range(op.count or 0)]
+            return [default(op.item) for _ in range(op.count or 0)]
         case m.StructOp():
             return defaults(op.struct)
         case m.SwitchOp():
@@ -373,5 +374,5 @@ def default(op: m.Operation, number: int, values: codec.Values) -> Any:
             if case is None or case.operation is None:
                 return {}
             assert not isinstance(case.operation, m.GroupOp)
-            return {case.operation.member: default(case.operation, 0, {})}
+            return {case.operation.member: default(case.operation)}
     raise AssertionError(op)

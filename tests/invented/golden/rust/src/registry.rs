@@ -198,33 +198,33 @@ registry! {
     MoreOwn(crate::more::Own),
         Data 0x81, 0x07, in 0x81..=0x81, of 1,
         "more.own", "Own", [];
-    /// Third acceleration (0x82,0x01).
+    /// Third acceleration (0x92,0x01).
     CopyAccel(crate::copy::Accel),
-        Data 0x82, 0x01, in 0x82..=0x82, of 1,
+        Data 0x92, 0x01, in 0x92..=0x92, of 1,
         "copy.accel", "Third acceleration", [];
-    /// Numbers (0x82,0x02).
+    /// Numbers (0x92,0x02).
     CopyNumbers(crate::copy::Numbers),
-        Data 0x82, 0x02, in 0x82..=0x82, of 1,
+        Data 0x92, 0x02, in 0x92..=0x92, of 1,
         "copy.numbers", "Numbers", [];
-    /// Strings (0x82,0x03).
+    /// Strings (0x92,0x03).
     CopyStrings(crate::copy::Strings),
-        Data 0x82, 0x03, in 0x82..=0x82, of 1,
+        Data 0x92, 0x03, in 0x92..=0x92, of 1,
         "copy.strings", "Strings", [];
-    /// Health (0x82,0x04).
+    /// Health (0x92,0x04).
     CopyHealth(crate::copy::Health),
-        Data 0x82, 0x04, in 0x82..=0x82, of 1,
+        Data 0x92, 0x04, in 0x92..=0x92, of 1,
         "copy.health", "Health", [];
-    /// Arrays (0x82,0x05).
+    /// Arrays (0x92,0x05).
     CopyArrays(crate::copy::Arrays),
-        Data 0x82, 0x05, in 0x82..=0x82, of 1,
+        Data 0x92, 0x05, in 0x92..=0x92, of 1,
         "copy.arrays", "Arrays", [];
-    /// Growing (0x82,0x06).
+    /// Growing (0x92,0x06).
     CopyGrowing(crate::copy::Growing),
-        Data 0x82, 0x06, in 0x82..=0x82, of 1,
+        Data 0x92, 0x06, in 0x92..=0x92, of 1,
         "copy.growing", "Growing", [];
-    /// Radio (0x82,0x07).
+    /// Radio (0x92,0x07).
     CopyRadio(crate::copy::Radio),
-        Data 0x82, 0x07, in 0x82..=0x82, of 1,
+        Data 0x92, 0x07, in 0x92..=0x92, of 1,
         "copy.radio", "Radio", [];
     /// Timestamp (0xFF,0xD3).
     SharedTimestamp(crate::shared::Timestamp),
