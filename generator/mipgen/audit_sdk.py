@@ -150,7 +150,7 @@ class _Layouts:
         """What differs in the parameters; `node` is that of the command where a response repeats them."""
         self.above = any("greater than 0" in fact.value for fact in node.get("facts") or ())
         self.functions = f.role == m.COMMAND and bool(f.functions)
-        yield from self.record(f.counted_parameters, list(node["parameters"]))
+        yield from self.record(f.counted, list(node["parameters"]))
 
     def owner(self, f: m.Field) -> int:
         """The descriptor of the command that a response answers."""
@@ -287,7 +287,7 @@ def _given_wire(node: Node, names: list[str]) -> Wire:
 
 
 def _letters(p: m.Parameter) -> str:
-    return (p.functions or "").replace("A", "")
+    return m.letters(p.required_for).replace("A", "")
 
 
 def _range(p: m.Parameter) -> str:

@@ -6,10 +6,12 @@ here as a user would write it. Nothing is listed by hand, so nothing can be forg
 
 from __future__ import annotations
 
+import json
 import random
 from collections.abc import Iterator
 from typing import Any
 
+from conformance.client_model import wanted_response
 from mipgen import codec
 from mipgen import model as m
 from mipgen.targets import rust
@@ -82,6 +84,11 @@ def test(name: str, lines: Iterator[str]) -> str:
 def path(t: m.Type | m.Field) -> str:
     """The name of a type for a user of the crate."""
     return f"mip_protocol::{rust.path(t, '').removeprefix('crate::')}"
+
+
+def text(words: str) -> str:
+    """A string literal."""
+    return json.dumps(" ".join(words.split()), ensure_ascii=False)
 
 
 def data_literal(data: bytes) -> str:
@@ -170,11 +177,11 @@ class _Writer:
         data = codec.encode(f, values)
         silent = [c for c in f.silent_when if values.get(c.parameter) == c.value]
         replies = (function is None or function.reply) and not (f.silent_when and len(silent) == len(f.silent_when))
-        responds = bool(f.responses) and (function is None or function.responds)
+        wanted = wanted_response(self.model, f, values)
         yield f"let command = {expression};"
         yield f"same(command, {data_literal(data)});"
         yield f"assert_eq!(command.expects_reply(), {str(replies).lower()});"
-        yield f"assert_eq!(command.expects_response(), {str(responds).lower()});"
+        yield f"assert_eq!(command.expects_response(), {str(wanted is not None).lower()});"
 
     def prefixes(self, f: m.Field, data: bytes) -> list[int]:
         found = []
@@ -308,8 +315,30 @@ class _Writer:
             yield f'assert_eq!(field.name, "{name}");'
             yield f"assert_eq!(field.functions.iter().map(|f| f.0).collect::<Vec<u8>>(), {functions});"
         yield f"assert_eq!({of}.fields.len(), {len(d.fields)});"
-        for x in d.limits:
+        number = "None" if d.model_number is None else f"Some({d.model_number})"
+        yield f"assert_eq!(({of}.id, {of}.title, {of}.model_number), ({text(d.id)}, {text(d.title)}, {number}));"
+        yield f"assert_eq!({of}.description, {text(d.description)});"
+        rates = dict(d.base_rates)
+        for s in self.model.sets:
+            rate = f"Some({float(rates[s.name])!r})" if s.name in rates else "None"
+            yield f"assert_eq!({of}.base_rate({s.number}), {rate});"
+        for i, port in enumerate(d.ports):
+            yield f"let port = &{of}.ports[{i}];"
+            identity = "None" if port.id is None else f"Some({port.id})"
+            yield f"assert_eq!((port.name, port.id), ({text(port.name)}, {identity}));"
+            yield f"assert_eq!(port.baud_rates, [{', '.join(map(str, port.baud_rates))}]);"
+            protocols = ", ".join(map(text, port.protocols))
+            yield f"assert_eq!(port.protocols, [{protocols}] as [&str; {len(port.protocols)}]);"
+        for i, x in enumerate(d.limits):
+            unit = f"Some({text(x.unit)})" if x.unit else "None"
+            yield f"let limit = &{of}.limits[{i}];"
+            yield f"assert_eq!((limit.unit, limit.description), ({unit}, {text(x.description)}));"
             yield f'assert_eq!({of}.limit("{x.name}"), Some({float(x.value)!r}));'
+        read = ", ".join(f"({text(name)}, {text(t.name)})" for name, t in d.readings)
+        pairs = f"{of}.readings.iter().map(|r| (r.of, r.read_as)).collect::<Vec<(&str, &str)>>()"
+        yield f"assert_eq!({pairs}, [{read}] as [(&str, &str); {len(d.readings)}]);"
+        counts = [len(d.base_rates), len(d.ports), len(d.limits)]
+        yield f"assert_eq!([{of}.base_rates.len(), {of}.ports.len(), {of}.limits.len()], {counts});"
         codes = list(d.ack_codes)
         yield f"assert_eq!({of}.ack_codes.iter().map(|c| c.0).collect::<Vec<u8>>(), {codes});"
 

@@ -101,14 +101,15 @@ static bool silent_poll_imu_data(const void *value) {
 }
 
 const struct mip_codec mip_3dm_poll_imu_data_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_POLL_IMU_DATA_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_poll_imu_data),
-    0,
+    0, /* time-out */
     read_poll_imu_data,
     write_poll_imu_data,
     silent_poll_imu_data,
+    NULL,
 };
 
 mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_data *value,
@@ -157,14 +158,15 @@ static bool silent_poll_gnss_data(const void *value) {
 }
 
 const struct mip_codec mip_3dm_poll_gnss_data_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_POLL_GNSS_DATA_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_poll_gnss_data),
-    0,
+    0, /* time-out */
     read_poll_gnss_data,
     write_poll_gnss_data,
     silent_poll_gnss_data,
+    NULL,
 };
 
 mip_error mip_3dm_poll_gnss_data_decode(struct mip_3dm_poll_gnss_data *value,
@@ -213,14 +215,15 @@ static bool silent_poll_filter_data(const void *value) {
 }
 
 const struct mip_codec mip_3dm_poll_filter_data_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_POLL_FILTER_DATA_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_poll_filter_data),
-    0,
+    0, /* time-out */
     read_poll_filter_data,
     write_poll_filter_data,
     silent_poll_filter_data,
+    NULL,
 };
 
 mip_error mip_3dm_poll_filter_data_decode(struct mip_3dm_poll_filter_data *value,
@@ -269,14 +272,15 @@ static bool silent_poll_nmea_data(const void *value) {
 }
 
 const struct mip_codec mip_3dm_poll_nmea_data_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_POLL_NMEA_DATA_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_poll_nmea_data),
-    0,
+    0, /* time-out */
     read_poll_nmea_data,
     write_poll_nmea_data,
     silent_poll_nmea_data,
+    NULL,
 };
 
 mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_data *value,
@@ -301,15 +305,21 @@ struct mip_3dm_poll_nmea_data mip_3dm_poll_nmea_data_make(
     return v;
 }
 
+static const struct mip_response responses_get_imu_base_rate[] = {
+    {&mip_3dm_get_imu_base_rate_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_imu_base_rate_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_IMU_BASE_RATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_imu_base_rate),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_imu_base_rate,
 };
 
 mip_error mip_3dm_get_imu_base_rate_decode(struct mip_3dm_get_imu_base_rate *value,
@@ -336,13 +346,14 @@ static void write_get_imu_base_rate_response(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_3dm_get_imu_base_rate_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_IMU_BASE_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_imu_base_rate_response),
-    0,
+    0, /* time-out */
     read_get_imu_base_rate_response,
     write_get_imu_base_rate_response,
+    NULL,
     NULL,
 };
 
@@ -357,15 +368,21 @@ mip_error mip_3dm_get_imu_base_rate_response_encode(
                             write_get_imu_base_rate_response, value);
 }
 
+static const struct mip_response responses_get_gnss_base_rate[] = {
+    {&mip_3dm_get_gnss_base_rate_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_gnss_base_rate_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_GNSS_BASE_RATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_gnss_base_rate),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_gnss_base_rate,
 };
 
 mip_error mip_3dm_get_gnss_base_rate_decode(struct mip_3dm_get_gnss_base_rate *value,
@@ -392,13 +409,14 @@ static void write_get_gnss_base_rate_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_get_gnss_base_rate_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_GNSS_BASE_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_gnss_base_rate_response),
-    0,
+    0, /* time-out */
     read_get_gnss_base_rate_response,
     write_get_gnss_base_rate_response,
+    NULL,
     NULL,
 };
 
@@ -441,15 +459,27 @@ static void write_imu_message_format(struct mip_writer *w, const void *value) {
     }
 }
 
+static bool asked_imu_message_format_1(const void *value) {
+    const struct mip_3dm_imu_message_format *v = (const struct mip_3dm_imu_message_format *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_imu_message_format[] = {
+    {&mip_3dm_imu_message_format_response_codec, asked_imu_message_format_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_imu_message_format_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_IMU_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_imu_message_format),
-    0,
+    0, /* time-out */
     read_imu_message_format,
     write_imu_message_format,
     NULL,
+    responses_imu_message_format,
 };
 
 mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_message_format *value,
@@ -521,13 +551,14 @@ static void write_imu_message_format_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_imu_message_format_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_imu_message_format_response),
-    0,
+    0, /* time-out */
     read_imu_message_format_response,
     write_imu_message_format_response,
+    NULL,
     NULL,
 };
 
@@ -570,15 +601,27 @@ static void write_gnss_message_format(struct mip_writer *w, const void *value) {
     }
 }
 
+static bool asked_gnss_message_format_1(const void *value) {
+    const struct mip_3dm_gnss_message_format *v = (const struct mip_3dm_gnss_message_format *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_message_format[] = {
+    {&mip_3dm_gnss_message_format_response_codec, asked_gnss_message_format_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gnss_message_format_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gnss_message_format),
-    0,
+    0, /* time-out */
     read_gnss_message_format,
     write_gnss_message_format,
     NULL,
+    responses_gnss_message_format,
 };
 
 mip_error mip_3dm_gnss_message_format_decode(struct mip_3dm_gnss_message_format *value,
@@ -650,13 +693,14 @@ static void write_gnss_message_format_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_3dm_gnss_message_format_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gnss_message_format_response),
-    0,
+    0, /* time-out */
     read_gnss_message_format_response,
     write_gnss_message_format_response,
+    NULL,
     NULL,
 };
 
@@ -700,15 +744,28 @@ static void write_filter_message_format(struct mip_writer *w, const void *value)
     }
 }
 
+static bool asked_filter_message_format_1(const void *value) {
+    const struct mip_3dm_filter_message_format *v =
+        (const struct mip_3dm_filter_message_format *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_filter_message_format[] = {
+    {&mip_3dm_filter_message_format_response_codec, asked_filter_message_format_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_filter_message_format_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_FILTER_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_filter_message_format),
-    0,
+    0, /* time-out */
     read_filter_message_format,
     write_filter_message_format,
     NULL,
+    responses_filter_message_format,
 };
 
 mip_error mip_3dm_filter_message_format_decode(struct mip_3dm_filter_message_format *value,
@@ -780,13 +837,14 @@ static void write_filter_message_format_response(struct mip_writer *w, const voi
 }
 
 const struct mip_codec mip_3dm_filter_message_format_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_filter_message_format_response),
-    0,
+    0, /* time-out */
     read_filter_message_format_response,
     write_filter_message_format_response,
+    NULL,
     NULL,
 };
 
@@ -802,15 +860,21 @@ mip_error mip_3dm_filter_message_format_response_encode(
                             write_filter_message_format_response, value);
 }
 
+static const struct mip_response responses_get_filter_base_rate[] = {
+    {&mip_3dm_get_filter_base_rate_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_filter_base_rate_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_FILTER_BASE_RATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_filter_base_rate),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_filter_base_rate,
 };
 
 mip_error mip_3dm_get_filter_base_rate_decode(struct mip_3dm_get_filter_base_rate *value,
@@ -837,13 +901,14 @@ static void write_get_filter_base_rate_response(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_3dm_get_filter_base_rate_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_FILTER_BASE_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_filter_base_rate_response),
-    0,
+    0, /* time-out */
     read_get_filter_base_rate_response,
     write_get_filter_base_rate_response,
+    NULL,
     NULL,
 };
 
@@ -886,15 +951,27 @@ static void write_nmea_message_format(struct mip_writer *w, const void *value) {
     }
 }
 
+static bool asked_nmea_message_format_1(const void *value) {
+    const struct mip_3dm_nmea_message_format *v = (const struct mip_3dm_nmea_message_format *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_nmea_message_format[] = {
+    {&mip_3dm_nmea_message_format_response_codec, asked_nmea_message_format_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_nmea_message_format_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_NMEA_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_nmea_message_format),
-    0,
+    0, /* time-out */
     read_nmea_message_format,
     write_nmea_message_format,
     NULL,
+    responses_nmea_message_format,
 };
 
 mip_error mip_3dm_nmea_message_format_decode(struct mip_3dm_nmea_message_format *value,
@@ -908,8 +985,8 @@ mip_error mip_3dm_nmea_message_format_encode(const struct mip_3dm_nmea_message_f
                             write_nmea_message_format, value);
 }
 
-struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_write(
-    uint8_t count, const struct mip_nmea_message format_entries[]) {
+struct mip_3dm_nmea_message_format
+mip_3dm_nmea_message_format_write(uint8_t count, const struct mip_nmea_message format_entries[]) {
     struct mip_3dm_nmea_message_format v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -966,13 +1043,14 @@ static void write_nmea_message_format_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_3dm_nmea_message_format_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_nmea_message_format_response),
-    0,
+    0, /* time-out */
     read_nmea_message_format_response,
     write_nmea_message_format_response,
+    NULL,
     NULL,
 };
 
@@ -1009,14 +1087,15 @@ static bool silent_poll_data(const void *value) {
 }
 
 const struct mip_codec mip_3dm_poll_data_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_POLL_DATA_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_poll_data),
-    0,
+    0, /* time-out */
     read_poll_data,
     write_poll_data,
     silent_poll_data,
+    NULL,
 };
 
 mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value, const struct mip_field *field) {
@@ -1051,15 +1130,21 @@ static void write_get_base_rate(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->descriptor_set, 1);
 }
 
+static const struct mip_response responses_get_base_rate[] = {
+    {&mip_3dm_get_base_rate_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_base_rate_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_BASE_RATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_base_rate),
-    0,
+    0, /* time-out */
     read_get_base_rate,
     write_get_base_rate,
     NULL,
+    responses_get_base_rate,
 };
 
 mip_error mip_3dm_get_base_rate_decode(struct mip_3dm_get_base_rate *value,
@@ -1094,13 +1179,14 @@ static void write_get_base_rate_response(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_3dm_get_base_rate_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_BASE_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_base_rate_response),
-    0,
+    0, /* time-out */
     read_get_base_rate_response,
     write_get_base_rate_response,
+    NULL,
     NULL,
 };
 
@@ -1146,15 +1232,27 @@ static void write_message_format(struct mip_writer *w, const void *value) {
     }
 }
 
+static bool asked_message_format_1(const void *value) {
+    const struct mip_3dm_message_format *v = (const struct mip_3dm_message_format *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_message_format[] = {
+    {&mip_3dm_message_format_response_codec, asked_message_format_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_message_format_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_message_format),
-    0,
+    0, /* time-out */
     read_message_format,
     write_message_format,
     NULL,
+    responses_message_format,
 };
 
 mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
@@ -1168,9 +1266,9 @@ mip_error mip_3dm_message_format_encode(const struct mip_3dm_message_format *val
                             value);
 }
 
-struct mip_3dm_message_format mip_3dm_message_format_write(
-    uint8_t descriptor_set, uint8_t num_descriptors,
-    const struct mip_descriptor_rate descriptors[]) {
+struct mip_3dm_message_format
+mip_3dm_message_format_write(uint8_t descriptor_set, uint8_t num_descriptors,
+                             const struct mip_descriptor_rate descriptors[]) {
     struct mip_3dm_message_format v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -1233,13 +1331,14 @@ static void write_message_format_response(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_3dm_message_format_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_message_format_response),
-    0,
+    0, /* time-out */
     read_message_format_response,
     write_message_format_response,
+    NULL,
     NULL,
 };
 
@@ -1267,13 +1366,14 @@ static void write_factory_streaming(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_factory_streaming_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_FACTORY_STREAMING_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_factory_streaming),
-    0,
+    0, /* time-out */
     read_factory_streaming,
     write_factory_streaming,
+    NULL,
     NULL,
 };
 
@@ -1288,8 +1388,8 @@ mip_error mip_3dm_factory_streaming_encode(const struct mip_3dm_factory_streamin
                             write_factory_streaming, value);
 }
 
-struct mip_3dm_factory_streaming mip_3dm_factory_streaming_make(
-    mip_3dm_factory_streaming_action action) {
+struct mip_3dm_factory_streaming
+mip_3dm_factory_streaming_make(mip_3dm_factory_streaming_action action) {
     struct mip_3dm_factory_streaming v;
     memset(&v, 0, sizeof(v));
     v.action = action;
@@ -1322,15 +1422,27 @@ static void write_data_stream_control(struct mip_writer *w, const void *value) {
     mip_write_bool(w, &v->enable, 1);
 }
 
+static bool asked_data_stream_control_1(const void *value) {
+    const struct mip_3dm_data_stream_control *v = (const struct mip_3dm_data_stream_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_data_stream_control[] = {
+    {&mip_3dm_data_stream_control_response_codec, asked_data_stream_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_data_stream_control_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_data_stream_control),
-    0,
+    0, /* time-out */
     read_data_stream_control,
     write_data_stream_control,
     NULL,
+    responses_data_stream_control,
 };
 
 mip_error mip_3dm_data_stream_control_decode(struct mip_3dm_data_stream_control *value,
@@ -1401,13 +1513,14 @@ static void write_data_stream_control_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_3dm_data_stream_control_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_data_stream_control_response),
-    0,
+    0, /* time-out */
     read_data_stream_control_response,
     write_data_stream_control_response,
+    NULL,
     NULL,
 };
 
@@ -1455,15 +1568,28 @@ static void write_constellation_settings(struct mip_writer *w, const void *value
     }
 }
 
+static bool asked_constellation_settings_1(const void *value) {
+    const struct mip_3dm_constellation_settings *v =
+        (const struct mip_3dm_constellation_settings *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_constellation_settings[] = {
+    {&mip_3dm_constellation_settings_response_codec, asked_constellation_settings_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_constellation_settings_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_CONSTELLATION_SETTINGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_constellation_settings),
-    0,
+    0, /* time-out */
     read_constellation_settings,
     write_constellation_settings,
     NULL,
+    responses_constellation_settings,
 };
 
 mip_error mip_3dm_constellation_settings_decode(struct mip_3dm_constellation_settings *value,
@@ -1477,9 +1603,9 @@ mip_error mip_3dm_constellation_settings_encode(const struct mip_3dm_constellati
                             write_constellation_settings, value);
 }
 
-struct mip_3dm_constellation_settings mip_3dm_constellation_settings_write(
-    uint16_t max_channels, uint8_t config_count,
-    const struct mip_3dm_constellation_settings_entry settings[]) {
+struct mip_3dm_constellation_settings
+mip_3dm_constellation_settings_write(uint16_t max_channels, uint8_t config_count,
+                                     const struct mip_3dm_constellation_settings_entry settings[]) {
     struct mip_3dm_constellation_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -1540,13 +1666,14 @@ static void write_constellation_settings_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_3dm_constellation_settings_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_constellation_settings_response),
-    0,
+    0, /* time-out */
     read_constellation_settings_response,
     write_constellation_settings_response,
+    NULL,
     NULL,
 };
 
@@ -1594,15 +1721,27 @@ static void write_gnss_sbas_settings(struct mip_writer *w, const void *value) {
     mip_write_u16(w, v->included_prns, mip_write_count(w, v->num_included_prns, 124));
 }
 
+static bool asked_gnss_sbas_settings_1(const void *value) {
+    const struct mip_3dm_gnss_sbas_settings *v = (const struct mip_3dm_gnss_sbas_settings *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_sbas_settings[] = {
+    {&mip_3dm_gnss_sbas_settings_response_codec, asked_gnss_sbas_settings_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_SBAS_SETTINGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gnss_sbas_settings),
-    0,
+    0, /* time-out */
     read_gnss_sbas_settings,
     write_gnss_sbas_settings,
     NULL,
+    responses_gnss_sbas_settings,
 };
 
 mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sbas_settings *value,
@@ -1616,9 +1755,9 @@ mip_error mip_3dm_gnss_sbas_settings_encode(const struct mip_3dm_gnss_sbas_setti
                             write_gnss_sbas_settings, value);
 }
 
-struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_write(
-    uint8_t enable_sbas, mip_3dm_sbas_options sbas_options, uint8_t num_included_prns,
-    const uint16_t included_prns[]) {
+struct mip_3dm_gnss_sbas_settings
+mip_3dm_gnss_sbas_settings_write(uint8_t enable_sbas, mip_3dm_sbas_options sbas_options,
+                                 uint8_t num_included_prns, const uint16_t included_prns[]) {
     struct mip_3dm_gnss_sbas_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -1677,13 +1816,14 @@ static void write_gnss_sbas_settings_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gnss_sbas_settings_response),
-    0,
+    0, /* time-out */
     read_gnss_sbas_settings_response,
     write_gnss_sbas_settings_response,
+    NULL,
     NULL,
 };
 
@@ -1724,15 +1864,27 @@ static void write_gnss_assisted_fix(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->flags, 1);
 }
 
+static bool asked_gnss_assisted_fix_1(const void *value) {
+    const struct mip_3dm_gnss_assisted_fix *v = (const struct mip_3dm_gnss_assisted_fix *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_assisted_fix[] = {
+    {&mip_3dm_gnss_assisted_fix_response_codec, asked_gnss_assisted_fix_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_ASSISTED_FIX_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gnss_assisted_fix),
-    0,
+    0, /* time-out */
     read_gnss_assisted_fix,
     write_gnss_assisted_fix,
     NULL,
+    responses_gnss_assisted_fix,
 };
 
 mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_assisted_fix *value,
@@ -1746,8 +1898,8 @@ mip_error mip_3dm_gnss_assisted_fix_encode(const struct mip_3dm_gnss_assisted_fi
                             write_gnss_assisted_fix, value);
 }
 
-struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_write(
-    mip_3dm_assisted_fix_option option) {
+struct mip_3dm_gnss_assisted_fix
+mip_3dm_gnss_assisted_fix_write(mip_3dm_assisted_fix_option option) {
     struct mip_3dm_gnss_assisted_fix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -1760,6 +1912,7 @@ struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_read(void) {
     struct mip_3dm_gnss_assisted_fix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
+    v.flags = 255;
     return v;
 }
 
@@ -1767,6 +1920,7 @@ struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_save(void) {
     struct mip_3dm_gnss_assisted_fix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    v.flags = 255;
     return v;
 }
 
@@ -1774,6 +1928,7 @@ struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_load(void) {
     struct mip_3dm_gnss_assisted_fix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    v.flags = 255;
     return v;
 }
 
@@ -1781,6 +1936,7 @@ struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_default(void) {
     struct mip_3dm_gnss_assisted_fix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    v.flags = 255;
     return v;
 }
 
@@ -1799,13 +1955,14 @@ static void write_gnss_assisted_fix_response(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gnss_assisted_fix_response),
-    0,
+    0, /* time-out */
     read_gnss_assisted_fix_response,
     write_gnss_assisted_fix_response,
+    NULL,
     NULL,
 };
 
@@ -1851,15 +2008,28 @@ static void write_gnss_time_assistance(struct mip_writer *w, const void *value) 
     mip_write_float(w, &v->accuracy, 1);
 }
 
+static bool asked_gnss_time_assistance_1(const void *value) {
+    const struct mip_3dm_gnss_time_assistance *v =
+        (const struct mip_3dm_gnss_time_assistance *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_time_assistance[] = {
+    {&mip_3dm_gnss_time_assistance_response_codec, asked_gnss_time_assistance_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gnss_time_assistance_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_TIME_ASSISTANCE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gnss_time_assistance),
-    0,
+    0, /* time-out */
     read_gnss_time_assistance,
     write_gnss_time_assistance,
     NULL,
+    responses_gnss_time_assistance,
 };
 
 mip_error mip_3dm_gnss_time_assistance_decode(struct mip_3dm_gnss_time_assistance *value,
@@ -1909,13 +2079,14 @@ static void write_gnss_time_assistance_response(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_3dm_gnss_time_assistance_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gnss_time_assistance_response),
-    0,
+    0, /* time-out */
     read_gnss_time_assistance_response,
     write_gnss_time_assistance_response,
+    NULL,
     NULL,
 };
 
@@ -1952,15 +2123,27 @@ static void write_pps_source_control(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->source, 1);
 }
 
+static bool asked_pps_source_control_1(const void *value) {
+    const struct mip_3dm_pps_source_control *v = (const struct mip_3dm_pps_source_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_pps_source_control[] = {
+    {&mip_3dm_pps_source_control_response_codec, asked_pps_source_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_pps_source_control_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_pps_source_control),
-    0,
+    0, /* time-out */
     read_pps_source_control,
     write_pps_source_control,
     NULL,
+    responses_pps_source_control,
 };
 
 mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_source_control *value,
@@ -2023,13 +2206,14 @@ static void write_pps_source_control_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_pps_source_control_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_pps_source_control_response),
-    0,
+    0, /* time-out */
     read_pps_source_control_response,
     write_pps_source_control_response,
+    NULL,
     NULL,
 };
 
@@ -2054,15 +2238,21 @@ static void write_get_event_support(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->query, 1);
 }
 
+static const struct mip_response responses_get_event_support[] = {
+    {&mip_3dm_get_event_support_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_event_support_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_SUPPORT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_event_support),
-    0,
+    0, /* time-out */
     read_get_event_support,
     write_get_event_support,
     NULL,
+    responses_get_event_support,
 };
 
 mip_error mip_3dm_get_event_support_decode(struct mip_3dm_get_event_support *value,
@@ -2106,13 +2296,14 @@ static void write_get_event_support_response(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_3dm_get_event_support_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_SUPPORT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_event_support_response),
-    0,
+    0, /* time-out */
     read_get_event_support_response,
     write_get_event_support_response,
+    NULL,
     NULL,
 };
 
@@ -2152,15 +2343,27 @@ static void write_event_control(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->mode, 1);
 }
 
+static bool asked_event_control_1(const void *value) {
+    const struct mip_3dm_event_control *v = (const struct mip_3dm_event_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_event_control[] = {
+    {&mip_3dm_event_control_response_codec, asked_event_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_event_control_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_event_control),
-    0,
+    0, /* time-out */
     read_event_control,
     write_event_control,
     NULL,
+    responses_event_control,
 };
 
 mip_error mip_3dm_event_control_decode(struct mip_3dm_event_control *value,
@@ -2230,13 +2433,14 @@ static void write_event_control_response(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_3dm_event_control_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_event_control_response),
-    0,
+    0, /* time-out */
     read_event_control_response,
     write_event_control_response,
+    NULL,
     NULL,
 };
 
@@ -2264,15 +2468,21 @@ static void write_get_event_trigger_status(struct mip_writer *w, const void *val
     mip_write_u8(w, v->requested_instances, mip_write_count(w, v->requested_count, 252));
 }
 
+static const struct mip_response responses_get_event_trigger_status[] = {
+    {&mip_3dm_get_event_trigger_status_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_TRIGGER_STATUS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_event_trigger_status),
-    0,
+    0, /* time-out */
     read_get_event_trigger_status,
     write_get_event_trigger_status,
     NULL,
+    responses_get_event_trigger_status,
 };
 
 mip_error mip_3dm_get_event_trigger_status_decode(struct mip_3dm_get_event_trigger_status *value,
@@ -2315,13 +2525,14 @@ static void write_get_event_trigger_status_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_3dm_get_event_trigger_status_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_event_trigger_status_response),
-    0,
+    0, /* time-out */
     read_get_event_trigger_status_response,
     write_get_event_trigger_status_response,
+    NULL,
     NULL,
 };
 
@@ -2350,15 +2561,21 @@ static void write_get_event_action_status(struct mip_writer *w, const void *valu
     mip_write_u8(w, v->requested_instances, mip_write_count(w, v->requested_count, 252));
 }
 
+static const struct mip_response responses_get_event_action_status[] = {
+    {&mip_3dm_get_event_action_status_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_event_action_status_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_ACTION_STATUS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_event_action_status),
-    0,
+    0, /* time-out */
     read_get_event_action_status,
     write_get_event_action_status,
     NULL,
+    responses_get_event_action_status,
 };
 
 mip_error mip_3dm_get_event_action_status_decode(struct mip_3dm_get_event_action_status *value,
@@ -2372,8 +2589,8 @@ mip_error mip_3dm_get_event_action_status_encode(
                             write_get_event_action_status, value);
 }
 
-struct mip_3dm_get_event_action_status mip_3dm_get_event_action_status_make(
-    uint8_t requested_count, const uint8_t requested_instances[]) {
+struct mip_3dm_get_event_action_status
+mip_3dm_get_event_action_status_make(uint8_t requested_count, const uint8_t requested_instances[]) {
     struct mip_3dm_get_event_action_status v;
     memset(&v, 0, sizeof(v));
     v.requested_count = requested_count;
@@ -2401,13 +2618,14 @@ static void write_get_event_action_status_response(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_3dm_get_event_action_status_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_event_action_status_response),
-    0,
+    0, /* time-out */
     read_get_event_action_status_response,
     write_get_event_action_status_response,
+    NULL,
     NULL,
 };
 
@@ -2478,15 +2696,28 @@ static void write_event_trigger_config(struct mip_writer *w, const void *value) 
     }
 }
 
+static bool asked_event_trigger_config_1(const void *value) {
+    const struct mip_3dm_event_trigger_config *v =
+        (const struct mip_3dm_event_trigger_config *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_event_trigger_config[] = {
+    {&mip_3dm_event_trigger_config_response_codec, asked_event_trigger_config_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_event_trigger_config_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_TRIGGER_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_event_trigger_config),
-    0,
+    0, /* time-out */
     read_event_trigger_config,
     write_event_trigger_config,
     NULL,
+    responses_event_trigger_config,
 };
 
 mip_error mip_3dm_event_trigger_config_decode(struct mip_3dm_event_trigger_config *value,
@@ -2587,13 +2818,14 @@ static void write_event_trigger_config_response(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_3dm_event_trigger_config_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_TRIGGER_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_event_trigger_config_response),
-    0,
+    0, /* time-out */
     read_event_trigger_config_response,
     write_event_trigger_config_response,
+    NULL,
     NULL,
 };
 
@@ -2660,15 +2892,27 @@ static void write_event_action_config(struct mip_writer *w, const void *value) {
     }
 }
 
+static bool asked_event_action_config_1(const void *value) {
+    const struct mip_3dm_event_action_config *v = (const struct mip_3dm_event_action_config *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_event_action_config[] = {
+    {&mip_3dm_event_action_config_response_codec, asked_event_action_config_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_event_action_config_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_ACTION_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_event_action_config),
-    0,
+    0, /* time-out */
     read_event_action_config,
     write_event_action_config,
     NULL,
+    responses_event_action_config,
 };
 
 mip_error mip_3dm_event_action_config_decode(struct mip_3dm_event_action_config *value,
@@ -2682,9 +2926,9 @@ mip_error mip_3dm_event_action_config_encode(const struct mip_3dm_event_action_c
                             write_event_action_config, value);
 }
 
-struct mip_3dm_event_action_config mip_3dm_event_action_config_write(
-    uint8_t instance, uint8_t trigger, mip_event_action_type type,
-    const union mip_3dm_event_action_config_parameters *parameters) {
+struct mip_3dm_event_action_config
+mip_3dm_event_action_config_write(uint8_t instance, uint8_t trigger, mip_event_action_type type,
+                                  const union mip_3dm_event_action_config_parameters *parameters) {
     struct mip_3dm_event_action_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -2766,13 +3010,14 @@ static void write_event_action_config_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_3dm_event_action_config_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_ACTION_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_event_action_config_response),
-    0,
+    0, /* time-out */
     read_event_action_config_response,
     write_event_action_config_response,
+    NULL,
     NULL,
 };
 
@@ -2798,13 +3043,14 @@ static void write_device_settings(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_device_settings_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DEVICE_SETTINGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_device_settings),
-    1000,
+    1000, /* time-out */
     read_device_settings,
     write_device_settings,
+    NULL,
     NULL,
 };
 
@@ -2872,15 +3118,29 @@ static void write_sensor_to_vehicle_transform_euler(struct mip_writer *w, const 
     mip_write_float(w, &v->yaw, 1);
 }
 
+static bool asked_sensor_to_vehicle_transform_euler_1(const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_transform_euler *v =
+        (const struct mip_3dm_sensor_to_vehicle_transform_euler *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_transform_euler[] = {
+    {&mip_3dm_sensor_to_vehicle_transform_euler_response_codec,
+     asked_sensor_to_vehicle_transform_euler_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_transform_euler,
     write_sensor_to_vehicle_transform_euler,
     NULL,
+    responses_sensor_to_vehicle_transform_euler,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_transform_euler_decode(
@@ -2895,8 +3155,8 @@ mip_error mip_3dm_sensor_to_vehicle_transform_euler_encode(
                             write_sensor_to_vehicle_transform_euler, value);
 }
 
-struct mip_3dm_sensor_to_vehicle_transform_euler mip_3dm_sensor_to_vehicle_transform_euler_write(
-    float roll, float pitch, float yaw) {
+struct mip_3dm_sensor_to_vehicle_transform_euler
+mip_3dm_sensor_to_vehicle_transform_euler_write(float roll, float pitch, float yaw) {
     struct mip_3dm_sensor_to_vehicle_transform_euler v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -2956,13 +3216,14 @@ static void write_sensor_to_vehicle_transform_euler_response(struct mip_writer *
 }
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_transform_euler_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_transform_euler_response,
     write_sensor_to_vehicle_transform_euler_response,
+    NULL,
     NULL,
 };
 
@@ -3005,15 +3266,29 @@ static void write_sensor_to_vehicle_transform_quaternion(struct mip_writer *w, c
     mip_write_float(w, v->q, 4);
 }
 
+static bool asked_sensor_to_vehicle_transform_quaternion_1(const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_transform_quaternion *v =
+        (const struct mip_3dm_sensor_to_vehicle_transform_quaternion *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_transform_quaternion[] = {
+    {&mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec,
+     asked_sensor_to_vehicle_transform_quaternion_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_transform_quaternion,
     write_sensor_to_vehicle_transform_quaternion,
     NULL,
+    responses_sensor_to_vehicle_transform_quaternion,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_decode(
@@ -3086,13 +3361,14 @@ static void write_sensor_to_vehicle_transform_quaternion_response(struct mip_wri
 }
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_transform_quaternion_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_transform_quaternion_response,
     write_sensor_to_vehicle_transform_quaternion_response,
+    NULL,
     NULL,
 };
 
@@ -3135,15 +3411,29 @@ static void write_sensor_to_vehicle_transform_dcm(struct mip_writer *w, const vo
     mip_write_float(w, v->dcm, 9);
 }
 
+static bool asked_sensor_to_vehicle_transform_dcm_1(const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_transform_dcm *v =
+        (const struct mip_3dm_sensor_to_vehicle_transform_dcm *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_transform_dcm[] = {
+    {&mip_3dm_sensor_to_vehicle_transform_dcm_response_codec,
+     asked_sensor_to_vehicle_transform_dcm_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_transform_dcm,
     write_sensor_to_vehicle_transform_dcm,
     NULL,
+    responses_sensor_to_vehicle_transform_dcm,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_transform_dcm_decode(
@@ -3158,8 +3448,8 @@ mip_error mip_3dm_sensor_to_vehicle_transform_dcm_encode(
                             write_sensor_to_vehicle_transform_dcm, value);
 }
 
-struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_write(
-    const float dcm[9]) {
+struct mip_3dm_sensor_to_vehicle_transform_dcm
+mip_3dm_sensor_to_vehicle_transform_dcm_write(const float dcm[9]) {
     struct mip_3dm_sensor_to_vehicle_transform_dcm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3210,13 +3500,14 @@ static void write_sensor_to_vehicle_transform_dcm_response(struct mip_writer *w,
 }
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_transform_dcm_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_transform_dcm_response,
     write_sensor_to_vehicle_transform_dcm_response,
+    NULL,
     NULL,
 };
 
@@ -3260,15 +3551,27 @@ static bool silent_accel_bias(const void *value) {
     return v->function == MIP_FUNCTION_SELECTOR_APPLY;
 }
 
+static bool asked_accel_bias_1(const void *value) {
+    const struct mip_3dm_accel_bias *v = (const struct mip_3dm_accel_bias *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_accel_bias[] = {
+    {&mip_3dm_accel_bias_response_codec, asked_accel_bias_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_accel_bias_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ACCEL_BIAS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_accel_bias),
-    0,
+    0, /* time-out */
     read_accel_bias,
     write_accel_bias,
     silent_accel_bias,
+    responses_accel_bias,
 };
 
 mip_error mip_3dm_accel_bias_decode(struct mip_3dm_accel_bias *value,
@@ -3336,13 +3639,14 @@ static void write_accel_bias_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_accel_bias_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ACCEL_BIAS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_accel_bias_response),
-    0,
+    0, /* time-out */
     read_accel_bias_response,
     write_accel_bias_response,
+    NULL,
     NULL,
 };
 
@@ -3382,15 +3686,27 @@ static bool silent_gyro_bias(const void *value) {
     return v->function == MIP_FUNCTION_SELECTOR_APPLY;
 }
 
+static bool asked_gyro_bias_1(const void *value) {
+    const struct mip_3dm_gyro_bias *v = (const struct mip_3dm_gyro_bias *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gyro_bias[] = {
+    {&mip_3dm_gyro_bias_response_codec, asked_gyro_bias_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gyro_bias_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GYRO_BIAS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gyro_bias),
-    0,
+    0, /* time-out */
     read_gyro_bias,
     write_gyro_bias,
     silent_gyro_bias,
+    responses_gyro_bias,
 };
 
 mip_error mip_3dm_gyro_bias_decode(struct mip_3dm_gyro_bias *value, const struct mip_field *field) {
@@ -3457,13 +3773,14 @@ static void write_gyro_bias_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_gyro_bias_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GYRO_BIAS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gyro_bias_response),
-    0,
+    0, /* time-out */
     read_gyro_bias_response,
     write_gyro_bias_response,
+    NULL,
     NULL,
 };
 
@@ -3488,15 +3805,21 @@ static void write_capture_gyro_bias(struct mip_writer *w, const void *value) {
     mip_write_u16(w, &v->averaging_time_ms, 1);
 }
 
+static const struct mip_response responses_capture_gyro_bias[] = {
+    {&mip_3dm_gyro_bias_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_capture_gyro_bias_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_CAPTURE_GYRO_BIAS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_capture_gyro_bias),
-    31000,
+    31000, /* time-out */
     read_capture_gyro_bias,
     write_capture_gyro_bias,
     NULL,
+    responses_capture_gyro_bias,
 };
 
 mip_error mip_3dm_capture_gyro_bias_decode(struct mip_3dm_capture_gyro_bias *value,
@@ -3540,15 +3863,28 @@ static void write_mag_hard_iron_offset(struct mip_writer *w, const void *value) 
     mip_write_float(w, v->offset, 3);
 }
 
+static bool asked_mag_hard_iron_offset_1(const void *value) {
+    const struct mip_3dm_mag_hard_iron_offset *v =
+        (const struct mip_3dm_mag_hard_iron_offset *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_mag_hard_iron_offset[] = {
+    {&mip_3dm_mag_hard_iron_offset_response_codec, asked_mag_hard_iron_offset_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_mag_hard_iron_offset_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MAG_HARD_IRON_OFFSET_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_mag_hard_iron_offset),
-    0,
+    0, /* time-out */
     read_mag_hard_iron_offset,
     write_mag_hard_iron_offset,
     NULL,
+    responses_mag_hard_iron_offset,
 };
 
 mip_error mip_3dm_mag_hard_iron_offset_decode(struct mip_3dm_mag_hard_iron_offset *value,
@@ -3611,13 +3947,14 @@ static void write_mag_hard_iron_offset_response(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_3dm_mag_hard_iron_offset_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MAG_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_mag_hard_iron_offset_response),
-    0,
+    0, /* time-out */
     read_mag_hard_iron_offset_response,
     write_mag_hard_iron_offset_response,
+    NULL,
     NULL,
 };
 
@@ -3655,15 +3992,28 @@ static void write_mag_soft_iron_matrix(struct mip_writer *w, const void *value) 
     mip_write_float(w, v->matrix, 9);
 }
 
+static bool asked_mag_soft_iron_matrix_1(const void *value) {
+    const struct mip_3dm_mag_soft_iron_matrix *v =
+        (const struct mip_3dm_mag_soft_iron_matrix *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_mag_soft_iron_matrix[] = {
+    {&mip_3dm_mag_soft_iron_matrix_response_codec, asked_mag_soft_iron_matrix_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_mag_soft_iron_matrix_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MAG_SOFT_IRON_MATRIX_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_mag_soft_iron_matrix),
-    0,
+    0, /* time-out */
     read_mag_soft_iron_matrix,
     write_mag_soft_iron_matrix,
     NULL,
+    responses_mag_soft_iron_matrix,
 };
 
 mip_error mip_3dm_mag_soft_iron_matrix_decode(struct mip_3dm_mag_soft_iron_matrix *value,
@@ -3726,13 +4076,14 @@ static void write_mag_soft_iron_matrix_response(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_3dm_mag_soft_iron_matrix_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MAG_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_mag_soft_iron_matrix_response),
-    0,
+    0, /* time-out */
     read_mag_soft_iron_matrix_response,
     write_mag_soft_iron_matrix_response,
+    NULL,
     NULL,
 };
 
@@ -3770,15 +4121,28 @@ static void write_coning_sculling_enable(struct mip_writer *w, const void *value
     mip_write_bool(w, &v->enable, 1);
 }
 
+static bool asked_coning_sculling_enable_1(const void *value) {
+    const struct mip_3dm_coning_sculling_enable *v =
+        (const struct mip_3dm_coning_sculling_enable *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_coning_sculling_enable[] = {
+    {&mip_3dm_coning_sculling_enable_response_codec, asked_coning_sculling_enable_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_coning_sculling_enable_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_CONING_SCULLING_ENABLE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_coning_sculling_enable),
-    0,
+    0, /* time-out */
     read_coning_sculling_enable,
     write_coning_sculling_enable,
     NULL,
+    responses_coning_sculling_enable,
 };
 
 mip_error mip_3dm_coning_sculling_enable_decode(struct mip_3dm_coning_sculling_enable *value,
@@ -3841,13 +4205,14 @@ static void write_coning_sculling_enable_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_3dm_coning_sculling_enable_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_CONING_SCULLING_ENABLE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_coning_sculling_enable_response),
-    0,
+    0, /* time-out */
     read_coning_sculling_enable_response,
     write_coning_sculling_enable_response,
+    NULL,
     NULL,
 };
 
@@ -3884,15 +4249,27 @@ static void write_uart_baud_rate(struct mip_writer *w, const void *value) {
     mip_write_u32(w, &v->baud, 1);
 }
 
+static bool asked_uart_baud_rate_1(const void *value) {
+    const struct mip_3dm_uart_baud_rate *v = (const struct mip_3dm_uart_baud_rate *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_uart_baud_rate[] = {
+    {&mip_3dm_uart_baud_rate_response_codec, asked_uart_baud_rate_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_uart_baud_rate_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_UART_BAUD_RATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_uart_baud_rate),
-    0,
+    0, /* time-out */
     read_uart_baud_rate,
     write_uart_baud_rate,
     NULL,
+    responses_uart_baud_rate,
 };
 
 mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_rate *value,
@@ -3954,13 +4331,14 @@ static void write_uart_baud_rate_response(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_3dm_uart_baud_rate_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_UART_BAUD_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_uart_baud_rate_response),
-    0,
+    0, /* time-out */
     read_uart_baud_rate_response,
     write_uart_baud_rate_response,
+    NULL,
     NULL,
 };
 
@@ -4008,15 +4386,27 @@ static void write_gpio_config(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->pin_mode, 1);
 }
 
+static bool asked_gpio_config_1(const void *value) {
+    const struct mip_3dm_gpio_config *v = (const struct mip_3dm_gpio_config *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gpio_config[] = {
+    {&mip_3dm_gpio_config_response_codec, asked_gpio_config_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gpio_config_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GPIO_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gpio_config),
-    0,
+    0, /* time-out */
     read_gpio_config,
     write_gpio_config,
     NULL,
+    responses_gpio_config,
 };
 
 mip_error mip_3dm_gpio_config_decode(struct mip_3dm_gpio_config *value,
@@ -4092,13 +4482,14 @@ static void write_gpio_config_response(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_3dm_gpio_config_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GPIO_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gpio_config_response),
-    0,
+    0, /* time-out */
     read_gpio_config_response,
     write_gpio_config_response,
+    NULL,
     NULL,
 };
 
@@ -4138,15 +4529,27 @@ static void write_gpio_state(struct mip_writer *w, const void *value) {
     mip_write_bool(w, &v->state, 1);
 }
 
+static bool asked_gpio_state_1(const void *value) {
+    const struct mip_3dm_gpio_state *v = (const struct mip_3dm_gpio_state *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gpio_state[] = {
+    {&mip_3dm_gpio_state_response_codec, asked_gpio_state_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gpio_state_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GPIO_STATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gpio_state),
-    0,
+    0, /* time-out */
     read_gpio_state,
     write_gpio_state,
     NULL,
+    responses_gpio_state,
 };
 
 mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *value,
@@ -4189,13 +4592,14 @@ static void write_gpio_state_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_gpio_state_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GPIO_STATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gpio_state_response),
-    0,
+    0, /* time-out */
     read_gpio_state_response,
     write_gpio_state_response,
+    NULL,
     NULL,
 };
 
@@ -4239,15 +4643,27 @@ static void write_odometer_config(struct mip_writer *w, const void *value) {
     mip_write_float(w, &v->uncertainty, 1);
 }
 
+static bool asked_odometer_config_1(const void *value) {
+    const struct mip_3dm_odometer_config *v = (const struct mip_3dm_odometer_config *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_odometer_config[] = {
+    {&mip_3dm_odometer_config_response_codec, asked_odometer_config_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_odometer_config_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ODOMETER_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_odometer_config),
-    0,
+    0, /* time-out */
     read_odometer_config,
     write_odometer_config,
     NULL,
+    responses_odometer_config,
 };
 
 mip_error mip_3dm_odometer_config_decode(struct mip_3dm_odometer_config *value,
@@ -4316,13 +4732,14 @@ static void write_odometer_config_response(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_3dm_odometer_config_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ODOMETER_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_odometer_config_response),
-    0,
+    0, /* time-out */
     read_odometer_config_response,
     write_odometer_config_response,
+    NULL,
     NULL,
 };
 
@@ -4375,15 +4792,27 @@ static void write_imu_low_pass_filter(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->reserved, 1);
 }
 
+static bool asked_imu_low_pass_filter_1(const void *value) {
+    const struct mip_3dm_imu_low_pass_filter *v = (const struct mip_3dm_imu_low_pass_filter *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_imu_low_pass_filter[] = {
+    {&mip_3dm_imu_low_pass_filter_response_codec, asked_imu_low_pass_filter_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_imu_low_pass_filter_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_IMU_LOW_PASS_FILTER_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_imu_low_pass_filter),
-    0,
+    0, /* time-out */
     read_imu_low_pass_filter,
     write_imu_low_pass_filter,
     NULL,
+    responses_imu_low_pass_filter,
 };
 
 mip_error mip_3dm_imu_low_pass_filter_decode(struct mip_3dm_imu_low_pass_filter *value,
@@ -4464,13 +4893,14 @@ static void write_imu_low_pass_filter_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_3dm_imu_low_pass_filter_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_IMU_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_imu_low_pass_filter_response),
-    0,
+    0, /* time-out */
     read_imu_low_pass_filter_response,
     write_imu_low_pass_filter_response,
+    NULL,
     NULL,
 };
 
@@ -4520,15 +4950,28 @@ static void write_complementary_filter(struct mip_writer *w, const void *value) 
     mip_write_float(w, &v->heading_time_constant, 1);
 }
 
+static bool asked_complementary_filter_1(const void *value) {
+    const struct mip_3dm_complementary_filter *v =
+        (const struct mip_3dm_complementary_filter *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_complementary_filter[] = {
+    {&mip_3dm_complementary_filter_response_codec, asked_complementary_filter_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_complementary_filter_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_COMPLEMENTARY_FILTER_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_complementary_filter),
-    0,
+    0, /* time-out */
     read_complementary_filter,
     write_complementary_filter,
     NULL,
+    responses_complementary_filter,
 };
 
 mip_error mip_3dm_complementary_filter_decode(struct mip_3dm_complementary_filter *value,
@@ -4542,9 +4985,9 @@ mip_error mip_3dm_complementary_filter_encode(const struct mip_3dm_complementary
                             write_complementary_filter, value);
 }
 
-struct mip_3dm_complementary_filter mip_3dm_complementary_filter_write(
-    mip_bool pitch_roll_enable, mip_bool heading_enable, float pitch_roll_time_constant,
-    float heading_time_constant) {
+struct mip_3dm_complementary_filter
+mip_3dm_complementary_filter_write(mip_bool pitch_roll_enable, mip_bool heading_enable,
+                                   float pitch_roll_time_constant, float heading_time_constant) {
     struct mip_3dm_complementary_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -4602,13 +5045,14 @@ static void write_complementary_filter_response(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_3dm_complementary_filter_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_COMPLEMENTARY_FILTER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_complementary_filter_response),
-    0,
+    0, /* time-out */
     read_complementary_filter_response,
     write_complementary_filter_response,
+    NULL,
     NULL,
 };
 
@@ -4648,15 +5092,27 @@ static void write_sensor_range(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->setting, 1);
 }
 
+static bool asked_sensor_range_1(const void *value) {
+    const struct mip_3dm_sensor_range *v = (const struct mip_3dm_sensor_range *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_range[] = {
+    {&mip_3dm_sensor_range_response_codec, asked_sensor_range_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_sensor_range_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_RANGE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_sensor_range),
-    0,
+    0, /* time-out */
     read_sensor_range,
     write_sensor_range,
     NULL,
+    responses_sensor_range,
 };
 
 mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range *value,
@@ -4726,13 +5182,14 @@ static void write_sensor_range_response(struct mip_writer *w, const void *value)
 }
 
 const struct mip_codec mip_3dm_sensor_range_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_RANGE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_sensor_range_response),
-    0,
+    0, /* time-out */
     read_sensor_range_response,
     write_sensor_range_response,
+    NULL,
     NULL,
 };
 
@@ -4759,15 +5216,21 @@ static void write_get_calibrated_sensor_ranges(struct mip_writer *w, const void 
     mip_write_u8(w, &v->sensor, 1);
 }
 
+static const struct mip_response responses_get_calibrated_sensor_ranges[] = {
+    {&mip_3dm_get_calibrated_sensor_ranges_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_calibrated_sensor_ranges),
-    0,
+    0, /* time-out */
     read_get_calibrated_sensor_ranges,
     write_get_calibrated_sensor_ranges,
     NULL,
+    responses_get_calibrated_sensor_ranges,
 };
 
 mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
@@ -4781,8 +5244,8 @@ mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
                             write_get_calibrated_sensor_ranges, value);
 }
 
-struct mip_3dm_get_calibrated_sensor_ranges mip_3dm_get_calibrated_sensor_ranges_make(
-    mip_3dm_sensor_range_type sensor) {
+struct mip_3dm_get_calibrated_sensor_ranges
+mip_3dm_get_calibrated_sensor_ranges_make(mip_3dm_sensor_range_type sensor) {
     struct mip_3dm_get_calibrated_sensor_ranges v;
     memset(&v, 0, sizeof(v));
     v.sensor = sensor;
@@ -4810,13 +5273,14 @@ static void write_get_calibrated_sensor_ranges_response(struct mip_writer *w, co
 }
 
 const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response),
-    0,
+    0, /* time-out */
     read_get_calibrated_sensor_ranges_response,
     write_get_calibrated_sensor_ranges_response,
+    NULL,
     NULL,
 };
 
@@ -4870,15 +5334,27 @@ static void write_low_pass_filter(struct mip_writer *w, const void *value) {
     mip_write_float(w, &v->frequency, 1);
 }
 
+static bool asked_low_pass_filter_1(const void *value) {
+    const struct mip_3dm_low_pass_filter *v = (const struct mip_3dm_low_pass_filter *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_low_pass_filter[] = {
+    {&mip_3dm_low_pass_filter_response_codec, asked_low_pass_filter_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_low_pass_filter_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_LOW_PASS_FILTER_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_low_pass_filter),
-    0,
+    0, /* time-out */
     read_low_pass_filter,
     write_low_pass_filter,
     NULL,
+    responses_low_pass_filter,
 };
 
 mip_error mip_3dm_low_pass_filter_decode(struct mip_3dm_low_pass_filter *value,
@@ -4967,13 +5443,14 @@ static void write_low_pass_filter_response(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_3dm_low_pass_filter_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_LOW_PASS_FILTER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_low_pass_filter_response),
-    0,
+    0, /* time-out */
     read_low_pass_filter_response,
     write_low_pass_filter_response,
+    NULL,
     NULL,
 };
 
@@ -5000,15 +5477,34 @@ static void write_device_status(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->status_selector, 1);
 }
 
+static bool asked_device_status_1(const void *value) {
+    const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
+
+    return v->status_selector == 1;
+}
+
+static bool asked_device_status_2(const void *value) {
+    const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
+
+    return v->status_selector == 2;
+}
+
+static const struct mip_response responses_device_status[] = {
+    {&mip_3dm_device_status_basic_response_codec, asked_device_status_1},
+    {&mip_3dm_device_status_diagnostic_response_codec, asked_device_status_2},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_device_status_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DEVICE_STATUS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_device_status),
-    0,
+    0, /* time-out */
     read_device_status,
     write_device_status,
     NULL,
+    responses_device_status,
 };
 
 mip_error mip_3dm_device_status_decode(struct mip_3dm_device_status *value,
@@ -5022,8 +5518,8 @@ mip_error mip_3dm_device_status_encode(const struct mip_3dm_device_status *value
                             value);
 }
 
-struct mip_3dm_device_status mip_3dm_device_status_make(
-    mip_3dm_device_status_selector status_selector) {
+struct mip_3dm_device_status
+mip_3dm_device_status_make(mip_3dm_device_status_selector status_selector) {
     struct mip_3dm_device_status v;
     memset(&v, 0, sizeof(v));
     v.status_selector = status_selector;
@@ -5051,13 +5547,14 @@ static void write_device_status_basic_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_3dm_device_status_basic_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_device_status_basic_response),
-    0,
+    0, /* time-out */
     read_device_status_basic_response,
     write_device_status_basic_response,
+    NULL,
     NULL,
 };
 
@@ -5115,13 +5612,14 @@ static void write_device_status_diagnostic_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_3dm_device_status_diagnostic_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_device_status_diagnostic_response),
-    0,
+    0, /* time-out */
     read_device_status_diagnostic_response,
     write_device_status_diagnostic_response,
+    NULL,
     NULL,
 };
 

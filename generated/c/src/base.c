@@ -22,13 +22,14 @@ void mip_base_device_info_write(struct mip_writer *w, const struct mip_base_devi
 }
 
 const struct mip_codec mip_base_ping_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_PING_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_ping),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 
@@ -41,13 +42,14 @@ mip_error mip_base_ping_encode(const struct mip_base_ping *value, struct mip_bui
 }
 
 const struct mip_codec mip_base_set_idle_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_SET_IDLE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_set_idle),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 
@@ -60,15 +62,21 @@ mip_error mip_base_set_idle_encode(const struct mip_base_set_idle *value,
     return mip_encode_field(builder, 0x01, MIP_BASE_SET_IDLE_DESCRIPTOR, mip_write_nothing, value);
 }
 
+static const struct mip_response responses_get_device_info[] = {
+    {&mip_base_get_device_info_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_get_device_info_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_INFO_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_get_device_info),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_device_info,
 };
 
 mip_error mip_base_get_device_info_decode(struct mip_base_get_device_info *value,
@@ -94,13 +102,14 @@ static void write_get_device_info_response(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_base_get_device_info_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_INFO_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_get_device_info_response),
-    0,
+    0, /* time-out */
     read_get_device_info_response,
     write_get_device_info_response,
+    NULL,
     NULL,
 };
 
@@ -115,15 +124,21 @@ mip_error mip_base_get_device_info_response_encode(
                             write_get_device_info_response, value);
 }
 
+static const struct mip_response responses_get_device_descriptors[] = {
+    {&mip_base_get_device_descriptors_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_get_device_descriptors_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_DESCRIPTORS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_get_device_descriptors),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_device_descriptors,
 };
 
 mip_error mip_base_get_device_descriptors_decode(struct mip_base_get_device_descriptors *value,
@@ -151,13 +166,14 @@ static void write_get_device_descriptors_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_base_get_device_descriptors_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_get_device_descriptors_response),
-    0,
+    0, /* time-out */
     read_get_device_descriptors_response,
     write_get_device_descriptors_response,
+    NULL,
     NULL,
 };
 
@@ -173,15 +189,21 @@ mip_error mip_base_get_device_descriptors_response_encode(
                             write_get_device_descriptors_response, value);
 }
 
+static const struct mip_response responses_built_in_test[] = {
+    {&mip_base_built_in_test_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_built_in_test_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_BUILT_IN_TEST_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_built_in_test),
-    10000,
+    10000, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_built_in_test,
 };
 
 mip_error mip_base_built_in_test_decode(struct mip_base_built_in_test *value,
@@ -207,13 +229,14 @@ static void write_built_in_test_response(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_base_built_in_test_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_BUILT_IN_TEST_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_built_in_test_response),
-    0,
+    0, /* time-out */
     read_built_in_test_response,
     write_built_in_test_response,
+    NULL,
     NULL,
 };
 
@@ -229,13 +252,14 @@ mip_error mip_base_built_in_test_response_encode(
 }
 
 const struct mip_codec mip_base_resume_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_RESUME_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_resume),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 
@@ -247,15 +271,21 @@ mip_error mip_base_resume_encode(const struct mip_base_resume *value, struct mip
     return mip_encode_field(builder, 0x01, MIP_BASE_RESUME_DESCRIPTOR, mip_write_nothing, value);
 }
 
+static const struct mip_response responses_get_extended_descriptors[] = {
+    {&mip_base_get_extended_descriptors_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_get_extended_descriptors_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GET_EXTENDED_DESCRIPTORS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_get_extended_descriptors),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_extended_descriptors,
 };
 
 mip_error mip_base_get_extended_descriptors_decode(struct mip_base_get_extended_descriptors *value,
@@ -283,13 +313,14 @@ static void write_get_extended_descriptors_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_base_get_extended_descriptors_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GET_EXTENDED_DESCRIPTORS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_get_extended_descriptors_response),
-    0,
+    0, /* time-out */
     read_get_extended_descriptors_response,
     write_get_extended_descriptors_response,
+    NULL,
     NULL,
 };
 
@@ -305,15 +336,21 @@ mip_error mip_base_get_extended_descriptors_response_encode(
                             write_get_extended_descriptors_response, value);
 }
 
+static const struct mip_response responses_continuous_built_in_test[] = {
+    {&mip_base_continuous_built_in_test_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_continuous_built_in_test_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_CONTINUOUS_BUILT_IN_TEST_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_continuous_built_in_test),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_continuous_built_in_test,
 };
 
 mip_error mip_base_continuous_built_in_test_decode(struct mip_base_continuous_built_in_test *value,
@@ -340,13 +377,14 @@ static void write_continuous_built_in_test_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_base_continuous_built_in_test_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_continuous_built_in_test_response),
-    0,
+    0, /* time-out */
     read_continuous_built_in_test_response,
     write_continuous_built_in_test_response,
+    NULL,
     NULL,
 };
 
@@ -387,15 +425,27 @@ static void write_comm_speed(struct mip_writer *w, const void *value) {
     mip_write_u32(w, &v->baud, 1);
 }
 
+static bool asked_comm_speed_1(const void *value) {
+    const struct mip_base_comm_speed *v = (const struct mip_base_comm_speed *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_comm_speed[] = {
+    {&mip_base_comm_speed_response_codec, asked_comm_speed_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_comm_speed_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_COMM_SPEED_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_comm_speed),
-    0,
+    0, /* time-out */
     read_comm_speed,
     write_comm_speed,
     NULL,
+    responses_comm_speed,
 };
 
 mip_error mip_base_comm_speed_decode(struct mip_base_comm_speed *value,
@@ -463,13 +513,14 @@ static void write_comm_speed_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_base_comm_speed_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_COMM_SPEED_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_comm_speed_response),
-    0,
+    0, /* time-out */
     read_comm_speed_response,
     write_comm_speed_response,
+    NULL,
     NULL,
 };
 
@@ -514,15 +565,34 @@ static bool silent_gps_time_update(const void *value) {
     return v->function == MIP_FUNCTION_SELECTOR_APPLY;
 }
 
+static bool asked_gps_time_update_1(const void *value) {
+    const struct mip_base_gps_time_update *v = (const struct mip_base_gps_time_update *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ && v->field_id == 1;
+}
+
+static bool asked_gps_time_update_2(const void *value) {
+    const struct mip_base_gps_time_update *v = (const struct mip_base_gps_time_update *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ && v->field_id == 2;
+}
+
+static const struct mip_response responses_gps_time_update[] = {
+    {&mip_base_gps_time_update_week_number_response_codec, asked_gps_time_update_1},
+    {&mip_base_gps_time_update_tow_response_codec, asked_gps_time_update_2},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_gps_time_update_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GPS_TIME_UPDATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_gps_time_update),
-    0,
+    0, /* time-out */
     read_gps_time_update,
     write_gps_time_update,
     silent_gps_time_update,
+    responses_gps_time_update,
 };
 
 mip_error mip_base_gps_time_update_decode(struct mip_base_gps_time_update *value,
@@ -577,13 +647,14 @@ static void write_gps_time_update_week_number_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_base_gps_time_update_week_number_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_gps_time_update_week_number_response),
-    0,
+    0, /* time-out */
     read_gps_time_update_week_number_response,
     write_gps_time_update_week_number_response,
+    NULL,
     NULL,
 };
 
@@ -613,13 +684,14 @@ static void write_gps_time_update_tow_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_base_gps_time_update_tow_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GPS_TIME_UPDATE_TOW_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_gps_time_update_tow_response),
-    0,
+    0, /* time-out */
     read_gps_time_update_tow_response,
     write_gps_time_update_tow_response,
+    NULL,
     NULL,
 };
 
@@ -635,13 +707,14 @@ mip_error mip_base_gps_time_update_tow_response_encode(
 }
 
 const struct mip_codec mip_base_soft_reset_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_SOFT_RESET_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_soft_reset),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 

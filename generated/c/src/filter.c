@@ -4,13 +4,14 @@
 #include <string.h>
 
 const struct mip_codec mip_filter_reset_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_RESET_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_reset),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 
@@ -39,13 +40,14 @@ static void write_set_initial_attitude(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_filter_set_initial_attitude_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SET_INITIAL_ATTITUDE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_set_initial_attitude),
-    0,
+    0, /* time-out */
     read_set_initial_attitude,
     write_set_initial_attitude,
+    NULL,
     NULL,
 };
 
@@ -82,13 +84,14 @@ static void write_set_initial_heading(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_set_initial_heading_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SET_INITIAL_HEADING_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_set_initial_heading),
-    0,
+    0, /* time-out */
     read_set_initial_heading,
     write_set_initial_heading,
+    NULL,
     NULL,
 };
 
@@ -111,13 +114,14 @@ struct mip_filter_set_initial_heading mip_filter_set_initial_heading_make(float 
 }
 
 const struct mip_codec mip_filter_run_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_RUN_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_run),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 
@@ -152,15 +156,28 @@ static void write_vehicle_dynamics_mode(struct mip_writer *w, const void *value)
     mip_write_u8(w, &v->mode, 1);
 }
 
+static bool asked_vehicle_dynamics_mode_1(const void *value) {
+    const struct mip_filter_vehicle_dynamics_mode *v =
+        (const struct mip_filter_vehicle_dynamics_mode *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_vehicle_dynamics_mode[] = {
+    {&mip_filter_vehicle_dynamics_mode_response_codec, asked_vehicle_dynamics_mode_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_vehicle_dynamics_mode_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_VEHICLE_DYNAMICS_MODE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_vehicle_dynamics_mode),
-    0,
+    0, /* time-out */
     read_vehicle_dynamics_mode,
     write_vehicle_dynamics_mode,
     NULL,
+    responses_vehicle_dynamics_mode,
 };
 
 mip_error mip_filter_vehicle_dynamics_mode_decode(struct mip_filter_vehicle_dynamics_mode *value,
@@ -174,8 +191,8 @@ mip_error mip_filter_vehicle_dynamics_mode_encode(
                             write_vehicle_dynamics_mode, value);
 }
 
-struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_write(
-    mip_filter_dynamics_mode mode) {
+struct mip_filter_vehicle_dynamics_mode
+mip_filter_vehicle_dynamics_mode_write(mip_filter_dynamics_mode mode) {
     struct mip_filter_vehicle_dynamics_mode v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -224,13 +241,14 @@ static void write_vehicle_dynamics_mode_response(struct mip_writer *w, const voi
 }
 
 const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_vehicle_dynamics_mode_response),
-    0,
+    0, /* time-out */
     read_vehicle_dynamics_mode_response,
     write_vehicle_dynamics_mode_response,
+    NULL,
     NULL,
 };
 
@@ -278,15 +296,29 @@ static void write_sensor_to_vehicle_rotation_euler(struct mip_writer *w, const v
     mip_write_float(w, &v->yaw, 1);
 }
 
+static bool asked_sensor_to_vehicle_rotation_euler_1(const void *value) {
+    const struct mip_filter_sensor_to_vehicle_rotation_euler *v =
+        (const struct mip_filter_sensor_to_vehicle_rotation_euler *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_rotation_euler[] = {
+    {&mip_filter_sensor_to_vehicle_rotation_euler_response_codec,
+     asked_sensor_to_vehicle_rotation_euler_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_rotation_euler,
     write_sensor_to_vehicle_rotation_euler,
     NULL,
+    responses_sensor_to_vehicle_rotation_euler,
 };
 
 mip_error mip_filter_sensor_to_vehicle_rotation_euler_decode(
@@ -362,13 +394,14 @@ static void write_sensor_to_vehicle_rotation_euler_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_filter_sensor_to_vehicle_rotation_euler_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_rotation_euler_response,
     write_sensor_to_vehicle_rotation_euler_response,
+    NULL,
     NULL,
 };
 
@@ -411,15 +444,28 @@ static void write_sensor_to_vehicle_offset(struct mip_writer *w, const void *val
     mip_write_float(w, v->offset, 3);
 }
 
+static bool asked_sensor_to_vehicle_offset_1(const void *value) {
+    const struct mip_filter_sensor_to_vehicle_offset *v =
+        (const struct mip_filter_sensor_to_vehicle_offset *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_offset[] = {
+    {&mip_filter_sensor_to_vehicle_offset_response_codec, asked_sensor_to_vehicle_offset_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_sensor_to_vehicle_offset),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_offset,
     write_sensor_to_vehicle_offset,
     NULL,
+    responses_sensor_to_vehicle_offset,
 };
 
 mip_error mip_filter_sensor_to_vehicle_offset_decode(
@@ -433,8 +479,8 @@ mip_error mip_filter_sensor_to_vehicle_offset_encode(
                             write_sensor_to_vehicle_offset, value);
 }
 
-struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_write(
-    const float offset[3]) {
+struct mip_filter_sensor_to_vehicle_offset
+mip_filter_sensor_to_vehicle_offset_write(const float offset[3]) {
     struct mip_filter_sensor_to_vehicle_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -483,13 +529,14 @@ static void write_sensor_to_vehicle_offset_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_sensor_to_vehicle_offset_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_offset_response,
     write_sensor_to_vehicle_offset_response,
+    NULL,
     NULL,
 };
 
@@ -526,15 +573,27 @@ static void write_antenna_offset(struct mip_writer *w, const void *value) {
     mip_write_float(w, v->offset, 3);
 }
 
+static bool asked_antenna_offset_1(const void *value) {
+    const struct mip_filter_antenna_offset *v = (const struct mip_filter_antenna_offset *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_antenna_offset[] = {
+    {&mip_filter_antenna_offset_response_codec, asked_antenna_offset_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_antenna_offset_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ANTENNA_OFFSET_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_antenna_offset),
-    0,
+    0, /* time-out */
     read_antenna_offset,
     write_antenna_offset,
     NULL,
+    responses_antenna_offset,
 };
 
 mip_error mip_filter_antenna_offset_decode(struct mip_filter_antenna_offset *value,
@@ -597,13 +656,14 @@ static void write_antenna_offset_response(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_filter_antenna_offset_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ANTENNA_OFFSET_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_antenna_offset_response),
-    0,
+    0, /* time-out */
     read_antenna_offset_response,
     write_antenna_offset_response,
+    NULL,
     NULL,
 };
 
@@ -641,15 +701,28 @@ static void write_estimation_control(struct mip_writer *w, const void *value) {
     mip_write_u16(w, &v->flags, 1);
 }
 
+static bool asked_estimation_control_1(const void *value) {
+    const struct mip_filter_estimation_control *v =
+        (const struct mip_filter_estimation_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_estimation_control[] = {
+    {&mip_filter_estimation_control_response_codec, asked_estimation_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_estimation_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ESTIMATION_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_estimation_control),
-    0,
+    0, /* time-out */
     read_estimation_control,
     write_estimation_control,
     NULL,
+    responses_estimation_control,
 };
 
 mip_error mip_filter_estimation_control_decode(struct mip_filter_estimation_control *value,
@@ -663,8 +736,8 @@ mip_error mip_filter_estimation_control_encode(const struct mip_filter_estimatio
                             write_estimation_control, value);
 }
 
-struct mip_filter_estimation_control mip_filter_estimation_control_write(
-    mip_filter_estimated_states flags) {
+struct mip_filter_estimation_control
+mip_filter_estimation_control_write(mip_filter_estimated_states flags) {
     struct mip_filter_estimation_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -713,13 +786,14 @@ static void write_estimation_control_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_estimation_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ESTIMATION_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_estimation_control_response),
-    0,
+    0, /* time-out */
     read_estimation_control_response,
     write_estimation_control_response,
+    NULL,
     NULL,
 };
 
@@ -755,15 +829,27 @@ static void write_gnss_source(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->source, 1);
 }
 
+static bool asked_gnss_source_1(const void *value) {
+    const struct mip_filter_gnss_source *v = (const struct mip_filter_gnss_source *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_source[] = {
+    {&mip_filter_gnss_source_response_codec, asked_gnss_source_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gnss_source_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_SOURCE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gnss_source),
-    0,
+    0, /* time-out */
     read_gnss_source,
     write_gnss_source,
     NULL,
+    responses_gnss_source,
 };
 
 mip_error mip_filter_gnss_source_decode(struct mip_filter_gnss_source *value,
@@ -825,13 +911,14 @@ static void write_gnss_source_response(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_filter_gnss_source_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_SOURCE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gnss_source_response),
-    0,
+    0, /* time-out */
     read_gnss_source_response,
     write_gnss_source_response,
+    NULL,
     NULL,
 };
 
@@ -872,13 +959,14 @@ static void write_external_gnss_update(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_filter_external_gnss_update_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_EXTERNAL_GNSS_UPDATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_external_gnss_update),
-    0,
+    0, /* time-out */
     read_external_gnss_update,
     write_external_gnss_update,
+    NULL,
     NULL,
 };
 
@@ -927,13 +1015,14 @@ static void write_external_heading_update(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_filter_external_heading_update_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_EXTERNAL_HEADING_UPDATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_external_heading_update),
-    0,
+    0, /* time-out */
     read_external_heading_update,
     write_external_heading_update,
+    NULL,
     NULL,
 };
 
@@ -979,15 +1068,27 @@ static void write_heading_source(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->source, 1);
 }
 
+static bool asked_heading_source_1(const void *value) {
+    const struct mip_filter_heading_source *v = (const struct mip_filter_heading_source *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_heading_source[] = {
+    {&mip_filter_heading_source_response_codec, asked_heading_source_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_heading_source_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_HEADING_SOURCE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_heading_source),
-    0,
+    0, /* time-out */
     read_heading_source,
     write_heading_source,
     NULL,
+    responses_heading_source,
 };
 
 mip_error mip_filter_heading_source_decode(struct mip_filter_heading_source *value,
@@ -1001,8 +1102,8 @@ mip_error mip_filter_heading_source_encode(const struct mip_filter_heading_sourc
                             write_heading_source, value);
 }
 
-struct mip_filter_heading_source mip_filter_heading_source_write(
-    mip_filter_heading_update_source source) {
+struct mip_filter_heading_source
+mip_filter_heading_source_write(mip_filter_heading_update_source source) {
     struct mip_filter_heading_source v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -1051,13 +1152,14 @@ static void write_heading_source_response(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_filter_heading_source_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_HEADING_SOURCE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_heading_source_response),
-    0,
+    0, /* time-out */
     read_heading_source_response,
     write_heading_source_response,
+    NULL,
     NULL,
 };
 
@@ -1096,15 +1198,28 @@ static void write_auto_initialization_control(struct mip_writer *w, const void *
     mip_write_u8(w, &v->enable, 1);
 }
 
+static bool asked_auto_initialization_control_1(const void *value) {
+    const struct mip_filter_auto_initialization_control *v =
+        (const struct mip_filter_auto_initialization_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_auto_initialization_control[] = {
+    {&mip_filter_auto_initialization_control_response_codec, asked_auto_initialization_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_auto_initialization_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AUTO_INITIALIZATION_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_auto_initialization_control),
-    0,
+    0, /* time-out */
     read_auto_initialization_control,
     write_auto_initialization_control,
     NULL,
+    responses_auto_initialization_control,
 };
 
 mip_error mip_filter_auto_initialization_control_decode(
@@ -1118,8 +1233,8 @@ mip_error mip_filter_auto_initialization_control_encode(
                             write_auto_initialization_control, value);
 }
 
-struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_write(
-    uint8_t enable) {
+struct mip_filter_auto_initialization_control
+mip_filter_auto_initialization_control_write(uint8_t enable) {
     struct mip_filter_auto_initialization_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -1168,13 +1283,14 @@ static void write_auto_initialization_control_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_filter_auto_initialization_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_auto_initialization_control_response),
-    0,
+    0, /* time-out */
     read_auto_initialization_control_response,
     write_auto_initialization_control_response,
+    NULL,
     NULL,
 };
 
@@ -1213,15 +1329,27 @@ static void write_accel_noise(struct mip_writer *w, const void *value) {
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_accel_noise_1(const void *value) {
+    const struct mip_filter_accel_noise *v = (const struct mip_filter_accel_noise *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_accel_noise[] = {
+    {&mip_filter_accel_noise_response_codec, asked_accel_noise_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_accel_noise_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ACCEL_NOISE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_accel_noise),
-    0,
+    0, /* time-out */
     read_accel_noise,
     write_accel_noise,
     NULL,
+    responses_accel_noise,
 };
 
 mip_error mip_filter_accel_noise_decode(struct mip_filter_accel_noise *value,
@@ -1283,13 +1411,14 @@ static void write_accel_noise_response(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_filter_accel_noise_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ACCEL_NOISE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_accel_noise_response),
-    0,
+    0, /* time-out */
     read_accel_noise_response,
     write_accel_noise_response,
+    NULL,
     NULL,
 };
 
@@ -1325,15 +1454,27 @@ static void write_gyro_noise(struct mip_writer *w, const void *value) {
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_gyro_noise_1(const void *value) {
+    const struct mip_filter_gyro_noise *v = (const struct mip_filter_gyro_noise *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gyro_noise[] = {
+    {&mip_filter_gyro_noise_response_codec, asked_gyro_noise_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gyro_noise_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GYRO_NOISE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gyro_noise),
-    0,
+    0, /* time-out */
     read_gyro_noise,
     write_gyro_noise,
     NULL,
+    responses_gyro_noise,
 };
 
 mip_error mip_filter_gyro_noise_decode(struct mip_filter_gyro_noise *value,
@@ -1395,13 +1536,14 @@ static void write_gyro_noise_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_gyro_noise_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GYRO_NOISE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gyro_noise_response),
-    0,
+    0, /* time-out */
     read_gyro_noise_response,
     write_gyro_noise_response,
+    NULL,
     NULL,
 };
 
@@ -1441,15 +1583,27 @@ static void write_accel_bias_model(struct mip_writer *w, const void *value) {
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_accel_bias_model_1(const void *value) {
+    const struct mip_filter_accel_bias_model *v = (const struct mip_filter_accel_bias_model *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_accel_bias_model[] = {
+    {&mip_filter_accel_bias_model_response_codec, asked_accel_bias_model_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_accel_bias_model_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ACCEL_BIAS_MODEL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_accel_bias_model),
-    0,
+    0, /* time-out */
     read_accel_bias_model,
     write_accel_bias_model,
     NULL,
+    responses_accel_bias_model,
 };
 
 mip_error mip_filter_accel_bias_model_decode(struct mip_filter_accel_bias_model *value,
@@ -1516,13 +1670,14 @@ static void write_accel_bias_model_response(struct mip_writer *w, const void *va
 }
 
 const struct mip_codec mip_filter_accel_bias_model_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ACCEL_BIAS_MODEL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_accel_bias_model_response),
-    0,
+    0, /* time-out */
     read_accel_bias_model_response,
     write_accel_bias_model_response,
+    NULL,
     NULL,
 };
 
@@ -1562,15 +1717,27 @@ static void write_gyro_bias_model(struct mip_writer *w, const void *value) {
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_gyro_bias_model_1(const void *value) {
+    const struct mip_filter_gyro_bias_model *v = (const struct mip_filter_gyro_bias_model *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gyro_bias_model[] = {
+    {&mip_filter_gyro_bias_model_response_codec, asked_gyro_bias_model_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gyro_bias_model_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GYRO_BIAS_MODEL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gyro_bias_model),
-    0,
+    0, /* time-out */
     read_gyro_bias_model,
     write_gyro_bias_model,
     NULL,
+    responses_gyro_bias_model,
 };
 
 mip_error mip_filter_gyro_bias_model_decode(struct mip_filter_gyro_bias_model *value,
@@ -1637,13 +1804,14 @@ static void write_gyro_bias_model_response(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_gyro_bias_model_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GYRO_BIAS_MODEL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gyro_bias_model_response),
-    0,
+    0, /* time-out */
     read_gyro_bias_model_response,
     write_gyro_bias_model_response,
+    NULL,
     NULL,
 };
 
@@ -1682,15 +1850,27 @@ static void write_auto_zupt(struct mip_writer *w, const void *value) {
     mip_write_float(w, &v->threshold, 1);
 }
 
+static bool asked_auto_zupt_1(const void *value) {
+    const struct mip_filter_auto_zupt *v = (const struct mip_filter_auto_zupt *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_auto_zupt[] = {
+    {&mip_filter_auto_zupt_response_codec, asked_auto_zupt_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_auto_zupt_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AUTO_ZUPT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_auto_zupt),
-    0,
+    0, /* time-out */
     read_auto_zupt,
     write_auto_zupt,
     NULL,
+    responses_auto_zupt,
 };
 
 mip_error mip_filter_auto_zupt_decode(struct mip_filter_auto_zupt *value,
@@ -1754,13 +1934,14 @@ static void write_auto_zupt_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_auto_zupt_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AUTO_ZUPT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_auto_zupt_response),
-    0,
+    0, /* time-out */
     read_auto_zupt_response,
     write_auto_zupt_response,
+    NULL,
     NULL,
 };
 
@@ -1796,13 +1977,14 @@ static void write_external_heading_update_with_time(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_filter_external_heading_update_with_time_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_external_heading_update_with_time),
-    0,
+    0, /* time-out */
     read_external_heading_update_with_time,
     write_external_heading_update_with_time,
+    NULL,
     NULL,
 };
 
@@ -1859,15 +2041,28 @@ static void write_auto_angular_zupt(struct mip_writer *w, const void *value) {
     mip_write_float(w, &v->threshold, 1);
 }
 
+static bool asked_auto_angular_zupt_1(const void *value) {
+    const struct mip_filter_auto_angular_zupt *v =
+        (const struct mip_filter_auto_angular_zupt *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_auto_angular_zupt[] = {
+    {&mip_filter_auto_angular_zupt_response_codec, asked_auto_angular_zupt_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_auto_angular_zupt_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AUTO_ANGULAR_ZUPT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_auto_angular_zupt),
-    0,
+    0, /* time-out */
     read_auto_angular_zupt,
     write_auto_angular_zupt,
     NULL,
+    responses_auto_angular_zupt,
 };
 
 mip_error mip_filter_auto_angular_zupt_decode(struct mip_filter_auto_angular_zupt *value,
@@ -1934,13 +2129,14 @@ static void write_auto_angular_zupt_response(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_filter_auto_angular_zupt_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AUTO_ANGULAR_ZUPT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_auto_angular_zupt_response),
-    0,
+    0, /* time-out */
     read_auto_angular_zupt_response,
     write_auto_angular_zupt_response,
+    NULL,
     NULL,
 };
 
@@ -1976,15 +2172,27 @@ static void write_tare_orientation(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->axes, 1);
 }
 
+static bool asked_tare_orientation_1(const void *value) {
+    const struct mip_filter_tare_orientation *v = (const struct mip_filter_tare_orientation *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_tare_orientation[] = {
+    {&mip_filter_tare_orientation_response_codec, asked_tare_orientation_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_tare_orientation_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_TARE_ORIENTATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_tare_orientation),
-    0,
+    0, /* time-out */
     read_tare_orientation,
     write_tare_orientation,
     NULL,
+    responses_tare_orientation,
 };
 
 mip_error mip_filter_tare_orientation_decode(struct mip_filter_tare_orientation *value,
@@ -2047,13 +2255,14 @@ static void write_tare_orientation_response(struct mip_writer *w, const void *va
 }
 
 const struct mip_codec mip_filter_tare_orientation_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_TARE_ORIENTATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_tare_orientation_response),
-    0,
+    0, /* time-out */
     read_tare_orientation_response,
     write_tare_orientation_response,
+    NULL,
     NULL,
 };
 
@@ -2069,13 +2278,14 @@ mip_error mip_filter_tare_orientation_response_encode(
 }
 
 const struct mip_codec mip_filter_commanded_zupt_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_COMMANDED_ZUPT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_commanded_zupt),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 
@@ -2091,13 +2301,14 @@ mip_error mip_filter_commanded_zupt_encode(const struct mip_filter_commanded_zup
 }
 
 const struct mip_codec mip_filter_commanded_angular_zupt_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_COMMANDED_ANGULAR_ZUPT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_commanded_angular_zupt),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 
@@ -2147,15 +2358,28 @@ static void write_reference_position(struct mip_writer *w, const void *value) {
     mip_write_double(w, &v->altitude, 1);
 }
 
+static bool asked_reference_position_1(const void *value) {
+    const struct mip_filter_reference_position *v =
+        (const struct mip_filter_reference_position *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_reference_position[] = {
+    {&mip_filter_reference_position_response_codec, asked_reference_position_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_reference_position_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_REFERENCE_POSITION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_reference_position),
-    0,
+    0, /* time-out */
     read_reference_position,
     write_reference_position,
     NULL,
+    responses_reference_position,
 };
 
 mip_error mip_filter_reference_position_decode(struct mip_filter_reference_position *value,
@@ -2230,13 +2454,14 @@ static void write_reference_position_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_reference_position_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_REFERENCE_POSITION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_reference_position_response),
-    0,
+    0, /* time-out */
     read_reference_position_response,
     write_reference_position_response,
+    NULL,
     NULL,
 };
 
@@ -2264,13 +2489,14 @@ static void write_mag_capture_auto_calibration(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_filter_mag_capture_auto_calibration_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAG_CAPTURE_AUTO_CALIBRATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_mag_capture_auto_calibration),
-    0,
+    0, /* time-out */
     read_mag_capture_auto_calibration,
     write_mag_capture_auto_calibration,
+    NULL,
     NULL,
 };
 
@@ -2320,15 +2546,27 @@ static void write_gravity_noise(struct mip_writer *w, const void *value) {
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_gravity_noise_1(const void *value) {
+    const struct mip_filter_gravity_noise *v = (const struct mip_filter_gravity_noise *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gravity_noise[] = {
+    {&mip_filter_gravity_noise_response_codec, asked_gravity_noise_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gravity_noise_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GRAVITY_NOISE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gravity_noise),
-    0,
+    0, /* time-out */
     read_gravity_noise,
     write_gravity_noise,
     NULL,
+    responses_gravity_noise,
 };
 
 mip_error mip_filter_gravity_noise_decode(struct mip_filter_gravity_noise *value,
@@ -2390,13 +2628,14 @@ static void write_gravity_noise_response(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_filter_gravity_noise_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GRAVITY_NOISE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gravity_noise_response),
-    0,
+    0, /* time-out */
     read_gravity_noise_response,
     write_gravity_noise_response,
+    NULL,
     NULL,
 };
 
@@ -2435,15 +2674,28 @@ static void write_pressure_altitude_noise(struct mip_writer *w, const void *valu
     mip_write_float(w, &v->noise, 1);
 }
 
+static bool asked_pressure_altitude_noise_1(const void *value) {
+    const struct mip_filter_pressure_altitude_noise *v =
+        (const struct mip_filter_pressure_altitude_noise *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_pressure_altitude_noise[] = {
+    {&mip_filter_pressure_altitude_noise_response_codec, asked_pressure_altitude_noise_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_pressure_altitude_noise_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_PRESSURE_ALTITUDE_NOISE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_pressure_altitude_noise),
-    0,
+    0, /* time-out */
     read_pressure_altitude_noise,
     write_pressure_altitude_noise,
     NULL,
+    responses_pressure_altitude_noise,
 };
 
 mip_error mip_filter_pressure_altitude_noise_decode(
@@ -2506,13 +2758,14 @@ static void write_pressure_altitude_noise_response(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_filter_pressure_altitude_noise_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_pressure_altitude_noise_response),
-    0,
+    0, /* time-out */
     read_pressure_altitude_noise_response,
     write_pressure_altitude_noise_response,
+    NULL,
     NULL,
 };
 
@@ -2551,15 +2804,28 @@ static void write_hard_iron_offset_noise(struct mip_writer *w, const void *value
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_hard_iron_offset_noise_1(const void *value) {
+    const struct mip_filter_hard_iron_offset_noise *v =
+        (const struct mip_filter_hard_iron_offset_noise *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_hard_iron_offset_noise[] = {
+    {&mip_filter_hard_iron_offset_noise_response_codec, asked_hard_iron_offset_noise_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_hard_iron_offset_noise_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_HARD_IRON_OFFSET_NOISE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_hard_iron_offset_noise),
-    0,
+    0, /* time-out */
     read_hard_iron_offset_noise,
     write_hard_iron_offset_noise,
     NULL,
+    responses_hard_iron_offset_noise,
 };
 
 mip_error mip_filter_hard_iron_offset_noise_decode(struct mip_filter_hard_iron_offset_noise *value,
@@ -2573,8 +2839,8 @@ mip_error mip_filter_hard_iron_offset_noise_encode(
                             write_hard_iron_offset_noise, value);
 }
 
-struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_write(
-    const float noise[3]) {
+struct mip_filter_hard_iron_offset_noise
+mip_filter_hard_iron_offset_noise_write(const float noise[3]) {
     struct mip_filter_hard_iron_offset_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -2623,13 +2889,14 @@ static void write_hard_iron_offset_noise_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_hard_iron_offset_noise_response),
-    0,
+    0, /* time-out */
     read_hard_iron_offset_noise_response,
     write_hard_iron_offset_noise_response,
+    NULL,
     NULL,
 };
 
@@ -2668,15 +2935,28 @@ static void write_soft_iron_matrix_noise(struct mip_writer *w, const void *value
     mip_write_float(w, v->noise, 9);
 }
 
+static bool asked_soft_iron_matrix_noise_1(const void *value) {
+    const struct mip_filter_soft_iron_matrix_noise *v =
+        (const struct mip_filter_soft_iron_matrix_noise *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_soft_iron_matrix_noise[] = {
+    {&mip_filter_soft_iron_matrix_noise_response_codec, asked_soft_iron_matrix_noise_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_soft_iron_matrix_noise_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SOFT_IRON_MATRIX_NOISE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_soft_iron_matrix_noise),
-    0,
+    0, /* time-out */
     read_soft_iron_matrix_noise,
     write_soft_iron_matrix_noise,
     NULL,
+    responses_soft_iron_matrix_noise,
 };
 
 mip_error mip_filter_soft_iron_matrix_noise_decode(struct mip_filter_soft_iron_matrix_noise *value,
@@ -2690,8 +2970,8 @@ mip_error mip_filter_soft_iron_matrix_noise_encode(
                             write_soft_iron_matrix_noise, value);
 }
 
-struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_write(
-    const float noise[9]) {
+struct mip_filter_soft_iron_matrix_noise
+mip_filter_soft_iron_matrix_noise_write(const float noise[9]) {
     struct mip_filter_soft_iron_matrix_noise v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -2740,13 +3020,14 @@ static void write_soft_iron_matrix_noise_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_soft_iron_matrix_noise_response),
-    0,
+    0, /* time-out */
     read_soft_iron_matrix_noise_response,
     write_soft_iron_matrix_noise_response,
+    NULL,
     NULL,
 };
 
@@ -2785,15 +3066,28 @@ static void write_enable_measurements(struct mip_writer *w, const void *value) {
     mip_write_u16(w, &v->control, 1);
 }
 
+static bool asked_enable_measurements_1(const void *value) {
+    const struct mip_filter_enable_measurements *v =
+        (const struct mip_filter_enable_measurements *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_enable_measurements[] = {
+    {&mip_filter_enable_measurements_response_codec, asked_enable_measurements_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_enable_measurements_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ENABLE_MEASUREMENTS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_enable_measurements),
-    0,
+    0, /* time-out */
     read_enable_measurements,
     write_enable_measurements,
     NULL,
+    responses_enable_measurements,
 };
 
 mip_error mip_filter_enable_measurements_decode(struct mip_filter_enable_measurements *value,
@@ -2807,8 +3101,8 @@ mip_error mip_filter_enable_measurements_encode(const struct mip_filter_enable_m
                             write_enable_measurements, value);
 }
 
-struct mip_filter_enable_measurements mip_filter_enable_measurements_write(
-    mip_filter_measurement_flags control) {
+struct mip_filter_enable_measurements
+mip_filter_enable_measurements_write(mip_filter_measurement_flags control) {
     struct mip_filter_enable_measurements v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -2857,13 +3151,14 @@ static void write_enable_measurements_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_filter_enable_measurements_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ENABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_enable_measurements_response),
-    0,
+    0, /* time-out */
     read_enable_measurements_response,
     write_enable_measurements_response,
+    NULL,
     NULL,
 };
 
@@ -2898,15 +3193,27 @@ static void write_mag_noise(struct mip_writer *w, const void *value) {
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_mag_noise_1(const void *value) {
+    const struct mip_filter_mag_noise *v = (const struct mip_filter_mag_noise *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_mag_noise[] = {
+    {&mip_filter_mag_noise_response_codec, asked_mag_noise_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_mag_noise_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAG_NOISE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_mag_noise),
-    0,
+    0, /* time-out */
     read_mag_noise,
     write_mag_noise,
     NULL,
+    responses_mag_noise,
 };
 
 mip_error mip_filter_mag_noise_decode(struct mip_filter_mag_noise *value,
@@ -2967,13 +3274,14 @@ static void write_mag_noise_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_mag_noise_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAG_NOISE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_mag_noise_response),
-    0,
+    0, /* time-out */
     read_mag_noise_response,
     write_mag_noise_response,
+    NULL,
     NULL,
 };
 
@@ -3016,15 +3324,28 @@ static void write_magnetic_declination_source(struct mip_writer *w, const void *
     mip_write_float(w, &v->declination, 1);
 }
 
+static bool asked_magnetic_declination_source_1(const void *value) {
+    const struct mip_filter_magnetic_declination_source *v =
+        (const struct mip_filter_magnetic_declination_source *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_magnetic_declination_source[] = {
+    {&mip_filter_magnetic_declination_source_response_codec, asked_magnetic_declination_source_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_magnetic_declination_source_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_magnetic_declination_source),
-    0,
+    0, /* time-out */
     read_magnetic_declination_source,
     write_magnetic_declination_source,
     NULL,
+    responses_magnetic_declination_source,
 };
 
 mip_error mip_filter_magnetic_declination_source_decode(
@@ -3091,13 +3412,14 @@ static void write_magnetic_declination_source_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_filter_magnetic_declination_source_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAGNETIC_DECLINATION_SOURCE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_magnetic_declination_source_response),
-    0,
+    0, /* time-out */
     read_magnetic_declination_source_response,
     write_magnetic_declination_source_response,
+    NULL,
     NULL,
 };
 
@@ -3164,15 +3486,29 @@ static void write_accel_magnitude_error_adaptive_measurement(struct mip_writer *
     mip_write_float(w, &v->minimum_uncertainty, 1);
 }
 
+static bool asked_accel_magnitude_error_adaptive_measurement_1(const void *value) {
+    const struct mip_filter_accel_magnitude_error_adaptive_measurement *v =
+        (const struct mip_filter_accel_magnitude_error_adaptive_measurement *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_accel_magnitude_error_adaptive_measurement[] = {
+    {&mip_filter_accel_magnitude_error_adaptive_measurement_response_codec,
+     asked_accel_magnitude_error_adaptive_measurement_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_accel_magnitude_error_adaptive_measurement),
-    0,
+    0, /* time-out */
     read_accel_magnitude_error_adaptive_measurement,
     write_accel_magnitude_error_adaptive_measurement,
     NULL,
+    responses_accel_magnitude_error_adaptive_measurement,
 };
 
 mip_error mip_filter_accel_magnitude_error_adaptive_measurement_decode(
@@ -3259,13 +3595,14 @@ static void write_accel_magnitude_error_adaptive_measurement_response(struct mip
 }
 
 const struct mip_codec mip_filter_accel_magnitude_error_adaptive_measurement_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_accel_magnitude_error_adaptive_measurement_response),
-    0,
+    0, /* time-out */
     read_accel_magnitude_error_adaptive_measurement_response,
     write_accel_magnitude_error_adaptive_measurement_response,
+    NULL,
     NULL,
 };
 
@@ -3333,15 +3670,29 @@ static void write_mag_magnitude_error_adaptive_measurement(struct mip_writer *w,
     mip_write_float(w, &v->minimum_uncertainty, 1);
 }
 
+static bool asked_mag_magnitude_error_adaptive_measurement_1(const void *value) {
+    const struct mip_filter_mag_magnitude_error_adaptive_measurement *v =
+        (const struct mip_filter_mag_magnitude_error_adaptive_measurement *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_mag_magnitude_error_adaptive_measurement[] = {
+    {&mip_filter_mag_magnitude_error_adaptive_measurement_response_codec,
+     asked_mag_magnitude_error_adaptive_measurement_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement),
-    0,
+    0, /* time-out */
     read_mag_magnitude_error_adaptive_measurement,
     write_mag_magnitude_error_adaptive_measurement,
     NULL,
+    responses_mag_magnitude_error_adaptive_measurement,
 };
 
 mip_error mip_filter_mag_magnitude_error_adaptive_measurement_decode(
@@ -3436,13 +3787,14 @@ static void write_mag_magnitude_error_adaptive_measurement_response(struct mip_w
 }
 
 const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement_response),
-    0,
+    0, /* time-out */
     read_mag_magnitude_error_adaptive_measurement_response,
     write_mag_magnitude_error_adaptive_measurement_response,
+    NULL,
     NULL,
 };
 
@@ -3502,15 +3854,29 @@ static void write_mag_dip_angle_error_adaptive_measurement(struct mip_writer *w,
     mip_write_float(w, &v->minimum_uncertainty, 1);
 }
 
+static bool asked_mag_dip_angle_error_adaptive_measurement_1(const void *value) {
+    const struct mip_filter_mag_dip_angle_error_adaptive_measurement *v =
+        (const struct mip_filter_mag_dip_angle_error_adaptive_measurement *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_mag_dip_angle_error_adaptive_measurement[] = {
+    {&mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec,
+     asked_mag_dip_angle_error_adaptive_measurement_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement),
-    0,
+    0, /* time-out */
     read_mag_dip_angle_error_adaptive_measurement,
     write_mag_dip_angle_error_adaptive_measurement,
     NULL,
+    responses_mag_dip_angle_error_adaptive_measurement,
 };
 
 mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_decode(
@@ -3599,13 +3965,14 @@ static void write_mag_dip_angle_error_adaptive_measurement_response(struct mip_w
 }
 
 const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response),
-    0,
+    0, /* time-out */
     read_mag_dip_angle_error_adaptive_measurement_response,
     write_mag_dip_angle_error_adaptive_measurement_response,
+    NULL,
     NULL,
 };
 
@@ -3645,15 +4012,27 @@ static void write_altitude_aiding(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->selector, 1);
 }
 
+static bool asked_altitude_aiding_1(const void *value) {
+    const struct mip_filter_altitude_aiding *v = (const struct mip_filter_altitude_aiding *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_altitude_aiding[] = {
+    {&mip_filter_altitude_aiding_response_codec, asked_altitude_aiding_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_altitude_aiding_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ALTITUDE_AIDING_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_altitude_aiding),
-    0,
+    0, /* time-out */
     read_altitude_aiding,
     write_altitude_aiding,
     NULL,
+    responses_altitude_aiding,
 };
 
 mip_error mip_filter_altitude_aiding_decode(struct mip_filter_altitude_aiding *value,
@@ -3667,8 +4046,8 @@ mip_error mip_filter_altitude_aiding_encode(const struct mip_filter_altitude_aid
                             write_altitude_aiding, value);
 }
 
-struct mip_filter_altitude_aiding mip_filter_altitude_aiding_write(
-    mip_filter_altitude_aiding_source selector) {
+struct mip_filter_altitude_aiding
+mip_filter_altitude_aiding_write(mip_filter_altitude_aiding_source selector) {
     struct mip_filter_altitude_aiding v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3717,13 +4096,14 @@ static void write_altitude_aiding_response(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_altitude_aiding_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ALTITUDE_AIDING_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_altitude_aiding_response),
-    0,
+    0, /* time-out */
     read_altitude_aiding_response,
     write_altitude_aiding_response,
+    NULL,
     NULL,
 };
 
@@ -3761,15 +4141,28 @@ static void write_pitch_roll_aiding(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->aiding, 1);
 }
 
+static bool asked_pitch_roll_aiding_1(const void *value) {
+    const struct mip_filter_pitch_roll_aiding *v =
+        (const struct mip_filter_pitch_roll_aiding *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_pitch_roll_aiding[] = {
+    {&mip_filter_pitch_roll_aiding_response_codec, asked_pitch_roll_aiding_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_pitch_roll_aiding_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_PITCH_ROLL_AIDING_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_pitch_roll_aiding),
-    0,
+    0, /* time-out */
     read_pitch_roll_aiding,
     write_pitch_roll_aiding,
     NULL,
+    responses_pitch_roll_aiding,
 };
 
 mip_error mip_filter_pitch_roll_aiding_decode(struct mip_filter_pitch_roll_aiding *value,
@@ -3783,8 +4176,8 @@ mip_error mip_filter_pitch_roll_aiding_encode(const struct mip_filter_pitch_roll
                             write_pitch_roll_aiding, value);
 }
 
-struct mip_filter_pitch_roll_aiding mip_filter_pitch_roll_aiding_write(
-    mip_filter_pitch_roll_aiding_source aiding) {
+struct mip_filter_pitch_roll_aiding
+mip_filter_pitch_roll_aiding_write(mip_filter_pitch_roll_aiding_source aiding) {
     struct mip_filter_pitch_roll_aiding v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3833,13 +4226,14 @@ static void write_pitch_roll_aiding_response(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_filter_pitch_roll_aiding_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_PITCH_ROLL_AIDING_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_pitch_roll_aiding_response),
-    0,
+    0, /* time-out */
     read_pitch_roll_aiding_response,
     write_pitch_roll_aiding_response,
+    NULL,
     NULL,
 };
 
@@ -3882,15 +4276,28 @@ static void write_magnetic_inclination_source(struct mip_writer *w, const void *
     mip_write_float(w, &v->inclination, 1);
 }
 
+static bool asked_magnetic_inclination_source_1(const void *value) {
+    const struct mip_filter_magnetic_inclination_source *v =
+        (const struct mip_filter_magnetic_inclination_source *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_magnetic_inclination_source[] = {
+    {&mip_filter_magnetic_inclination_source_response_codec, asked_magnetic_inclination_source_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_magnetic_inclination_source_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_magnetic_inclination_source),
-    0,
+    0, /* time-out */
     read_magnetic_inclination_source,
     write_magnetic_inclination_source,
     NULL,
+    responses_magnetic_inclination_source,
 };
 
 mip_error mip_filter_magnetic_inclination_source_decode(
@@ -3957,13 +4364,14 @@ static void write_magnetic_inclination_source_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_filter_magnetic_inclination_source_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAGNETIC_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_magnetic_inclination_source_response),
-    0,
+    0, /* time-out */
     read_magnetic_inclination_source_response,
     write_magnetic_inclination_source_response,
+    NULL,
     NULL,
 };
 
@@ -4009,15 +4417,28 @@ static void write_magnetic_magnitude_source(struct mip_writer *w, const void *va
     mip_write_float(w, &v->magnitude, 1);
 }
 
+static bool asked_magnetic_magnitude_source_1(const void *value) {
+    const struct mip_filter_magnetic_magnitude_source *v =
+        (const struct mip_filter_magnetic_magnitude_source *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_magnetic_magnitude_source[] = {
+    {&mip_filter_magnetic_magnitude_source_response_codec, asked_magnetic_magnitude_source_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_magnetic_magnitude_source_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_magnetic_magnitude_source),
-    0,
+    0, /* time-out */
     read_magnetic_magnitude_source,
     write_magnetic_magnitude_source,
     NULL,
+    responses_magnetic_magnitude_source,
 };
 
 mip_error mip_filter_magnetic_magnitude_source_decode(
@@ -4084,13 +4505,14 @@ static void write_magnetic_magnitude_source_response(struct mip_writer *w, const
 }
 
 const struct mip_codec mip_filter_magnetic_magnitude_source_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_magnetic_magnitude_source_response),
-    0,
+    0, /* time-out */
     read_magnetic_magnitude_source_response,
     write_magnetic_magnitude_source_response,
+    NULL,
     NULL,
 };
 
@@ -4131,15 +4553,29 @@ static void write_sensor_to_vehicle_rotation_dcm(struct mip_writer *w, const voi
     mip_write_float(w, v->dcm, 9);
 }
 
+static bool asked_sensor_to_vehicle_rotation_dcm_1(const void *value) {
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm *v =
+        (const struct mip_filter_sensor_to_vehicle_rotation_dcm *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_rotation_dcm[] = {
+    {&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec,
+     asked_sensor_to_vehicle_rotation_dcm_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_rotation_dcm,
     write_sensor_to_vehicle_rotation_dcm,
     NULL,
+    responses_sensor_to_vehicle_rotation_dcm,
 };
 
 mip_error mip_filter_sensor_to_vehicle_rotation_dcm_decode(
@@ -4154,8 +4590,8 @@ mip_error mip_filter_sensor_to_vehicle_rotation_dcm_encode(
                             write_sensor_to_vehicle_rotation_dcm, value);
 }
 
-struct mip_filter_sensor_to_vehicle_rotation_dcm mip_filter_sensor_to_vehicle_rotation_dcm_write(
-    const float dcm[9]) {
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_write(const float dcm[9]) {
     struct mip_filter_sensor_to_vehicle_rotation_dcm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -4208,13 +4644,14 @@ static void write_sensor_to_vehicle_rotation_dcm_response(struct mip_writer *w, 
 }
 
 const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_rotation_dcm_response,
     write_sensor_to_vehicle_rotation_dcm_response,
+    NULL,
     NULL,
 };
 
@@ -4257,15 +4694,29 @@ static void write_sensor_to_vehicle_rotation_quaternion(struct mip_writer *w, co
     mip_write_float(w, v->q, 4);
 }
 
+static bool asked_sensor_to_vehicle_rotation_quaternion_1(const void *value) {
+    const struct mip_filter_sensor_to_vehicle_rotation_quaternion *v =
+        (const struct mip_filter_sensor_to_vehicle_rotation_quaternion *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_rotation_quaternion[] = {
+    {&mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec,
+     asked_sensor_to_vehicle_rotation_quaternion_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_rotation_quaternion,
     write_sensor_to_vehicle_rotation_quaternion,
     NULL,
+    responses_sensor_to_vehicle_rotation_quaternion,
 };
 
 mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_decode(
@@ -4337,13 +4788,14 @@ static void write_sensor_to_vehicle_rotation_quaternion_response(struct mip_writ
 }
 
 const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_rotation_quaternion_response,
     write_sensor_to_vehicle_rotation_quaternion_response,
+    NULL,
     NULL,
 };
 
@@ -4390,15 +4842,28 @@ static void write_aiding_measurement_enable(struct mip_writer *w, const void *va
     mip_write_bool(w, &v->enable, 1);
 }
 
+static bool asked_aiding_measurement_enable_1(const void *value) {
+    const struct mip_filter_aiding_measurement_enable *v =
+        (const struct mip_filter_aiding_measurement_enable *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_aiding_measurement_enable[] = {
+    {&mip_filter_aiding_measurement_enable_response_codec, asked_aiding_measurement_enable_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_aiding_measurement_enable_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AIDING_MEASUREMENT_ENABLE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_aiding_measurement_enable),
-    0,
+    0, /* time-out */
     read_aiding_measurement_enable,
     write_aiding_measurement_enable,
     NULL,
+    responses_aiding_measurement_enable,
 };
 
 mip_error mip_filter_aiding_measurement_enable_decode(
@@ -4422,8 +4887,8 @@ struct mip_filter_aiding_measurement_enable mip_filter_aiding_measurement_enable
     return v;
 }
 
-struct mip_filter_aiding_measurement_enable mip_filter_aiding_measurement_enable_read(
-    mip_filter_aiding_source aiding_source) {
+struct mip_filter_aiding_measurement_enable
+mip_filter_aiding_measurement_enable_read(mip_filter_aiding_source aiding_source) {
     struct mip_filter_aiding_measurement_enable v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -4431,8 +4896,8 @@ struct mip_filter_aiding_measurement_enable mip_filter_aiding_measurement_enable
     return v;
 }
 
-struct mip_filter_aiding_measurement_enable mip_filter_aiding_measurement_enable_save(
-    mip_filter_aiding_source aiding_source) {
+struct mip_filter_aiding_measurement_enable
+mip_filter_aiding_measurement_enable_save(mip_filter_aiding_source aiding_source) {
     struct mip_filter_aiding_measurement_enable v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -4440,8 +4905,8 @@ struct mip_filter_aiding_measurement_enable mip_filter_aiding_measurement_enable
     return v;
 }
 
-struct mip_filter_aiding_measurement_enable mip_filter_aiding_measurement_enable_load(
-    mip_filter_aiding_source aiding_source) {
+struct mip_filter_aiding_measurement_enable
+mip_filter_aiding_measurement_enable_load(mip_filter_aiding_source aiding_source) {
     struct mip_filter_aiding_measurement_enable v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
@@ -4449,8 +4914,8 @@ struct mip_filter_aiding_measurement_enable mip_filter_aiding_measurement_enable
     return v;
 }
 
-struct mip_filter_aiding_measurement_enable mip_filter_aiding_measurement_enable_default(
-    mip_filter_aiding_source aiding_source) {
+struct mip_filter_aiding_measurement_enable
+mip_filter_aiding_measurement_enable_default(mip_filter_aiding_source aiding_source) {
     struct mip_filter_aiding_measurement_enable v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -4473,13 +4938,14 @@ static void write_aiding_measurement_enable_response(struct mip_writer *w, const
 }
 
 const struct mip_codec mip_filter_aiding_measurement_enable_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AIDING_MEASUREMENT_ENABLE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_aiding_measurement_enable_response),
-    0,
+    0, /* time-out */
     read_aiding_measurement_enable_response,
     write_aiding_measurement_enable_response,
+    NULL,
     NULL,
 };
 
@@ -4527,15 +4993,28 @@ static void write_kinematic_constraint(struct mip_writer *w, const void *value) 
     mip_write_u8(w, &v->angular_constraint, 1);
 }
 
+static bool asked_kinematic_constraint_1(const void *value) {
+    const struct mip_filter_kinematic_constraint *v =
+        (const struct mip_filter_kinematic_constraint *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_kinematic_constraint[] = {
+    {&mip_filter_kinematic_constraint_response_codec, asked_kinematic_constraint_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_kinematic_constraint_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_KINEMATIC_CONSTRAINT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_kinematic_constraint),
-    0,
+    0, /* time-out */
     read_kinematic_constraint,
     write_kinematic_constraint,
     NULL,
+    responses_kinematic_constraint,
 };
 
 mip_error mip_filter_kinematic_constraint_decode(struct mip_filter_kinematic_constraint *value,
@@ -4549,10 +5028,10 @@ mip_error mip_filter_kinematic_constraint_encode(
                             write_kinematic_constraint, value);
 }
 
-struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_write(
-    mip_filter_accel_constraint accel_constraint,
-    mip_filter_velocity_constraint velocity_constraint,
-    mip_filter_angular_constraint angular_constraint) {
+struct mip_filter_kinematic_constraint
+mip_filter_kinematic_constraint_write(mip_filter_accel_constraint accel_constraint,
+                                      mip_filter_velocity_constraint velocity_constraint,
+                                      mip_filter_angular_constraint angular_constraint) {
     struct mip_filter_kinematic_constraint v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -4607,13 +5086,14 @@ static void write_kinematic_constraint_response(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_filter_kinematic_constraint_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_kinematic_constraint_response),
-    0,
+    0, /* time-out */
     read_kinematic_constraint_response,
     write_kinematic_constraint_response,
+    NULL,
     NULL,
 };
 
@@ -4683,15 +5163,28 @@ static void write_initialization_config(struct mip_writer *w, const void *value)
     mip_write_u8(w, &v->reference_frame_selector, 1);
 }
 
+static bool asked_initialization_config_1(const void *value) {
+    const struct mip_filter_initialization_config *v =
+        (const struct mip_filter_initialization_config *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_initialization_config[] = {
+    {&mip_filter_initialization_config_response_codec, asked_initialization_config_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_initialization_config_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_INITIALIZATION_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_initialization_config),
-    0,
+    0, /* time-out */
     read_initialization_config,
     write_initialization_config,
     NULL,
+    responses_initialization_config,
 };
 
 mip_error mip_filter_initialization_config_decode(struct mip_filter_initialization_config *value,
@@ -4782,13 +5275,14 @@ static void write_initialization_config_response(struct mip_writer *w, const voi
 }
 
 const struct mip_codec mip_filter_initialization_config_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_INITIALIZATION_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_initialization_config_response),
-    0,
+    0, /* time-out */
     read_initialization_config_response,
     write_initialization_config_response,
+    NULL,
     NULL,
 };
 
@@ -4832,15 +5326,28 @@ static void write_adaptive_filter_options(struct mip_writer *w, const void *valu
     mip_write_u16(w, &v->time_limit, 1);
 }
 
+static bool asked_adaptive_filter_options_1(const void *value) {
+    const struct mip_filter_adaptive_filter_options *v =
+        (const struct mip_filter_adaptive_filter_options *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_adaptive_filter_options[] = {
+    {&mip_filter_adaptive_filter_options_response_codec, asked_adaptive_filter_options_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_adaptive_filter_options_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_adaptive_filter_options),
-    0,
+    0, /* time-out */
     read_adaptive_filter_options,
     write_adaptive_filter_options,
     NULL,
+    responses_adaptive_filter_options,
 };
 
 mip_error mip_filter_adaptive_filter_options_decode(
@@ -4854,8 +5361,8 @@ mip_error mip_filter_adaptive_filter_options_encode(
                             write_adaptive_filter_options, value);
 }
 
-struct mip_filter_adaptive_filter_options mip_filter_adaptive_filter_options_write(
-    mip_filter_adaptive_level level, uint16_t time_limit) {
+struct mip_filter_adaptive_filter_options
+mip_filter_adaptive_filter_options_write(mip_filter_adaptive_level level, uint16_t time_limit) {
     struct mip_filter_adaptive_filter_options v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -4907,13 +5414,14 @@ static void write_adaptive_filter_options_response(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_filter_adaptive_filter_options_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ADAPTIVE_FILTER_OPTIONS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_adaptive_filter_options_response),
-    0,
+    0, /* time-out */
     read_adaptive_filter_options_response,
     write_adaptive_filter_options_response,
+    NULL,
     NULL,
 };
 
@@ -4956,15 +5464,28 @@ static void write_multi_antenna_offset(struct mip_writer *w, const void *value) 
     mip_write_float(w, v->antenna_offset, 3);
 }
 
+static bool asked_multi_antenna_offset_1(const void *value) {
+    const struct mip_filter_multi_antenna_offset *v =
+        (const struct mip_filter_multi_antenna_offset *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_multi_antenna_offset[] = {
+    {&mip_filter_multi_antenna_offset_response_codec, asked_multi_antenna_offset_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_multi_antenna_offset_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MULTI_ANTENNA_OFFSET_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_multi_antenna_offset),
-    0,
+    0, /* time-out */
     read_multi_antenna_offset,
     write_multi_antenna_offset,
     NULL,
+    responses_multi_antenna_offset,
 };
 
 mip_error mip_filter_multi_antenna_offset_decode(struct mip_filter_multi_antenna_offset *value,
@@ -4978,8 +5499,8 @@ mip_error mip_filter_multi_antenna_offset_encode(
                             write_multi_antenna_offset, value);
 }
 
-struct mip_filter_multi_antenna_offset mip_filter_multi_antenna_offset_write(
-    uint8_t receiver_id, const float antenna_offset[3]) {
+struct mip_filter_multi_antenna_offset
+mip_filter_multi_antenna_offset_write(uint8_t receiver_id, const float antenna_offset[3]) {
     struct mip_filter_multi_antenna_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -5012,8 +5533,8 @@ struct mip_filter_multi_antenna_offset mip_filter_multi_antenna_offset_load(uint
     return v;
 }
 
-struct mip_filter_multi_antenna_offset mip_filter_multi_antenna_offset_default(
-    uint8_t receiver_id) {
+struct mip_filter_multi_antenna_offset
+mip_filter_multi_antenna_offset_default(uint8_t receiver_id) {
     struct mip_filter_multi_antenna_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -5036,13 +5557,14 @@ static void write_multi_antenna_offset_response(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_filter_multi_antenna_offset_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MULTI_ANTENNA_OFFSET_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_multi_antenna_offset_response),
-    0,
+    0, /* time-out */
     read_multi_antenna_offset_response,
     write_multi_antenna_offset_response,
+    NULL,
     NULL,
 };
 
@@ -5089,15 +5611,28 @@ static void write_relative_position_config(struct mip_writer *w, const void *val
     mip_write_double(w, v->reference_coordinates, 3);
 }
 
+static bool asked_relative_position_config_1(const void *value) {
+    const struct mip_filter_relative_position_config *v =
+        (const struct mip_filter_relative_position_config *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_relative_position_config[] = {
+    {&mip_filter_relative_position_config_response_codec, asked_relative_position_config_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_relative_position_config_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_RELATIVE_POSITION_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_relative_position_config),
-    0,
+    0, /* time-out */
     read_relative_position_config,
     write_relative_position_config,
     NULL,
+    responses_relative_position_config,
 };
 
 mip_error mip_filter_relative_position_config_decode(
@@ -5168,13 +5703,14 @@ static void write_relative_position_config_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_filter_relative_position_config_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_RELATIVE_POSITION_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_relative_position_config_response),
-    0,
+    0, /* time-out */
     read_relative_position_config_response,
     write_relative_position_config_response,
+    NULL,
     NULL,
 };
 
@@ -5218,15 +5754,28 @@ static void write_reference_point_lever_arm(struct mip_writer *w, const void *va
     mip_write_float(w, v->lever_arm_offset, 3);
 }
 
+static bool asked_reference_point_lever_arm_1(const void *value) {
+    const struct mip_filter_reference_point_lever_arm *v =
+        (const struct mip_filter_reference_point_lever_arm *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_reference_point_lever_arm[] = {
+    {&mip_filter_reference_point_lever_arm_response_codec, asked_reference_point_lever_arm_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_REFERENCE_POINT_LEVER_ARM_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_reference_point_lever_arm),
-    0,
+    0, /* time-out */
     read_reference_point_lever_arm,
     write_reference_point_lever_arm,
     NULL,
+    responses_reference_point_lever_arm,
 };
 
 mip_error mip_filter_reference_point_lever_arm_decode(
@@ -5293,13 +5842,14 @@ static void write_reference_point_lever_arm_response(struct mip_writer *w, const
 }
 
 const struct mip_codec mip_filter_reference_point_lever_arm_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_reference_point_lever_arm_response),
-    0,
+    0, /* time-out */
     read_reference_point_lever_arm_response,
     write_reference_point_lever_arm_response,
+    NULL,
     NULL,
 };
 
@@ -5334,13 +5884,14 @@ static void write_speed_measurement(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_speed_measurement_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SPEED_MEASUREMENT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_speed_measurement),
-    0,
+    0, /* time-out */
     read_speed_measurement,
     write_speed_measurement,
+    NULL,
     NULL,
 };
 
@@ -5391,15 +5942,27 @@ static void write_speed_lever_arm(struct mip_writer *w, const void *value) {
     mip_write_float(w, v->lever_arm_offset, 3);
 }
 
+static bool asked_speed_lever_arm_1(const void *value) {
+    const struct mip_filter_speed_lever_arm *v = (const struct mip_filter_speed_lever_arm *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_speed_lever_arm[] = {
+    {&mip_filter_speed_lever_arm_response_codec, asked_speed_lever_arm_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_speed_lever_arm_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SPEED_LEVER_ARM_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_speed_lever_arm),
-    0,
+    0, /* time-out */
     read_speed_lever_arm,
     write_speed_lever_arm,
     NULL,
+    responses_speed_lever_arm,
 };
 
 mip_error mip_filter_speed_lever_arm_decode(struct mip_filter_speed_lever_arm *value,
@@ -5413,8 +5976,8 @@ mip_error mip_filter_speed_lever_arm_encode(const struct mip_filter_speed_lever_
                             write_speed_lever_arm, value);
 }
 
-struct mip_filter_speed_lever_arm mip_filter_speed_lever_arm_write(
-    const float lever_arm_offset[3]) {
+struct mip_filter_speed_lever_arm
+mip_filter_speed_lever_arm_write(const float lever_arm_offset[3]) {
     struct mip_filter_speed_lever_arm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -5470,13 +6033,14 @@ static void write_speed_lever_arm_response(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_speed_lever_arm_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_speed_lever_arm_response),
-    0,
+    0, /* time-out */
     read_speed_lever_arm_response,
     write_speed_lever_arm_response,
+    NULL,
     NULL,
 };
 
@@ -5515,15 +6079,29 @@ static void write_vertical_gyro_constraint_control(struct mip_writer *w, const v
     mip_write_u8(w, &v->enable, 1);
 }
 
+static bool asked_vertical_gyro_constraint_control_1(const void *value) {
+    const struct mip_filter_vertical_gyro_constraint_control *v =
+        (const struct mip_filter_vertical_gyro_constraint_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_vertical_gyro_constraint_control[] = {
+    {&mip_filter_vertical_gyro_constraint_control_response_codec,
+     asked_vertical_gyro_constraint_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_vertical_gyro_constraint_control),
-    0,
+    0, /* time-out */
     read_vertical_gyro_constraint_control,
     write_vertical_gyro_constraint_control,
     NULL,
+    responses_vertical_gyro_constraint_control,
 };
 
 mip_error mip_filter_vertical_gyro_constraint_control_decode(
@@ -5593,13 +6171,14 @@ static void write_vertical_gyro_constraint_control_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_vertical_gyro_constraint_control_response),
-    0,
+    0, /* time-out */
     read_vertical_gyro_constraint_control_response,
     write_vertical_gyro_constraint_control_response,
+    NULL,
     NULL,
 };
 
@@ -5642,15 +6221,29 @@ static void write_wheeled_vehicle_constraint_control(struct mip_writer *w, const
     mip_write_u8(w, &v->enable, 1);
 }
 
+static bool asked_wheeled_vehicle_constraint_control_1(const void *value) {
+    const struct mip_filter_wheeled_vehicle_constraint_control *v =
+        (const struct mip_filter_wheeled_vehicle_constraint_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_wheeled_vehicle_constraint_control[] = {
+    {&mip_filter_wheeled_vehicle_constraint_control_response_codec,
+     asked_wheeled_vehicle_constraint_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_wheeled_vehicle_constraint_control),
-    0,
+    0, /* time-out */
     read_wheeled_vehicle_constraint_control,
     write_wheeled_vehicle_constraint_control,
     NULL,
+    responses_wheeled_vehicle_constraint_control,
 };
 
 mip_error mip_filter_wheeled_vehicle_constraint_control_decode(
@@ -5721,13 +6314,14 @@ static void write_wheeled_vehicle_constraint_control_response(struct mip_writer 
 }
 
 const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_wheeled_vehicle_constraint_control_response),
-    0,
+    0, /* time-out */
     read_wheeled_vehicle_constraint_control_response,
     write_wheeled_vehicle_constraint_control_response,
+    NULL,
     NULL,
 };
 
@@ -5774,15 +6368,29 @@ static void write_gnss_antenna_calibration_control(struct mip_writer *w, const v
     mip_write_float(w, &v->max_offset, 1);
 }
 
+static bool asked_gnss_antenna_calibration_control_1(const void *value) {
+    const struct mip_filter_gnss_antenna_calibration_control *v =
+        (const struct mip_filter_gnss_antenna_calibration_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_antenna_calibration_control[] = {
+    {&mip_filter_gnss_antenna_calibration_control_response_codec,
+     asked_gnss_antenna_calibration_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gnss_antenna_calibration_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gnss_antenna_calibration_control),
-    0,
+    0, /* time-out */
     read_gnss_antenna_calibration_control,
     write_gnss_antenna_calibration_control,
     NULL,
+    responses_gnss_antenna_calibration_control,
 };
 
 mip_error mip_filter_gnss_antenna_calibration_control_decode(
@@ -5855,13 +6463,14 @@ static void write_gnss_antenna_calibration_control_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_filter_gnss_antenna_calibration_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gnss_antenna_calibration_control_response),
-    0,
+    0, /* time-out */
     read_gnss_antenna_calibration_control_response,
     write_gnss_antenna_calibration_control_response,
+    NULL,
     NULL,
 };
 

@@ -21,13 +21,14 @@ static void write_llh_position(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_llh_position_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_LLH_POSITION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_llh_position),
-    0,
+    0, /* time-out */
     read_llh_position,
     write_llh_position,
+    NULL,
     NULL,
 };
 
@@ -60,13 +61,14 @@ static void write_ned_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_ned_velocity_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_NED_VELOCITY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ned_velocity),
-    0,
+    0, /* time-out */
     read_ned_velocity,
     write_ned_velocity,
+    NULL,
     NULL,
 };
 
@@ -96,13 +98,14 @@ static void write_attitude_quaternion(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_attitude_quaternion_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ATTITUDE_QUATERNION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_attitude_quaternion),
-    0,
+    0, /* time-out */
     read_attitude_quaternion,
     write_attitude_quaternion,
+    NULL,
     NULL,
 };
 
@@ -131,13 +134,14 @@ static void write_attitude_dcm(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_attitude_dcm_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ATTITUDE_DCM_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_attitude_dcm),
-    0,
+    0, /* time-out */
     read_attitude_dcm,
     write_attitude_dcm,
+    NULL,
     NULL,
 };
 
@@ -170,13 +174,14 @@ static void write_euler_angles(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_euler_angles_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_EULER_ANGLES_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_euler_angles),
-    0,
+    0, /* time-out */
     read_euler_angles,
     write_euler_angles,
+    NULL,
     NULL,
 };
 
@@ -204,13 +209,14 @@ static void write_gyro_bias(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_gyro_bias_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GYRO_BIAS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gyro_bias),
-    0,
+    0, /* time-out */
     read_gyro_bias,
     write_gyro_bias,
+    NULL,
     NULL,
 };
 
@@ -238,13 +244,14 @@ static void write_accel_bias(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_accel_bias_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ACCEL_BIAS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_accel_bias),
-    0,
+    0, /* time-out */
     read_accel_bias,
     write_accel_bias,
+    NULL,
     NULL,
 };
 
@@ -278,13 +285,14 @@ static void write_llh_position_uncertainty(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_data_llh_position_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_LLH_POSITION_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_llh_position_uncertainty),
-    0,
+    0, /* time-out */
     read_llh_position_uncertainty,
     write_llh_position_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -318,13 +326,14 @@ static void write_ned_velocity_uncertainty(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_data_ned_velocity_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_NED_VELOCITY_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ned_velocity_uncertainty),
-    0,
+    0, /* time-out */
     read_ned_velocity_uncertainty,
     write_ned_velocity_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -358,13 +367,14 @@ static void write_euler_angles_uncertainty(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_data_euler_angles_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_EULER_ANGLES_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_euler_angles_uncertainty),
-    0,
+    0, /* time-out */
     read_euler_angles_uncertainty,
     write_euler_angles_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -394,13 +404,14 @@ static void write_gyro_bias_uncertainty(struct mip_writer *w, const void *value)
 }
 
 const struct mip_codec mip_filter_data_gyro_bias_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GYRO_BIAS_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gyro_bias_uncertainty),
-    0,
+    0, /* time-out */
     read_gyro_bias_uncertainty,
     write_gyro_bias_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -430,13 +441,14 @@ static void write_accel_bias_uncertainty(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_filter_data_accel_bias_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ACCEL_BIAS_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_accel_bias_uncertainty),
-    0,
+    0, /* time-out */
     read_accel_bias_uncertainty,
     write_accel_bias_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -465,13 +477,14 @@ static void write_linear_accel(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_linear_accel_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_LINEAR_ACCEL_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_linear_accel),
-    0,
+    0, /* time-out */
     read_linear_accel,
     write_linear_accel,
+    NULL,
     NULL,
 };
 
@@ -500,13 +513,14 @@ static void write_comp_angular_rate(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_comp_angular_rate_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_COMP_ANGULAR_RATE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_comp_angular_rate),
-    0,
+    0, /* time-out */
     read_comp_angular_rate,
     write_comp_angular_rate,
+    NULL,
     NULL,
 };
 
@@ -536,13 +550,14 @@ static void write_wgs84_gravity_magnitude(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_filter_data_wgs84_gravity_magnitude_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_WGS84_GRAVITY_MAGNITUDE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_wgs84_gravity_magnitude),
-    0,
+    0, /* time-out */
     read_wgs84_gravity_magnitude,
     write_wgs84_gravity_magnitude,
+    NULL,
     NULL,
 };
 
@@ -572,13 +587,14 @@ static void write_status(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_status_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_status),
-    0,
+    0, /* time-out */
     read_status,
     write_status,
+    NULL,
     NULL,
 };
 
@@ -607,13 +623,14 @@ static void write_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_timestamp_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_timestamp),
-    0,
+    0, /* time-out */
     read_timestamp,
     write_timestamp,
+    NULL,
     NULL,
 };
 
@@ -643,13 +660,14 @@ static void write_quaternion_attitude_uncertainty(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_data_quaternion_attitude_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_QUATERNION_ATTITUDE_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_quaternion_attitude_uncertainty),
-    0,
+    0, /* time-out */
     read_quaternion_attitude_uncertainty,
     write_quaternion_attitude_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -681,13 +699,14 @@ static void write_gravity_vector(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_gravity_vector_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GRAVITY_VECTOR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gravity_vector),
-    0,
+    0, /* time-out */
     read_gravity_vector,
     write_gravity_vector,
+    NULL,
     NULL,
 };
 
@@ -721,13 +740,14 @@ static void write_heading_update_state(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_filter_data_heading_update_state_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_HEADING_UPDATE_STATE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_heading_update_state),
-    0,
+    0, /* time-out */
     read_heading_update_state,
     write_heading_update_state,
+    NULL,
     NULL,
 };
 
@@ -764,13 +784,14 @@ static void write_magnetic_model(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_magnetic_model_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAGNETIC_MODEL_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_magnetic_model),
-    0,
+    0, /* time-out */
     read_magnetic_model,
     write_magnetic_model,
+    NULL,
     NULL,
 };
 
@@ -799,13 +820,14 @@ static void write_gyro_scale_factor(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_gyro_scale_factor_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GYRO_SCALE_FACTOR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gyro_scale_factor),
-    0,
+    0, /* time-out */
     read_gyro_scale_factor,
     write_gyro_scale_factor,
+    NULL,
     NULL,
 };
 
@@ -835,13 +857,14 @@ static void write_accel_scale_factor(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_accel_scale_factor_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_accel_scale_factor),
-    0,
+    0, /* time-out */
     read_accel_scale_factor,
     write_accel_scale_factor,
+    NULL,
     NULL,
 };
 
@@ -871,13 +894,14 @@ static void write_gyro_scale_factor_uncertainty(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_filter_data_gyro_scale_factor_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GYRO_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gyro_scale_factor_uncertainty),
-    0,
+    0, /* time-out */
     read_gyro_scale_factor_uncertainty,
     write_gyro_scale_factor_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -908,13 +932,14 @@ static void write_accel_scale_factor_uncertainty(struct mip_writer *w, const voi
 }
 
 const struct mip_codec mip_filter_data_accel_scale_factor_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ACCEL_SCALE_FACTOR_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_accel_scale_factor_uncertainty),
-    0,
+    0, /* time-out */
     read_accel_scale_factor_uncertainty,
     write_accel_scale_factor_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -945,13 +970,14 @@ static void write_mag_bias(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_mag_bias_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAG_BIAS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_mag_bias),
-    0,
+    0, /* time-out */
     read_mag_bias,
     write_mag_bias,
+    NULL,
     NULL,
 };
 
@@ -981,13 +1007,14 @@ static void write_mag_bias_uncertainty(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_filter_data_mag_bias_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAG_BIAS_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_mag_bias_uncertainty),
-    0,
+    0, /* time-out */
     read_mag_bias_uncertainty,
     write_mag_bias_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -1015,13 +1042,14 @@ static void write_comp_accel(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_comp_accel_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_COMP_ACCEL_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_comp_accel),
-    0,
+    0, /* time-out */
     read_comp_accel,
     write_comp_accel,
+    NULL,
     NULL,
 };
 
@@ -1059,13 +1087,14 @@ static void write_standard_atmosphere(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_standard_atmosphere_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_STANDARD_ATMOSPHERE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_standard_atmosphere),
-    0,
+    0, /* time-out */
     read_standard_atmosphere,
     write_standard_atmosphere,
+    NULL,
     NULL,
 };
 
@@ -1094,13 +1123,14 @@ static void write_pressure_altitude(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_pressure_altitude_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_PRESSURE_ALTITUDE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_pressure_altitude),
-    0,
+    0, /* time-out */
     read_pressure_altitude,
     write_pressure_altitude,
+    NULL,
     NULL,
 };
 
@@ -1129,13 +1159,14 @@ static void write_density_altitude(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_density_altitude_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_DENSITY_ALTITUDE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_density_altitude),
-    0,
+    0, /* time-out */
     read_density_altitude,
     write_density_altitude,
+    NULL,
     NULL,
 };
 
@@ -1163,13 +1194,14 @@ static void write_mag_offset(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_mag_offset_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAG_OFFSET_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_mag_offset),
-    0,
+    0, /* time-out */
     read_mag_offset,
     write_mag_offset,
+    NULL,
     NULL,
 };
 
@@ -1197,13 +1229,14 @@ static void write_mag_matrix(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_mag_matrix_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAG_MATRIX_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_mag_matrix),
-    0,
+    0, /* time-out */
     read_mag_matrix,
     write_mag_matrix,
+    NULL,
     NULL,
 };
 
@@ -1233,13 +1266,14 @@ static void write_mag_offset_uncertainty(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_filter_data_mag_offset_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAG_OFFSET_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_mag_offset_uncertainty),
-    0,
+    0, /* time-out */
     read_mag_offset_uncertainty,
     write_mag_offset_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -1269,13 +1303,14 @@ static void write_mag_matrix_uncertainty(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_filter_data_mag_matrix_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAG_MATRIX_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_mag_matrix_uncertainty),
-    0,
+    0, /* time-out */
     read_mag_matrix_uncertainty,
     write_mag_matrix_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -1305,13 +1340,14 @@ static void write_mag_covariance_matrix(struct mip_writer *w, const void *value)
 }
 
 const struct mip_codec mip_filter_data_mag_covariance_matrix_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAG_COVARIANCE_MATRIX_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_mag_covariance_matrix),
-    0,
+    0, /* time-out */
     read_mag_covariance_matrix,
     write_mag_covariance_matrix,
+    NULL,
     NULL,
 };
 
@@ -1341,13 +1377,14 @@ static void write_mag_residual_vector(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_mag_residual_vector_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MAG_RESIDUAL_VECTOR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_mag_residual_vector),
-    0,
+    0, /* time-out */
     read_mag_residual_vector,
     write_mag_residual_vector,
+    NULL,
     NULL,
 };
 
@@ -1377,13 +1414,14 @@ static void write_antenna_offset_correction(struct mip_writer *w, const void *va
 }
 
 const struct mip_codec mip_filter_data_antenna_offset_correction_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_antenna_offset_correction),
-    0,
+    0, /* time-out */
     read_antenna_offset_correction,
     write_antenna_offset_correction,
+    NULL,
     NULL,
 };
 
@@ -1413,13 +1451,14 @@ static void write_antenna_offset_correction_uncertainty(struct mip_writer *w, co
 }
 
 const struct mip_codec mip_filter_data_antenna_offset_correction_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_antenna_offset_correction_uncertainty),
-    0,
+    0, /* time-out */
     read_antenna_offset_correction_uncertainty,
     write_antenna_offset_correction_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -1456,13 +1495,14 @@ static void write_clock_correction(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_clock_correction_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_CLOCK_CORRECTION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_clock_correction),
-    0,
+    0, /* time-out */
     read_clock_correction,
     write_clock_correction,
+    NULL,
     NULL,
 };
 
@@ -1496,13 +1536,14 @@ static void write_clock_correction_uncertainty(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_filter_data_clock_correction_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_CLOCK_CORRECTION_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_clock_correction_uncertainty),
-    0,
+    0, /* time-out */
     read_clock_correction_uncertainty,
     write_clock_correction_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -1534,13 +1575,14 @@ static void write_multi_antenna_offset_correction(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_data_multi_antenna_offset_correction_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_multi_antenna_offset_correction),
-    0,
+    0, /* time-out */
     read_multi_antenna_offset_correction,
     write_multi_antenna_offset_correction,
+    NULL,
     NULL,
 };
 
@@ -1576,13 +1618,14 @@ static void write_multi_antenna_offset_correction_uncertainty(struct mip_writer 
 }
 
 const struct mip_codec mip_filter_data_multi_antenna_offset_correction_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_multi_antenna_offset_correction_uncertainty),
-    0,
+    0, /* time-out */
     read_multi_antenna_offset_correction_uncertainty,
     write_multi_antenna_offset_correction_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -1616,13 +1659,14 @@ static void write_ecef_position_uncertainty(struct mip_writer *w, const void *va
 }
 
 const struct mip_codec mip_filter_data_ecef_position_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ECEF_POSITION_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ecef_position_uncertainty),
-    0,
+    0, /* time-out */
     read_ecef_position_uncertainty,
     write_ecef_position_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -1652,13 +1696,14 @@ static void write_ecef_velocity_uncertainty(struct mip_writer *w, const void *va
 }
 
 const struct mip_codec mip_filter_data_ecef_velocity_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ECEF_VELOCITY_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ecef_velocity_uncertainty),
-    0,
+    0, /* time-out */
     read_ecef_velocity_uncertainty,
     write_ecef_velocity_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -1687,13 +1732,14 @@ static void write_ecef_position(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_ecef_position_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ECEF_POSITION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ecef_position),
-    0,
+    0, /* time-out */
     read_ecef_position,
     write_ecef_position,
+    NULL,
     NULL,
 };
 
@@ -1722,13 +1768,14 @@ static void write_ecef_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_filter_data_ecef_velocity_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ECEF_VELOCITY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ecef_velocity),
-    0,
+    0, /* time-out */
     read_ecef_velocity,
     write_ecef_velocity,
+    NULL,
     NULL,
 };
 
@@ -1758,13 +1805,14 @@ static void write_ned_relative_position(struct mip_writer *w, const void *value)
 }
 
 const struct mip_codec mip_filter_data_ned_relative_position_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_NED_RELATIVE_POSITION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_ned_relative_position),
-    0,
+    0, /* time-out */
     read_ned_relative_position,
     write_ned_relative_position,
+    NULL,
     NULL,
 };
 
@@ -1798,13 +1846,14 @@ static void write_gnss_position_aiding_status(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_data_gnss_position_aiding_status_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GNSS_POSITION_AIDING_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gnss_position_aiding_status),
-    0,
+    0, /* time-out */
     read_gnss_position_aiding_status,
     write_gnss_position_aiding_status,
+    NULL,
     NULL,
 };
 
@@ -1836,13 +1885,14 @@ static void write_gnss_attitude_aiding_status(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_data_gnss_attitude_aiding_status_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GNSS_ATTITUDE_AIDING_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gnss_attitude_aiding_status),
-    0,
+    0, /* time-out */
     read_gnss_attitude_aiding_status,
     write_gnss_attitude_aiding_status,
+    NULL,
     NULL,
 };
 
@@ -1874,13 +1924,14 @@ static void write_heading_aiding_status(struct mip_writer *w, const void *value)
 }
 
 const struct mip_codec mip_filter_data_heading_aiding_status_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_HEADING_AIDING_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_heading_aiding_status),
-    0,
+    0, /* time-out */
     read_heading_aiding_status,
     write_heading_aiding_status,
+    NULL,
     NULL,
 };
 
@@ -1914,13 +1965,14 @@ static void write_aiding_measurement_summary(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_filter_data_aiding_measurement_summary_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_AIDING_MEASUREMENT_SUMMARY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_aiding_measurement_summary),
-    0,
+    0, /* time-out */
     read_aiding_measurement_summary,
     write_aiding_measurement_summary,
+    NULL,
     NULL,
 };
 
@@ -1950,13 +2002,14 @@ static void write_odometer_scale_factor_error(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_data_odometer_scale_factor_error_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_odometer_scale_factor_error),
-    0,
+    0, /* time-out */
     read_odometer_scale_factor_error,
     write_odometer_scale_factor_error,
+    NULL,
     NULL,
 };
 
@@ -1986,13 +2039,14 @@ static void write_odometer_scale_factor_error_uncertainty(struct mip_writer *w, 
 }
 
 const struct mip_codec mip_filter_data_odometer_scale_factor_error_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_ODOMETER_SCALE_FACTOR_ERROR_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_odometer_scale_factor_error_uncertainty),
-    0,
+    0, /* time-out */
     read_odometer_scale_factor_error_uncertainty,
     write_odometer_scale_factor_error_uncertainty,
+    NULL,
     NULL,
 };
 
@@ -2034,13 +2088,14 @@ static void write_gnss_dual_antenna_status(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_filter_data_gnss_dual_antenna_status_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_GNSS_DUAL_ANTENNA_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_gnss_dual_antenna_status),
-    0,
+    0, /* time-out */
     read_gnss_dual_antenna_status,
     write_gnss_dual_antenna_status,
+    NULL,
     NULL,
 };
 
@@ -2072,13 +2127,14 @@ static void write_aiding_frame_config_error(struct mip_writer *w, const void *va
 }
 
 const struct mip_codec mip_filter_data_aiding_frame_config_error_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_aiding_frame_config_error),
-    0,
+    0, /* time-out */
     read_aiding_frame_config_error,
     write_aiding_frame_config_error,
+    NULL,
     NULL,
 };
 
@@ -2110,13 +2166,14 @@ static void write_aiding_frame_config_error_uncertainty(struct mip_writer *w, co
 }
 
 const struct mip_codec mip_filter_data_aiding_frame_config_error_uncertainty_codec = {
-    0x82,
+    0x82, /* descriptor set */
     MIP_FILTER_DATA_AIDING_FRAME_CONFIG_ERROR_UNCERTAINTY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_filter_data_aiding_frame_config_error_uncertainty),
-    0,
+    0, /* time-out */
     read_aiding_frame_config_error_uncertainty,
     write_aiding_frame_config_error_uncertainty,
+    NULL,
     NULL,
 };
 

@@ -17,15 +17,21 @@ void mip_gnss_receiver_info_entry_write(struct mip_writer *w,
     mip_write_char(w, v->description, 32);
 }
 
+static const struct mip_response responses_receiver_info[] = {
+    {&mip_gnss_receiver_info_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_gnss_receiver_info_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_RECEIVER_INFO_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_gnss_receiver_info),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_receiver_info,
 };
 
 mip_error mip_gnss_receiver_info_decode(struct mip_gnss_receiver_info *value,
@@ -57,13 +63,14 @@ static void write_receiver_info_response(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_gnss_receiver_info_response_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_RECEIVER_INFO_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_gnss_receiver_info_response),
-    0,
+    0, /* time-out */
     read_receiver_info_response,
     write_receiver_info_response,
+    NULL,
     NULL,
 };
 
@@ -115,15 +122,27 @@ static void write_signal_config(struct mip_writer *w, const void *value) {
     mip_write_u8(w, v->reserved, 4);
 }
 
+static bool asked_signal_config_1(const void *value) {
+    const struct mip_gnss_signal_config *v = (const struct mip_gnss_signal_config *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_signal_config[] = {
+    {&mip_gnss_signal_config_response_codec, asked_signal_config_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_gnss_signal_config_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_SIGNAL_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_gnss_signal_config),
-    0,
+    0, /* time-out */
     read_signal_config,
     write_signal_config,
     NULL,
+    responses_signal_config,
 };
 
 mip_error mip_gnss_signal_config_decode(struct mip_gnss_signal_config *value,
@@ -199,13 +218,14 @@ static void write_signal_config_response(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_gnss_signal_config_response_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_SIGNAL_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_gnss_signal_config_response),
-    0,
+    0, /* time-out */
     read_signal_config_response,
     write_signal_config_response,
+    NULL,
     NULL,
 };
 
@@ -246,15 +266,27 @@ static void write_rtk_dongle_config(struct mip_writer *w, const void *value) {
     mip_write_u8(w, v->reserved, 3);
 }
 
+static bool asked_rtk_dongle_config_1(const void *value) {
+    const struct mip_gnss_rtk_dongle_config *v = (const struct mip_gnss_rtk_dongle_config *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_rtk_dongle_config[] = {
+    {&mip_gnss_rtk_dongle_config_response_codec, asked_rtk_dongle_config_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_gnss_rtk_dongle_config_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_RTK_DONGLE_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_gnss_rtk_dongle_config),
-    0,
+    0, /* time-out */
     read_rtk_dongle_config,
     write_rtk_dongle_config,
     NULL,
+    responses_rtk_dongle_config,
 };
 
 mip_error mip_gnss_rtk_dongle_config_decode(struct mip_gnss_rtk_dongle_config *value,
@@ -319,13 +351,14 @@ static void write_rtk_dongle_config_response(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_gnss_rtk_dongle_config_response_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_RTK_DONGLE_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_gnss_rtk_dongle_config_response),
-    0,
+    0, /* time-out */
     read_rtk_dongle_config_response,
     write_rtk_dongle_config_response,
+    NULL,
     NULL,
 };
 
@@ -389,15 +422,27 @@ static void write_spartn_config(struct mip_writer *w, const void *value) {
     mip_write_u8(w, v->next_key, 32);
 }
 
+static bool asked_spartn_config_1(const void *value) {
+    const struct mip_gnss_spartn_config *v = (const struct mip_gnss_spartn_config *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_spartn_config[] = {
+    {&mip_gnss_spartn_config_response_codec, asked_spartn_config_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_gnss_spartn_config_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_SPARTN_CONFIG_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_gnss_spartn_config),
-    0,
+    0, /* time-out */
     read_spartn_config,
     write_spartn_config,
     NULL,
+    responses_spartn_config,
 };
 
 mip_error mip_gnss_spartn_config_decode(struct mip_gnss_spartn_config *value,
@@ -411,14 +456,10 @@ mip_error mip_gnss_spartn_config_encode(const struct mip_gnss_spartn_config *val
                             value);
 }
 
-struct mip_gnss_spartn_config mip_gnss_spartn_config_write(uint8_t enable,
-                                                           mip_gnss_spartn_connection type,
-                                                           uint32_t current_key_tow,
-                                                           uint16_t current_key_week,
-                                                           const uint8_t current_key[32],
-                                                           uint32_t next_key_tow,
-                                                           uint16_t next_key_week,
-                                                           const uint8_t next_key[32]) {
+struct mip_gnss_spartn_config mip_gnss_spartn_config_write(
+    uint8_t enable, mip_gnss_spartn_connection type, uint32_t current_key_tow,
+    uint16_t current_key_week, const uint8_t current_key[32], uint32_t next_key_tow,
+    uint16_t next_key_week, const uint8_t next_key[32]) {
     struct mip_gnss_spartn_config v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -487,13 +528,14 @@ static void write_spartn_config_response(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_gnss_spartn_config_response_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_SPARTN_CONFIG_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_gnss_spartn_config_response),
-    0,
+    0, /* time-out */
     read_spartn_config_response,
     write_spartn_config_response,
+    NULL,
     NULL,
 };
 

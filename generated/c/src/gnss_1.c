@@ -26,13 +26,14 @@ static void write_llh_position(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_llh_position_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_LLH_POSITION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_llh_position),
-    0,
+    0, /* time-out */
     read_llh_position,
     write_llh_position,
+    NULL,
     NULL,
 };
 
@@ -62,13 +63,14 @@ static void write_ecef_position(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_ecef_position_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_ECEF_POSITION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_ecef_position),
-    0,
+    0, /* time-out */
     read_ecef_position,
     write_ecef_position,
+    NULL,
     NULL,
 };
 
@@ -106,13 +108,14 @@ static void write_ned_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_ned_velocity_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_NED_VELOCITY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_ned_velocity),
-    0,
+    0, /* time-out */
     read_ned_velocity,
     write_ned_velocity,
+    NULL,
     NULL,
 };
 
@@ -142,13 +145,14 @@ static void write_ecef_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_ecef_velocity_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_ECEF_VELOCITY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_ecef_velocity),
-    0,
+    0, /* time-out */
     read_ecef_velocity,
     write_ecef_velocity,
+    NULL,
     NULL,
 };
 
@@ -188,13 +192,14 @@ static void write_dop(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_dop_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_DOP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_dop),
-    0,
+    0, /* time-out */
     read_dop,
     write_dop,
+    NULL,
     NULL,
 };
 
@@ -231,13 +236,14 @@ static void write_utc_time(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_utc_time_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_UTC_TIME_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_utc_time),
-    0,
+    0, /* time-out */
     read_utc_time,
     write_utc_time,
+    NULL,
     NULL,
 };
 
@@ -266,13 +272,14 @@ static void write_gps_time(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_gps_time_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_GPS_TIME_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_gps_time),
-    0,
+    0, /* time-out */
     read_gps_time,
     write_gps_time,
+    NULL,
     NULL,
 };
 
@@ -303,13 +310,14 @@ static void write_clock_info(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_clock_info_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_CLOCK_INFO_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_clock_info),
-    0,
+    0, /* time-out */
     read_clock_info,
     write_clock_info,
+    NULL,
     NULL,
 };
 
@@ -341,13 +349,14 @@ static void write_fix_info(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_fix_info_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_FIX_INFO_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_fix_info),
-    0,
+    0, /* time-out */
     read_fix_info,
     write_fix_info,
+    NULL,
     NULL,
 };
 
@@ -384,13 +393,14 @@ static void write_sv_info(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_sv_info_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_SV_INFO_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_sv_info),
-    0,
+    0, /* time-out */
     read_sv_info,
     write_sv_info,
+    NULL,
     NULL,
 };
 
@@ -421,13 +431,14 @@ static void write_hardware_status(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_hardware_status_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_HARDWARE_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_hardware_status),
-    0,
+    0, /* time-out */
     read_hardware_status,
     write_hardware_status,
+    NULL,
     NULL,
 };
 
@@ -461,13 +472,14 @@ static void write_dgps_info(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_dgps_info_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_DGPS_INFO_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_dgps_info),
-    0,
+    0, /* time-out */
     read_dgps_info,
     write_dgps_info,
+    NULL,
     NULL,
 };
 
@@ -500,13 +512,14 @@ static void write_dgps_channel(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_dgps_channel_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_DGPS_CHANNEL_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_dgps_channel),
-    0,
+    0, /* time-out */
     read_dgps_channel,
     write_dgps_channel,
+    NULL,
     NULL,
 };
 
@@ -540,13 +553,14 @@ static void write_clock_info_2(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_clock_info_2_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_CLOCK_INFO_2_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_clock_info_2),
-    0,
+    0, /* time-out */
     read_clock_info_2,
     write_clock_info_2,
+    NULL,
     NULL,
 };
 
@@ -574,13 +588,14 @@ static void write_gps_leap_seconds(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_gps_leap_seconds_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_GPS_LEAP_SECONDS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_gps_leap_seconds),
-    0,
+    0, /* time-out */
     read_gps_leap_seconds,
     write_gps_leap_seconds,
+    NULL,
     NULL,
 };
 
@@ -618,13 +633,14 @@ static void write_sbas_info(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_sbas_info_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_SBAS_INFO_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_sbas_info),
-    0,
+    0, /* time-out */
     read_sbas_info,
     write_sbas_info,
+    NULL,
     NULL,
 };
 
@@ -667,13 +683,14 @@ static void write_sbas_correction(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_sbas_correction_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_SBAS_CORRECTION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_sbas_correction),
-    0,
+    0, /* time-out */
     read_sbas_correction,
     write_sbas_correction,
+    NULL,
     NULL,
 };
 
@@ -708,13 +725,14 @@ static void write_rf_error_detection(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_rf_error_detection_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_RF_ERROR_DETECTION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_rf_error_detection),
-    0,
+    0, /* time-out */
     read_rf_error_detection,
     write_rf_error_detection,
+    NULL,
     NULL,
 };
 
@@ -758,13 +776,14 @@ static void write_satellite_status(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_satellite_status_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_SATELLITE_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_satellite_status),
-    0,
+    0, /* time-out */
     read_satellite_status,
     write_satellite_status,
+    NULL,
     NULL,
 };
 
@@ -826,13 +845,14 @@ static void write_raw(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_raw_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_RAW_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_raw),
-    0,
+    0, /* time-out */
     read_raw,
     write_raw,
+    NULL,
     NULL,
 };
 
@@ -868,13 +888,14 @@ static void write_base_station_info(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_base_station_info_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_BASE_STATION_INFO_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_base_station_info),
-    0,
+    0, /* time-out */
     read_base_station_info,
     write_base_station_info,
+    NULL,
     NULL,
 };
 
@@ -919,13 +940,14 @@ static void write_rtk_corrections_status(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_gnss_1_rtk_corrections_status_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_RTK_CORRECTIONS_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_rtk_corrections_status),
-    0,
+    0, /* time-out */
     read_rtk_corrections_status,
     write_rtk_corrections_status,
+    NULL,
     NULL,
 };
 
@@ -1017,13 +1039,14 @@ static void write_gps_ephemeris(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_gps_ephemeris_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_GPS_EPHEMERIS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_gps_ephemeris),
-    0,
+    0, /* time-out */
     read_gps_ephemeris,
     write_gps_ephemeris,
+    NULL,
     NULL,
 };
 
@@ -1098,13 +1121,14 @@ static void write_glonass_ephemeris(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_glonass_ephemeris_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_GLONASS_EPHEMERIS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_glonass_ephemeris),
-    0,
+    0, /* time-out */
     read_glonass_ephemeris,
     write_glonass_ephemeris,
+    NULL,
     NULL,
 };
 
@@ -1197,13 +1221,14 @@ static void write_galileo_ephemeris(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_galileo_ephemeris_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_GALILEO_EPHEMERIS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_galileo_ephemeris),
-    0,
+    0, /* time-out */
     read_galileo_ephemeris,
     write_galileo_ephemeris,
+    NULL,
     NULL,
 };
 
@@ -1295,13 +1320,14 @@ static void write_beidou_ephemeris(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_beidou_ephemeris_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_BEIDOU_EPHEMERIS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_beidou_ephemeris),
-    0,
+    0, /* time-out */
     read_beidou_ephemeris,
     write_beidou_ephemeris,
+    NULL,
     NULL,
 };
 
@@ -1336,13 +1362,14 @@ static void write_gps_iono_correction(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_gps_iono_correction_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_GPS_IONO_CORRECTION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_gps_iono_correction),
-    0,
+    0, /* time-out */
     read_gps_iono_correction,
     write_gps_iono_correction,
+    NULL,
     NULL,
 };
 
@@ -1378,13 +1405,14 @@ static void write_galileo_iono_correction(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_gnss_1_galileo_iono_correction_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_GALILEO_IONO_CORRECTION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_galileo_iono_correction),
-    0,
+    0, /* time-out */
     read_galileo_iono_correction,
     write_galileo_iono_correction,
+    NULL,
     NULL,
 };
 
@@ -1421,13 +1449,14 @@ static void write_beidou_iono_correction(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_gnss_1_beidou_iono_correction_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_BEIDOU_IONO_CORRECTION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_beidou_iono_correction),
-    0,
+    0, /* time-out */
     read_beidou_iono_correction,
     write_beidou_iono_correction,
+    NULL,
     NULL,
 };
 

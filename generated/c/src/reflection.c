@@ -1,3 +1,5 @@
+
+
 /* The parameters, types and names of all fields. */
 #include "mip/reflect.h"
 
@@ -27,25 +29,20 @@
 /* ---------------------------------------------------------------------------------------- names */
 
 static const struct mip_named_value values_function_selector[] = {
-    {"write", 1},
-    {"read", 2},
-    {"save", 3},
-    {"load", 4},
-    {"default", 5},
-    {"apply", 6},
+    {"write", 1}, {"read", 2}, {"save", 3}, {"load", 4}, {"default", 5}, {"apply", 6},
 };
 static const struct mip_names names_function_selector = {
-    "function_selector", values_function_selector, NULL, 6, 1};
+    "function_selector", values_function_selector, NULL, 6, 1,
+};
 
 static const struct mip_named_bits bits_gx5_built_in_test[] = {
-    {"watchdog_reset", 0, 1, NULL},
-    {"imu_comm_fault", 8, 1, NULL},
-    {"mag_fault", 9, 1, NULL},
-    {"pressure_sensor_fault", 10, 1, NULL},
+    {"watchdog_reset", 0, 1, NULL},  {"imu_comm_fault", 8, 1, NULL},
+    {"mag_fault", 9, 1, NULL},       {"pressure_sensor_fault", 10, 1, NULL},
     {"solution_fault", 24, 1, NULL},
 };
 static const struct mip_names names_gx5_built_in_test = {
-    "gx5_built_in_test", NULL, bits_gx5_built_in_test, 5, 4};
+    "gx5_built_in_test", NULL, bits_gx5_built_in_test, 5, 4,
+};
 
 static const struct mip_named_bits bits_cv7_built_in_test[] = {
     {"general_hardware_fault", 0, 1, NULL},
@@ -62,7 +59,8 @@ static const struct mip_named_bits bits_cv7_built_in_test[] = {
     {"general_filter_fault", 23, 1, NULL},
 };
 static const struct mip_names names_cv7_built_in_test = {
-    "cv7_built_in_test", NULL, bits_cv7_built_in_test, 12, 4};
+    "cv7_built_in_test", NULL, bits_cv7_built_in_test, 12, 4,
+};
 
 static const struct mip_named_bits bits_cv7_continuous_built_in_test[] = {
     {"system_clock_failure", 0, 1, NULL},
@@ -109,7 +107,8 @@ static const struct mip_named_bits bits_cv7_continuous_built_in_test[] = {
     {"receiver_2_no_solution", 113, 1, NULL},
 };
 static const struct mip_names names_cv7_continuous_built_in_test = {
-    "cv7_continuous_built_in_test", NULL, bits_cv7_continuous_built_in_test, 42, 16};
+    "cv7_continuous_built_in_test", NULL, bits_cv7_continuous_built_in_test, 42, 16,
+};
 
 static const struct mip_named_value values_event_trigger_type[] = {
     {"none", 0},
@@ -118,7 +117,8 @@ static const struct mip_named_value values_event_trigger_type[] = {
     {"combination", 3},
 };
 static const struct mip_names names_event_trigger_type = {
-    "event_trigger_type", values_event_trigger_type, NULL, 4, 1};
+    "event_trigger_type", values_event_trigger_type, NULL, 4, 1,
+};
 
 static const struct mip_named_value values_event_action_type[] = {
     {"none", 0},
@@ -126,7 +126,8 @@ static const struct mip_named_value values_event_action_type[] = {
     {"message", 2},
 };
 static const struct mip_names names_event_action_type = {
-    "event_action_type", values_event_action_type, NULL, 3, 1};
+    "event_action_type", values_event_action_type, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_event_trigger_mode[] = {
     {"disabled", 0},
@@ -135,7 +136,8 @@ static const struct mip_named_value values_event_trigger_mode[] = {
     {"test_pulse", 3},
 };
 static const struct mip_names names_event_trigger_mode = {
-    "event_trigger_mode", values_event_trigger_mode, NULL, 4, 1};
+    "event_trigger_mode", values_event_trigger_mode, NULL, 4, 1,
+};
 
 static const struct mip_named_bits bits_event_trigger_status[] = {
     {"active", 0, 1, NULL},
@@ -143,7 +145,8 @@ static const struct mip_named_bits bits_event_trigger_status[] = {
     {"test", 2, 1, NULL},
 };
 static const struct mip_names names_event_trigger_status = {
-    "event_trigger_status", NULL, bits_event_trigger_status, 3, 1};
+    "event_trigger_status", NULL, bits_event_trigger_status, 3, 1,
+};
 
 static const struct mip_named_value values_event_trigger_gpio_mode[] = {
     {"disabled", 0},
@@ -152,137 +155,76 @@ static const struct mip_named_value values_event_trigger_gpio_mode[] = {
     {"edge", 4},
 };
 static const struct mip_names names_event_trigger_gpio_mode = {
-    "event_trigger_gpio_mode", values_event_trigger_gpio_mode, NULL, 4, 1};
+    "event_trigger_gpio_mode", values_event_trigger_gpio_mode, NULL, 4, 1,
+};
 
 static const struct mip_named_value values_event_threshold_type[] = {
     {"window", 1},
     {"interval", 2},
 };
 static const struct mip_names names_event_threshold_type = {
-    "event_threshold_type", values_event_threshold_type, NULL, 2, 1};
+    "event_threshold_type", values_event_threshold_type, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_event_action_gpio_mode[] = {
-    {"disabled", 0},
-    {"active_high", 1},
-    {"active_low", 2},
-    {"oneshot_high", 5},
-    {"oneshot_low", 6},
-    {"toggle", 7},
+    {"disabled", 0},     {"active_high", 1}, {"active_low", 2},
+    {"oneshot_high", 5}, {"oneshot_low", 6}, {"toggle", 7},
 };
 static const struct mip_names names_event_action_gpio_mode = {
-    "event_action_gpio_mode", values_event_action_gpio_mode, NULL, 6, 1};
+    "event_action_gpio_mode", values_event_action_gpio_mode, NULL, 6, 1,
+};
 
 static const struct mip_named_value values_gnss_constellation[] = {
-    {"unknown", 0},
-    {"gps", 1},
-    {"glonass", 2},
-    {"galileo", 3},
-    {"beidou", 4},
-    {"sbas", 5},
+    {"unknown", 0}, {"gps", 1}, {"glonass", 2}, {"galileo", 3}, {"beidou", 4}, {"sbas", 5},
 };
 static const struct mip_names names_gnss_constellation = {
-    "gnss_constellation", values_gnss_constellation, NULL, 6, 1};
+    "gnss_constellation", values_gnss_constellation, NULL, 6, 1,
+};
 
 static const struct mip_named_value values_gnss_fix_type[] = {
-    {"fix_3d", 0},
-    {"fix_2d", 1},
-    {"fix_time_only", 2},
-    {"fix_none", 3},
-    {"fix_invalid", 4},
-    {"fix_rtk_float", 5},
-    {"fix_rtk_fixed", 6},
-    {"fix_differential", 7},
+    {"fix_3d", 0},      {"fix_2d", 1},        {"fix_time_only", 2}, {"fix_none", 3},
+    {"fix_invalid", 4}, {"fix_rtk_float", 5}, {"fix_rtk_fixed", 6}, {"fix_differential", 7},
 };
 static const struct mip_names names_gnss_fix_type = {
-    "gnss_fix_type", values_gnss_fix_type, NULL, 8, 1};
+    "gnss_fix_type", values_gnss_fix_type, NULL, 8, 1,
+};
 
 static const struct mip_named_value values_gnss_signal[] = {
-    {"unknown", 0},
-    {"gps_l1ca", 1},
-    {"gps_l1p", 2},
-    {"gps_l1z", 3},
-    {"gps_l2ca", 4},
-    {"gps_l2p", 5},
-    {"gps_l2z", 6},
-    {"gps_l2cl", 7},
-    {"gps_l2cm", 8},
-    {"gps_l2cml", 9},
-    {"gps_l5i", 10},
-    {"gps_l5q", 11},
-    {"gps_l5iq", 12},
-    {"gps_l1cd", 13},
-    {"gps_l1cp", 14},
-    {"gps_l1cdp", 15},
-    {"glonass_g1ca", 32},
-    {"glonass_g1p", 33},
-    {"glonass_g2c", 34},
-    {"glonass_g2p", 35},
-    {"galileo_e1c", 64},
-    {"galileo_e1a", 65},
-    {"galileo_e1b", 66},
-    {"galileo_e1bc", 67},
-    {"galileo_e1abc", 68},
-    {"galileo_e6c", 69},
-    {"galileo_e6a", 70},
-    {"galileo_e6b", 71},
-    {"galileo_e6bc", 72},
-    {"galileo_e6abc", 73},
-    {"galileo_e5bi", 74},
-    {"galileo_e5bq", 75},
-    {"galileo_e5biq", 76},
-    {"galileo_e5abi", 77},
-    {"galileo_e5abq", 78},
-    {"galileo_e5abiq", 79},
-    {"galileo_e5ai", 80},
-    {"galileo_e5aq", 81},
-    {"galileo_e5aiq", 82},
-    {"sbas_l1ca", 96},
-    {"sbas_l5i", 97},
-    {"sbas_l5q", 98},
-    {"sbas_l5iq", 99},
-    {"qzss_l1ca", 128},
-    {"qzss_lexs", 129},
-    {"qzss_lexl", 130},
-    {"qzss_lexsl", 131},
-    {"qzss_l2cm", 132},
-    {"qzss_l2cl", 133},
-    {"qzss_l2cml", 134},
-    {"qzss_l5i", 135},
-    {"qzss_l5q", 136},
-    {"qzss_l5iq", 137},
-    {"qzss_l1cd", 138},
-    {"qzss_l1cp", 139},
-    {"qzss_l1cdp", 140},
-    {"beidou_b1i", 160},
-    {"beidou_b1q", 161},
-    {"beidou_b1iq", 162},
-    {"beidou_b3i", 163},
-    {"beidou_b3q", 164},
-    {"beidou_b3iq", 165},
-    {"beidou_b2i", 166},
-    {"beidou_b2q", 167},
-    {"beidou_b2iq", 168},
-    {"beidou_b2a", 169},
+    {"unknown", 0},        {"gps_l1ca", 1},       {"gps_l1p", 2},        {"gps_l1z", 3},
+    {"gps_l2ca", 4},       {"gps_l2p", 5},        {"gps_l2z", 6},        {"gps_l2cl", 7},
+    {"gps_l2cm", 8},       {"gps_l2cml", 9},      {"gps_l5i", 10},       {"gps_l5q", 11},
+    {"gps_l5iq", 12},      {"gps_l1cd", 13},      {"gps_l1cp", 14},      {"gps_l1cdp", 15},
+    {"glonass_g1ca", 32},  {"glonass_g1p", 33},   {"glonass_g2c", 34},   {"glonass_g2p", 35},
+    {"galileo_e1c", 64},   {"galileo_e1a", 65},   {"galileo_e1b", 66},   {"galileo_e1bc", 67},
+    {"galileo_e1abc", 68}, {"galileo_e6c", 69},   {"galileo_e6a", 70},   {"galileo_e6b", 71},
+    {"galileo_e6bc", 72},  {"galileo_e6abc", 73}, {"galileo_e5bi", 74},  {"galileo_e5bq", 75},
+    {"galileo_e5biq", 76}, {"galileo_e5abi", 77}, {"galileo_e5abq", 78}, {"galileo_e5abiq", 79},
+    {"galileo_e5ai", 80},  {"galileo_e5aq", 81},  {"galileo_e5aiq", 82}, {"sbas_l1ca", 96},
+    {"sbas_l5i", 97},      {"sbas_l5q", 98},      {"sbas_l5iq", 99},     {"qzss_l1ca", 128},
+    {"qzss_lexs", 129},    {"qzss_lexl", 130},    {"qzss_lexsl", 131},   {"qzss_l2cm", 132},
+    {"qzss_l2cl", 133},    {"qzss_l2cml", 134},   {"qzss_l5i", 135},     {"qzss_l5q", 136},
+    {"qzss_l5iq", 137},    {"qzss_l1cd", 138},    {"qzss_l1cp", 139},    {"qzss_l1cdp", 140},
+    {"beidou_b1i", 160},   {"beidou_b1q", 161},   {"beidou_b1iq", 162},  {"beidou_b3i", 163},
+    {"beidou_b3q", 164},   {"beidou_b3iq", 165},  {"beidou_b2i", 166},   {"beidou_b2q", 167},
+    {"beidou_b2iq", 168},  {"beidou_b2a", 169},
 };
 static const struct mip_names names_gnss_signal = {
-    "gnss_signal", values_gnss_signal, NULL, 66, 1};
+    "gnss_signal", values_gnss_signal, NULL, 66, 1,
+};
 
 static const struct mip_named_value values_gpio_feature[] = {
-    {"unused", 0},
-    {"gpio", 1},
-    {"pps", 2},
-    {"encoder", 3},
-    {"timestamp", 4},
-    {"uart", 5},
+    {"unused", 0}, {"gpio", 1}, {"pps", 2}, {"encoder", 3}, {"timestamp", 4}, {"uart", 5},
 };
 static const struct mip_names names_gpio_feature = {
-    "gpio_feature", values_gpio_feature, NULL, 6, 1};
+    "gpio_feature", values_gpio_feature, NULL, 6, 1,
+};
 
 static const struct mip_named_value values_gpio_unused_behavior[] = {
     {"unused", 0},
 };
 static const struct mip_names names_gpio_unused_behavior = {
-    "gpio_unused_behavior", values_gpio_unused_behavior, NULL, 1, 1};
+    "gpio_unused_behavior", values_gpio_unused_behavior, NULL, 1, 1,
+};
 
 static const struct mip_named_value values_gpio_behavior[] = {
     {"input", 1},
@@ -290,21 +232,24 @@ static const struct mip_named_value values_gpio_behavior[] = {
     {"output_high", 3},
 };
 static const struct mip_names names_gpio_behavior = {
-    "gpio_behavior", values_gpio_behavior, NULL, 3, 1};
+    "gpio_behavior", values_gpio_behavior, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_gpio_pps_behavior[] = {
     {"input", 1},
     {"output", 2},
 };
 static const struct mip_names names_gpio_pps_behavior = {
-    "gpio_pps_behavior", values_gpio_pps_behavior, NULL, 2, 1};
+    "gpio_pps_behavior", values_gpio_pps_behavior, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_gpio_encoder_behavior[] = {
     {"a", 1},
     {"b", 2},
 };
 static const struct mip_names names_gpio_encoder_behavior = {
-    "gpio_encoder_behavior", values_gpio_encoder_behavior, NULL, 2, 1};
+    "gpio_encoder_behavior", values_gpio_encoder_behavior, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_gpio_timestamp_behavior[] = {
     {"rising", 1},
@@ -312,7 +257,8 @@ static const struct mip_named_value values_gpio_timestamp_behavior[] = {
     {"either", 3},
 };
 static const struct mip_names names_gpio_timestamp_behavior = {
-    "gpio_timestamp_behavior", values_gpio_timestamp_behavior, NULL, 3, 1};
+    "gpio_timestamp_behavior", values_gpio_timestamp_behavior, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_gpio_uart_behavior[] = {
     {"port_2_tx", 33},
@@ -321,7 +267,8 @@ static const struct mip_named_value values_gpio_uart_behavior[] = {
     {"port_3_rx", 50},
 };
 static const struct mip_names names_gpio_uart_behavior = {
-    "gpio_uart_behavior", values_gpio_uart_behavior, NULL, 4, 1};
+    "gpio_uart_behavior", values_gpio_uart_behavior, NULL, 4, 1,
+};
 
 static const struct mip_named_bits bits_gpio_pin_mode[] = {
     {"open_drain", 0, 1, NULL},
@@ -329,32 +276,23 @@ static const struct mip_named_bits bits_gpio_pin_mode[] = {
     {"pullup", 2, 1, NULL},
 };
 static const struct mip_names names_gpio_pin_mode = {
-    "gpio_pin_mode", NULL, bits_gpio_pin_mode, 3, 1};
+    "gpio_pin_mode", NULL, bits_gpio_pin_mode, 3, 1,
+};
 
 static const struct mip_named_value values_nmea_message_id[] = {
-    {"gga", 1},
-    {"gll", 2},
-    {"gsv", 3},
-    {"rmc", 4},
-    {"vtg", 5},
-    {"hdt", 6},
-    {"zda", 7},
-    {"gst", 8},
-    {"msra", 129},
-    {"msrr", 130},
+    {"gga", 1}, {"gll", 2}, {"gsv", 3}, {"rmc", 4},    {"vtg", 5},
+    {"hdt", 6}, {"zda", 7}, {"gst", 8}, {"msra", 129}, {"msrr", 130},
 };
 static const struct mip_names names_nmea_message_id = {
-    "nmea_message_id", values_nmea_message_id, NULL, 10, 1};
+    "nmea_message_id", values_nmea_message_id, NULL, 10, 1,
+};
 
 static const struct mip_named_value values_nmea_talker_id[] = {
-    {"ignored", 0},
-    {"gnss", 1},
-    {"gps", 2},
-    {"galileo", 3},
-    {"glonass", 4},
+    {"ignored", 0}, {"gnss", 1}, {"gps", 2}, {"galileo", 3}, {"glonass", 4},
 };
 static const struct mip_names names_nmea_talker_id = {
-    "nmea_talker_id", values_nmea_talker_id, NULL, 5, 1};
+    "nmea_talker_id", values_nmea_talker_id, NULL, 5, 1,
+};
 
 static const struct mip_named_bits bits_rtk_status_flags[] = {
     {"modem_state", 0, 4, NULL},
@@ -370,7 +308,8 @@ static const struct mip_named_bits bits_rtk_status_flags[] = {
     {"version", 30, 2, NULL},
 };
 static const struct mip_names names_rtk_status_flags = {
-    "rtk_status_flags", NULL, bits_rtk_status_flags, 11, 4};
+    "rtk_status_flags", NULL, bits_rtk_status_flags, 11, 4,
+};
 
 static const struct mip_named_bits bits_rtk_status_flags_legacy[] = {
     {"controller_state", 0, 3, NULL},
@@ -385,7 +324,8 @@ static const struct mip_named_bits bits_rtk_status_flags_legacy[] = {
     {"sinr", 30, 2, NULL},
 };
 static const struct mip_names names_rtk_status_flags_legacy = {
-    "rtk_status_flags_legacy", NULL, bits_rtk_status_flags_legacy, 10, 4};
+    "rtk_status_flags_legacy", NULL, bits_rtk_status_flags_legacy, 10, 4,
+};
 
 static const struct mip_named_value values_ack_code[] = {
     {"ok", 0},
@@ -397,17 +337,16 @@ static const struct mip_named_value values_ack_code[] = {
     {"unknown_descriptor_set", 6},
 };
 static const struct mip_names names_ack_code = {
-    "ack_code", values_ack_code, NULL, 7, 1};
+    "ack_code", values_ack_code, NULL, 7, 1,
+};
 
 static const struct mip_named_bits bits_sensor_gps_timestamp_flags[] = {
-    {"pps_valid", 0, 1, NULL},
-    {"time_refresh", 1, 1, NULL},
-    {"time_initialized", 2, 1, NULL},
-    {"tow_valid", 3, 1, NULL},
-    {"week_number_valid", 4, 1, NULL},
+    {"pps_valid", 0, 1, NULL}, {"time_refresh", 1, 1, NULL},      {"time_initialized", 2, 1, NULL},
+    {"tow_valid", 3, 1, NULL}, {"week_number_valid", 4, 1, NULL},
 };
 static const struct mip_names names_sensor_gps_timestamp_flags = {
-    "sensor_gps_timestamp_flags", NULL, bits_sensor_gps_timestamp_flags, 5, 2};
+    "sensor_gps_timestamp_flags", NULL, bits_sensor_gps_timestamp_flags, 5, 2,
+};
 
 static const struct mip_named_bits bits_gx5_sensor_gps_timestamp_flags[] = {
     {"pps_valid", 0, 1, NULL},
@@ -415,14 +354,16 @@ static const struct mip_named_bits bits_gx5_sensor_gps_timestamp_flags[] = {
     {"time_initialized", 2, 1, NULL},
 };
 static const struct mip_names names_gx5_sensor_gps_timestamp_flags = {
-    "gx5_sensor_gps_timestamp_flags", NULL, bits_gx5_sensor_gps_timestamp_flags, 3, 2};
+    "gx5_sensor_gps_timestamp_flags", NULL, bits_gx5_sensor_gps_timestamp_flags, 3, 2,
+};
 
 static const struct mip_named_value values_base_gps_time_field[] = {
     {"week_number", 1},
     {"tow", 2},
 };
 static const struct mip_names names_base_gps_time_field = {
-    "base.gps_time_field", values_base_gps_time_field, NULL, 2, 1};
+    "base.gps_time_field", values_base_gps_time_field, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_3dm_factory_streaming_action[] = {
     {"overwrite", 0},
@@ -430,7 +371,77 @@ static const struct mip_named_value values_3dm_factory_streaming_action[] = {
     {"add", 2},
 };
 static const struct mip_names names_3dm_factory_streaming_action = {
-    "3dm.factory_streaming_action", values_3dm_factory_streaming_action, NULL, 3, 1};
+    "3dm.factory_streaming_action", values_3dm_factory_streaming_action, NULL, 3, 1,
+};
+
+static const struct mip_named_value values_3dm_constellation_id[] = {
+    {"gps", 0}, {"sbas", 1}, {"galileo", 2}, {"beidou", 3}, {"qzss", 5}, {"glonass", 6},
+};
+static const struct mip_names names_3dm_constellation_id = {
+    "3dm.constellation_id", values_3dm_constellation_id, NULL, 6, 1,
+};
+
+static const struct mip_named_bits bits_3dm_constellation_options[] = {
+    {"l1saif", 0, 1, NULL},
+};
+static const struct mip_names names_3dm_constellation_options = {
+    "3dm.constellation_options", NULL, bits_3dm_constellation_options, 1, 2,
+};
+
+static const struct mip_named_bits bits_3dm_sbas_options[] = {
+    {"enable_ranging", 0, 1, NULL},
+    {"enable_corrections", 1, 1, NULL},
+    {"apply_integrity", 2, 1, NULL},
+};
+static const struct mip_names names_3dm_sbas_options = {
+    "3dm.sbas_options", NULL, bits_3dm_sbas_options, 3, 2,
+};
+
+static const struct mip_named_value values_3dm_assisted_fix_option[] = {
+    {"none", 0},
+    {"enabled", 1},
+};
+static const struct mip_names names_3dm_assisted_fix_option = {
+    "3dm.assisted_fix_option", values_3dm_assisted_fix_option, NULL, 2, 1,
+};
+
+static const struct mip_named_value values_3dm_pps_source[] = {
+    {"disabled", 0}, {"receiver_1", 1}, {"receiver_2", 2}, {"gpio", 3}, {"generated", 4},
+};
+static const struct mip_names names_3dm_pps_source = {
+    "3dm.pps_source", values_3dm_pps_source, NULL, 5, 1,
+};
+
+static const struct mip_named_value values_3dm_event_support_query[] = {
+    {"trigger_types", 1},
+    {"action_types", 2},
+};
+static const struct mip_names names_3dm_event_support_query = {
+    "3dm.event_support_query", values_3dm_event_support_query, NULL, 2, 1,
+};
+
+static const struct mip_named_value values_3dm_odometer_mode[] = {
+    {"disabled", 0},
+    {"quadrature", 2},
+};
+static const struct mip_names names_3dm_odometer_mode = {
+    "3dm.odometer_mode", values_3dm_odometer_mode, NULL, 2, 1,
+};
+
+static const struct mip_named_value values_3dm_sensor_range_type[] = {
+    {"all", 0}, {"accel", 1}, {"gyro", 2}, {"mag", 3}, {"pressure", 4},
+};
+static const struct mip_names names_3dm_sensor_range_type = {
+    "3dm.sensor_range_type", values_3dm_sensor_range_type, NULL, 5, 1,
+};
+
+static const struct mip_named_value values_3dm_device_status_selector[] = {
+    {"basic", 1},
+    {"diagnostic", 2},
+};
+static const struct mip_names names_3dm_device_status_selector = {
+    "3dm.device_status_selector", values_3dm_device_status_selector, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_3dm_legacy_data_stream[] = {
     {"all_streams", 0},
@@ -439,80 +450,8 @@ static const struct mip_named_value values_3dm_legacy_data_stream[] = {
     {"filter", 3},
 };
 static const struct mip_names names_3dm_legacy_data_stream = {
-    "3dm.legacy_data_stream", values_3dm_legacy_data_stream, NULL, 4, 1};
-
-static const struct mip_named_value values_3dm_constellation_id[] = {
-    {"gps", 0},
-    {"sbas", 1},
-    {"galileo", 2},
-    {"beidou", 3},
-    {"qzss", 5},
-    {"glonass", 6},
+    "3dm.legacy_data_stream", values_3dm_legacy_data_stream, NULL, 4, 1,
 };
-static const struct mip_names names_3dm_constellation_id = {
-    "3dm.constellation_id", values_3dm_constellation_id, NULL, 6, 1};
-
-static const struct mip_named_bits bits_3dm_constellation_options[] = {
-    {"l1saif", 0, 1, NULL},
-};
-static const struct mip_names names_3dm_constellation_options = {
-    "3dm.constellation_options", NULL, bits_3dm_constellation_options, 1, 2};
-
-static const struct mip_named_bits bits_3dm_sbas_options[] = {
-    {"enable_ranging", 0, 1, NULL},
-    {"enable_corrections", 1, 1, NULL},
-    {"apply_integrity", 2, 1, NULL},
-};
-static const struct mip_names names_3dm_sbas_options = {
-    "3dm.sbas_options", NULL, bits_3dm_sbas_options, 3, 2};
-
-static const struct mip_named_value values_3dm_assisted_fix_option[] = {
-    {"none", 0},
-    {"enabled", 1},
-};
-static const struct mip_names names_3dm_assisted_fix_option = {
-    "3dm.assisted_fix_option", values_3dm_assisted_fix_option, NULL, 2, 1};
-
-static const struct mip_named_value values_3dm_pps_source[] = {
-    {"disabled", 0},
-    {"receiver_1", 1},
-    {"receiver_2", 2},
-    {"gpio", 3},
-    {"generated", 4},
-};
-static const struct mip_names names_3dm_pps_source = {
-    "3dm.pps_source", values_3dm_pps_source, NULL, 5, 1};
-
-static const struct mip_named_value values_3dm_event_support_query[] = {
-    {"trigger_types", 1},
-    {"action_types", 2},
-};
-static const struct mip_names names_3dm_event_support_query = {
-    "3dm.event_support_query", values_3dm_event_support_query, NULL, 2, 1};
-
-static const struct mip_named_value values_3dm_odometer_mode[] = {
-    {"disabled", 0},
-    {"quadrature", 2},
-};
-static const struct mip_names names_3dm_odometer_mode = {
-    "3dm.odometer_mode", values_3dm_odometer_mode, NULL, 2, 1};
-
-static const struct mip_named_value values_3dm_sensor_range_type[] = {
-    {"all", 0},
-    {"accel", 1},
-    {"gyro", 2},
-    {"mag", 3},
-    {"pressure", 4},
-};
-static const struct mip_names names_3dm_sensor_range_type = {
-    "3dm.sensor_range_type", values_3dm_sensor_range_type, NULL, 5, 1};
-
-static const struct mip_named_value values_3dm_device_status_selector[] = {
-    {"basic", 1},
-    {"diagnostic", 2},
-};
-static const struct mip_names names_3dm_device_status_selector = {
-    "3dm.device_status_selector", values_3dm_device_status_selector, NULL, 2, 1};
 
 static const struct mip_named_value values_filter_dynamics_mode[] = {
     {"portable", 1},
@@ -521,13 +460,15 @@ static const struct mip_named_value values_filter_dynamics_mode[] = {
     {"airborne_high_g", 4},
 };
 static const struct mip_names names_filter_dynamics_mode = {
-    "filter.dynamics_mode", values_filter_dynamics_mode, NULL, 4, 1};
+    "filter.dynamics_mode", values_filter_dynamics_mode, NULL, 4, 1,
+};
 
 static const struct mip_named_bits bits_filter_estimated_states[] = {
     {"gyro_bias", 0, 1, NULL},
 };
 static const struct mip_names names_filter_estimated_states = {
-    "filter.estimated_states", NULL, bits_filter_estimated_states, 1, 2};
+    "filter.estimated_states", NULL, bits_filter_estimated_states, 1, 2,
+};
 
 static const struct mip_named_value values_filter_gnss_aiding_source[] = {
     {"all_internal", 1},
@@ -536,21 +477,24 @@ static const struct mip_named_value values_filter_gnss_aiding_source[] = {
     {"internal_2", 4},
 };
 static const struct mip_names names_filter_gnss_aiding_source = {
-    "filter.gnss_aiding_source", values_filter_gnss_aiding_source, NULL, 4, 1};
+    "filter.gnss_aiding_source", values_filter_gnss_aiding_source, NULL, 4, 1,
+};
 
 static const struct mip_named_value values_filter_heading_type[] = {
     {"true_heading", 1},
     {"magnetic_heading", 2},
 };
 static const struct mip_names names_filter_heading_type = {
-    "filter.heading_type", values_filter_heading_type, NULL, 2, 1};
+    "filter.heading_type", values_filter_heading_type, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_filter_heading_update_source[] = {
     {"none", 0},
     {"external", 3},
 };
 static const struct mip_names names_filter_heading_update_source = {
-    "filter.heading_update_source", values_filter_heading_update_source, NULL, 2, 1};
+    "filter.heading_update_source", values_filter_heading_update_source, NULL, 2, 1,
+};
 
 static const struct mip_named_bits bits_filter_tare_axes[] = {
     {"roll", 0, 1, NULL},
@@ -558,14 +502,16 @@ static const struct mip_named_bits bits_filter_tare_axes[] = {
     {"yaw", 2, 1, NULL},
 };
 static const struct mip_names names_filter_tare_axes = {
-    "filter.tare_axes", NULL, bits_filter_tare_axes, 3, 1};
+    "filter.tare_axes", NULL, bits_filter_tare_axes, 3, 1,
+};
 
 static const struct mip_named_bits bits_filter_measurement_flags[] = {
     {"accel", 0, 1, NULL},
     {"mag", 1, 1, NULL},
 };
 static const struct mip_names names_filter_measurement_flags = {
-    "filter.measurement_flags", NULL, bits_filter_measurement_flags, 2, 2};
+    "filter.measurement_flags", NULL, bits_filter_measurement_flags, 2, 2,
+};
 
 static const struct mip_named_value values_filter_mag_parameter_source[] = {
     {"none", 1},
@@ -573,7 +519,8 @@ static const struct mip_named_value values_filter_mag_parameter_source[] = {
     {"manual", 3},
 };
 static const struct mip_names names_filter_mag_parameter_source = {
-    "filter.mag_parameter_source", values_filter_mag_parameter_source, NULL, 3, 1};
+    "filter.mag_parameter_source", values_filter_mag_parameter_source, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_filter_adaptive_measurement_selector[] = {
     {"disabled", 0},
@@ -581,22 +528,24 @@ static const struct mip_named_value values_filter_adaptive_measurement_selector[
     {"auto", 2},
 };
 static const struct mip_names names_filter_adaptive_measurement_selector = {
-    "filter.adaptive_measurement_selector", values_filter_adaptive_measurement_selector, NULL, 3,
-    1};
+    "filter.adaptive_measurement_selector", values_filter_adaptive_measurement_selector, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_filter_altitude_aiding_source[] = {
     {"none", 0},
     {"pressure", 1},
 };
 static const struct mip_names names_filter_altitude_aiding_source = {
-    "filter.altitude_aiding_source", values_filter_altitude_aiding_source, NULL, 2, 1};
+    "filter.altitude_aiding_source", values_filter_altitude_aiding_source, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_filter_pitch_roll_aiding_source[] = {
     {"none", 0},
     {"gravity_vector", 1},
 };
 static const struct mip_names names_filter_pitch_roll_aiding_source = {
-    "filter.pitch_roll_aiding_source", values_filter_pitch_roll_aiding_source, NULL, 2, 1};
+    "filter.pitch_roll_aiding_source", values_filter_pitch_roll_aiding_source, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_filter_aiding_source[] = {
     {"gnss_position_velocity", 0},
@@ -611,14 +560,16 @@ static const struct mip_named_value values_filter_aiding_source[] = {
     {"all", 0xFFFF},
 };
 static const struct mip_names names_filter_aiding_source = {
-    "filter.aiding_source", values_filter_aiding_source, NULL, 10, 2};
+    "filter.aiding_source", values_filter_aiding_source, NULL, 10, 2,
+};
 
 static const struct mip_named_value values_filter_accel_constraint[] = {
     {"none", 0},
     {"zero_accel", 1},
 };
 static const struct mip_names names_filter_accel_constraint = {
-    "filter.accel_constraint", values_filter_accel_constraint, NULL, 2, 1};
+    "filter.accel_constraint", values_filter_accel_constraint, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_filter_velocity_constraint[] = {
     {"none", 0},
@@ -626,14 +577,16 @@ static const struct mip_named_value values_filter_velocity_constraint[] = {
     {"wheeled_vehicle", 2},
 };
 static const struct mip_names names_filter_velocity_constraint = {
-    "filter.velocity_constraint", values_filter_velocity_constraint, NULL, 3, 1};
+    "filter.velocity_constraint", values_filter_velocity_constraint, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_filter_angular_constraint[] = {
     {"none", 0},
     {"zero_angular_rate", 1},
 };
 static const struct mip_names names_filter_angular_constraint = {
-    "filter.angular_constraint", values_filter_angular_constraint, NULL, 2, 1};
+    "filter.angular_constraint", values_filter_angular_constraint, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_filter_initial_condition_source[] = {
     {"auto_position_velocity_attitude", 0},
@@ -642,7 +595,8 @@ static const struct mip_named_value values_filter_initial_condition_source[] = {
     {"manual", 3},
 };
 static const struct mip_names names_filter_initial_condition_source = {
-    "filter.initial_condition_source", values_filter_initial_condition_source, NULL, 4, 1};
+    "filter.initial_condition_source", values_filter_initial_condition_source, NULL, 4, 1,
+};
 
 static const struct mip_named_bits bits_filter_heading_alignment[] = {
     {"dual_antenna", 0, 1, NULL},
@@ -651,14 +605,16 @@ static const struct mip_named_bits bits_filter_heading_alignment[] = {
     {"external", 3, 1, NULL},
 };
 static const struct mip_names names_filter_heading_alignment = {
-    "filter.heading_alignment", NULL, bits_filter_heading_alignment, 4, 1};
+    "filter.heading_alignment", NULL, bits_filter_heading_alignment, 4, 1,
+};
 
 static const struct mip_named_value values_filter_reference_frame[] = {
     {"ecef", 1},
     {"llh", 2},
 };
 static const struct mip_names names_filter_reference_frame = {
-    "filter.reference_frame", values_filter_reference_frame, NULL, 2, 1};
+    "filter.reference_frame", values_filter_reference_frame, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_filter_adaptive_level[] = {
     {"off", 0},
@@ -667,20 +623,23 @@ static const struct mip_named_value values_filter_adaptive_level[] = {
     {"aggressive", 3},
 };
 static const struct mip_names names_filter_adaptive_level = {
-    "filter.adaptive_level", values_filter_adaptive_level, NULL, 4, 1};
+    "filter.adaptive_level", values_filter_adaptive_level, NULL, 4, 1,
+};
 
 static const struct mip_named_value values_filter_relative_position_source[] = {
     {"auto", 0},
     {"manual", 1},
 };
 static const struct mip_names names_filter_relative_position_source = {
-    "filter.relative_position_source", values_filter_relative_position_source, NULL, 2, 1};
+    "filter.relative_position_source", values_filter_relative_position_source, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_filter_reference_point[] = {
     {"vehicle", 1},
 };
 static const struct mip_names names_filter_reference_point = {
-    "filter.reference_point", values_filter_reference_point, NULL, 1, 1};
+    "filter.reference_point", values_filter_reference_point, NULL, 1, 1,
+};
 
 static const struct mip_named_bits bits_gnss_gps_signals[] = {
     {"l1ca", 0, 1, NULL},
@@ -688,14 +647,16 @@ static const struct mip_named_bits bits_gnss_gps_signals[] = {
     {"l5", 2, 1, NULL},
 };
 static const struct mip_names names_gnss_gps_signals = {
-    "gnss.gps_signals", NULL, bits_gnss_gps_signals, 3, 1};
+    "gnss.gps_signals", NULL, bits_gnss_gps_signals, 3, 1,
+};
 
 static const struct mip_named_bits bits_gnss_glonass_signals[] = {
     {"l1of", 0, 1, NULL},
     {"l2of", 1, 1, NULL},
 };
 static const struct mip_names names_gnss_glonass_signals = {
-    "gnss.glonass_signals", NULL, bits_gnss_glonass_signals, 2, 1};
+    "gnss.glonass_signals", NULL, bits_gnss_glonass_signals, 2, 1,
+};
 
 static const struct mip_named_bits bits_gnss_galileo_signals[] = {
     {"e1", 0, 1, NULL},
@@ -703,7 +664,8 @@ static const struct mip_named_bits bits_gnss_galileo_signals[] = {
     {"e5a", 2, 1, NULL},
 };
 static const struct mip_names names_gnss_galileo_signals = {
-    "gnss.galileo_signals", NULL, bits_gnss_galileo_signals, 3, 1};
+    "gnss.galileo_signals", NULL, bits_gnss_galileo_signals, 3, 1,
+};
 
 static const struct mip_named_bits bits_gnss_beidou_signals[] = {
     {"b1", 0, 1, NULL},
@@ -711,7 +673,8 @@ static const struct mip_named_bits bits_gnss_beidou_signals[] = {
     {"b2a", 2, 1, NULL},
 };
 static const struct mip_names names_gnss_beidou_signals = {
-    "gnss.beidou_signals", NULL, bits_gnss_beidou_signals, 3, 1};
+    "gnss.beidou_signals", NULL, bits_gnss_beidou_signals, 3, 1,
+};
 
 static const struct mip_named_value values_gnss_spartn_connection[] = {
     {"none", 0},
@@ -719,28 +682,32 @@ static const struct mip_named_value values_gnss_spartn_connection[] = {
     {"l_band", 2},
 };
 static const struct mip_names names_gnss_spartn_connection = {
-    "gnss.spartn_connection", values_gnss_spartn_connection, NULL, 3, 1};
+    "gnss.spartn_connection", values_gnss_spartn_connection, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_rtk_connected_device[] = {
     {"generic", 0},
     {"gq7", 1},
 };
 static const struct mip_names names_rtk_connected_device = {
-    "rtk.connected_device", values_rtk_connected_device, NULL, 2, 1};
+    "rtk.connected_device", values_rtk_connected_device, NULL, 2, 1,
+};
 
 static const struct mip_named_bits bits_rtk_service_flags[] = {
     {"throttle", 0, 1, NULL},
     {"corrections_unavailable", 1, 1, NULL},
 };
 static const struct mip_names names_rtk_service_flags = {
-    "rtk.service_flags", NULL, bits_rtk_service_flags, 2, 1};
+    "rtk.service_flags", NULL, bits_rtk_service_flags, 2, 1,
+};
 
 static const struct mip_named_value values_rtk_storage_medium[] = {
     {"external_flash", 0},
     {"sd", 1},
 };
 static const struct mip_names names_rtk_storage_medium = {
-    "rtk.storage_medium", values_rtk_storage_medium, NULL, 2, 1};
+    "rtk.storage_medium", values_rtk_storage_medium, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_rtk_led_action[] = {
     {"none", 0},
@@ -748,14 +715,16 @@ static const struct mip_named_value values_rtk_led_action[] = {
     {"pulsate", 2},
 };
 static const struct mip_names names_rtk_led_action = {
-    "rtk.led_action", values_rtk_led_action, NULL, 3, 1};
+    "rtk.led_action", values_rtk_led_action, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_aiding_frame_format[] = {
     {"euler", 1},
     {"quaternion", 2},
 };
 static const struct mip_names names_aiding_frame_format = {
-    "aiding.aiding_frame_format", values_aiding_frame_format, NULL, 2, 1};
+    "aiding.aiding_frame_format", values_aiding_frame_format, NULL, 2, 1,
+};
 
 static const struct mip_named_value values_aiding_echo_mode[] = {
     {"suppress_ack", 0},
@@ -763,7 +732,8 @@ static const struct mip_named_value values_aiding_echo_mode[] = {
     {"response", 2},
 };
 static const struct mip_names names_aiding_echo_mode = {
-    "aiding.aiding_echo_mode", values_aiding_echo_mode, NULL, 3, 1};
+    "aiding.aiding_echo_mode", values_aiding_echo_mode, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_aiding_timebase[] = {
     {"internal_reference", 1},
@@ -771,7 +741,8 @@ static const struct mip_named_value values_aiding_timebase[] = {
     {"time_of_arrival", 3},
 };
 static const struct mip_names names_aiding_timebase = {
-    "aiding.timebase", values_aiding_timebase, NULL, 3, 1};
+    "aiding.timebase", values_aiding_timebase, NULL, 3, 1,
+};
 
 static const struct mip_named_bits bits_aiding_axis_flags[] = {
     {"x", 0, 1, NULL},
@@ -779,7 +750,8 @@ static const struct mip_named_bits bits_aiding_axis_flags[] = {
     {"z", 2, 1, NULL},
 };
 static const struct mip_names names_aiding_axis_flags = {
-    "aiding.axis_flags", NULL, bits_aiding_axis_flags, 3, 2};
+    "aiding.axis_flags", NULL, bits_aiding_axis_flags, 3, 2,
+};
 
 static const struct mip_named_bits bits_aiding_llh_axis_flags[] = {
     {"latitude", 0, 1, NULL},
@@ -787,19 +759,16 @@ static const struct mip_named_bits bits_aiding_llh_axis_flags[] = {
     {"height", 2, 1, NULL},
 };
 static const struct mip_names names_aiding_llh_axis_flags = {
-    "aiding.llh_axis_flags", NULL, bits_aiding_llh_axis_flags, 3, 2};
+    "aiding.llh_axis_flags", NULL, bits_aiding_llh_axis_flags, 3, 2,
+};
 
 static const struct mip_named_value values_system_comm_interface[] = {
-    {"all", 0},
-    {"main", 1},
-    {"uart_1", 17},
-    {"uart_2", 18},
-    {"uart_3", 19},
-    {"usb_1", 33},
-    {"usb_2", 34},
+    {"all", 0},     {"main", 1},   {"uart_1", 17}, {"uart_2", 18},
+    {"uart_3", 19}, {"usb_1", 33}, {"usb_2", 34},
 };
 static const struct mip_names names_system_comm_interface = {
-    "system.comm_interface", values_system_comm_interface, NULL, 7, 1};
+    "system.comm_interface", values_system_comm_interface, NULL, 7, 1,
+};
 
 static const struct mip_named_bits bits_system_comm_protocols[] = {
     {"mip", 0, 1, NULL},
@@ -808,7 +777,8 @@ static const struct mip_named_bits bits_system_comm_protocols[] = {
     {"spartn", 24, 1, NULL},
 };
 static const struct mip_names names_system_comm_protocols = {
-    "system.comm_protocols", NULL, bits_system_comm_protocols, 4, 4};
+    "system.comm_protocols", NULL, bits_system_comm_protocols, 4, 4,
+};
 
 static const struct mip_named_value values_system_protocol_mode[] = {
     {"standard", 1},
@@ -816,34 +786,114 @@ static const struct mip_named_value values_system_protocol_mode[] = {
     {"gnss_direct", 3},
 };
 static const struct mip_names names_system_protocol_mode = {
-    "system.protocol_mode", values_system_protocol_mode, NULL, 3, 1};
+    "system.protocol_mode", values_system_protocol_mode, NULL, 3, 1,
+};
 
 static const struct mip_named_bits bits_sensor_overrange_flags[] = {
-    {"accel_x", 0, 1, NULL},
-    {"accel_y", 1, 1, NULL},
-    {"accel_z", 2, 1, NULL},
-    {"gyro_x", 4, 1, NULL},
-    {"gyro_y", 5, 1, NULL},
-    {"gyro_z", 6, 1, NULL},
-    {"mag_x", 8, 1, NULL},
-    {"mag_y", 9, 1, NULL},
-    {"mag_z", 10, 1, NULL},
+    {"accel_x", 0, 1, NULL},   {"accel_y", 1, 1, NULL}, {"accel_z", 2, 1, NULL},
+    {"gyro_x", 4, 1, NULL},    {"gyro_y", 5, 1, NULL},  {"gyro_z", 6, 1, NULL},
+    {"mag_x", 8, 1, NULL},     {"mag_y", 9, 1, NULL},   {"mag_z", 10, 1, NULL},
     {"pressure", 12, 1, NULL},
 };
 static const struct mip_names names_sensor_overrange_flags = {
-    "sensor.overrange_flags", NULL, bits_sensor_overrange_flags, 10, 2};
+    "sensor.overrange_flags", NULL, bits_sensor_overrange_flags, 10, 2,
+};
 
 static const struct mip_named_bits bits_sensor_odometer_flags[] = {
     {"odometer", 0, 1, NULL},
 };
 static const struct mip_names names_sensor_odometer_flags = {
-    "sensor.odometer_flags", NULL, bits_sensor_odometer_flags, 1, 2};
+    "sensor.odometer_flags", NULL, bits_sensor_odometer_flags, 1, 2,
+};
 
 static const struct mip_named_bits bits_filter_data_valid_flags[] = {
     {"valid", 0, 1, NULL},
 };
 static const struct mip_names names_filter_data_valid_flags = {
-    "filter_data.valid_flags", NULL, bits_filter_data_valid_flags, 1, 2};
+    "filter_data.valid_flags", NULL, bits_filter_data_valid_flags, 1, 2,
+};
+
+static const struct mip_named_bits bits_filter_data_heading_source_flags[] = {
+    {"external", 2, 1, NULL},
+};
+static const struct mip_names names_filter_data_heading_source_flags = {
+    "filter_data.heading_source_flags", NULL, bits_filter_data_heading_source_flags, 1, 2,
+};
+
+static const struct mip_named_bits bits_filter_data_gnss_aiding_status[] = {
+    {"tight_coupling", 0, 1, NULL}, {"differential", 1, 1, NULL}, {"integer_fix", 2, 1, NULL},
+    {"gps_l1", 3, 1, NULL},         {"gps_l2", 4, 1, NULL},       {"gps_l5", 5, 1, NULL},
+    {"glonass_l1", 6, 1, NULL},     {"glonass_l2", 7, 1, NULL},   {"galileo_e1", 8, 1, NULL},
+    {"galileo_e5", 9, 1, NULL},     {"galileo_e6", 10, 1, NULL},  {"beidou_b1", 11, 1, NULL},
+    {"beidou_b2", 12, 1, NULL},     {"beidou_b3", 13, 1, NULL},   {"no_fix", 14, 1, NULL},
+    {"config_error", 15, 1, NULL},
+};
+static const struct mip_names names_filter_data_gnss_aiding_status = {
+    "filter_data.gnss_aiding_status", NULL, bits_filter_data_gnss_aiding_status, 16, 2,
+};
+
+static const struct mip_named_value values_filter_data_heading_aiding_type[] = {
+    {"dual_antenna", 1},
+    {"external_message", 2},
+};
+static const struct mip_names names_filter_data_heading_aiding_type = {
+    "filter_data.heading_aiding_type", values_filter_data_heading_aiding_type, NULL, 2, 1,
+};
+
+static const struct mip_named_value values_filter_data_aiding_measurement_type[] = {
+    {"gnss", 1},
+    {"dual_antenna", 2},
+    {"heading", 3},
+    {"pressure", 4},
+    {"mag", 5},
+    {"speed", 6},
+    {"aiding_ecef_position", 33},
+    {"aiding_llh_position", 34},
+    {"aiding_height_above_ellipsoid", 35},
+    {"aiding_ecef_velocity", 40},
+    {"aiding_ned_velocity", 41},
+    {"aiding_body_frame_velocity", 42},
+    {"aiding_true_heading", 49},
+    {"aiding_magnetic_field", 50},
+    {"aiding_pressure", 51},
+};
+static const struct mip_names names_filter_data_aiding_measurement_type = {
+    "filter_data.aiding_measurement_type", values_filter_data_aiding_measurement_type, NULL, 15, 1,
+};
+
+static const struct mip_named_bits bits_filter_data_aiding_measurement_indicator[] = {
+    {"enabled", 0, 1, NULL},
+    {"used", 1, 1, NULL},
+    {"residual_high_warning", 2, 1, NULL},
+    {"sample_time_warning", 3, 1, NULL},
+    {"config_error", 4, 1, NULL},
+    {"max_measurements_exceeded", 5, 1, NULL},
+};
+static const struct mip_names names_filter_data_aiding_measurement_indicator = {
+    "filter_data.aiding_measurement_indicator",
+    NULL,
+    bits_filter_data_aiding_measurement_indicator,
+    6,
+    1,
+};
+
+static const struct mip_named_value values_filter_data_dual_antenna_fix_type[] = {
+    {"fix_none", 0},
+    {"fix_da_float", 1},
+    {"fix_da_fixed", 2},
+};
+static const struct mip_names names_filter_data_dual_antenna_fix_type = {
+    "filter_data.dual_antenna_fix_type", values_filter_data_dual_antenna_fix_type, NULL, 3, 1,
+};
+
+static const struct mip_named_bits bits_filter_data_dual_antenna_status_flags[] = {
+    {"receiver_1_data_valid", 0, 1, NULL},
+    {"receiver_2_data_valid", 1, 1, NULL},
+    {"antenna_offsets_valid", 2, 1, NULL},
+};
+static const struct mip_names names_filter_data_dual_antenna_status_flags = {
+    "filter_data.dual_antenna_status_flags", NULL, bits_filter_data_dual_antenna_status_flags, 3, 2,
+};
 
 static const struct mip_named_value values_filter_data_gx5_filter_state[] = {
     {"startup", 0},
@@ -852,7 +902,8 @@ static const struct mip_named_value values_filter_data_gx5_filter_state[] = {
     {"run_solution_error", 3},
 };
 static const struct mip_names names_filter_data_gx5_filter_state = {
-    "filter_data.gx5_filter_state", values_filter_data_gx5_filter_state, NULL, 4, 2};
+    "filter_data.gx5_filter_state", values_filter_data_gx5_filter_state, NULL, 4, 2,
+};
 
 static const struct mip_named_value values_filter_data_cv7_filter_state[] = {
     {"init", 1},
@@ -861,7 +912,8 @@ static const struct mip_named_value values_filter_data_cv7_filter_state[] = {
     {"full_nav", 4},
 };
 static const struct mip_names names_filter_data_cv7_filter_state = {
-    "filter_data.cv7_filter_state", values_filter_data_cv7_filter_state, NULL, 4, 2};
+    "filter_data.cv7_filter_state", values_filter_data_cv7_filter_state, NULL, 4, 2,
+};
 
 static const struct mip_named_value values_filter_data_gx5_dynamics_mode[] = {
     {"portable", 1},
@@ -869,13 +921,15 @@ static const struct mip_named_value values_filter_data_gx5_dynamics_mode[] = {
     {"airborne", 3},
 };
 static const struct mip_names names_filter_data_gx5_dynamics_mode = {
-    "filter_data.gx5_dynamics_mode", values_filter_data_gx5_dynamics_mode, NULL, 3, 2};
+    "filter_data.gx5_dynamics_mode", values_filter_data_gx5_dynamics_mode, NULL, 3, 2,
+};
 
 static const struct mip_named_value values_filter_data_cv7_dynamics_mode[] = {
     {"default", 1},
 };
 static const struct mip_names names_filter_data_cv7_dynamics_mode = {
-    "filter_data.cv7_dynamics_mode", values_filter_data_cv7_dynamics_mode, NULL, 1, 2};
+    "filter_data.cv7_dynamics_mode", values_filter_data_cv7_dynamics_mode, NULL, 1, 2,
+};
 
 static const struct mip_named_bits bits_filter_data_gx5_status_flags[] = {
     {"run_imu_unavailable", 0, 1, NULL},
@@ -897,7 +951,8 @@ static const struct mip_named_bits bits_filter_data_gx5_status_flags[] = {
     {"init_no_position_velocity", 13, 1, NULL},
 };
 static const struct mip_names names_filter_data_gx5_status_flags = {
-    "filter_data.gx5_status_flags", NULL, bits_filter_data_gx5_status_flags, 17, 2};
+    "filter_data.gx5_status_flags", NULL, bits_filter_data_gx5_status_flags, 17, 2,
+};
 
 static const struct mip_named_value values_filter_data_filter_condition[] = {
     {"stable", 1},
@@ -905,7 +960,8 @@ static const struct mip_named_value values_filter_data_filter_condition[] = {
     {"unstable", 3},
 };
 static const struct mip_names names_filter_data_filter_condition = {
-    "filter_data.filter_condition", values_filter_data_filter_condition, NULL, 3, 1};
+    "filter_data.filter_condition", values_filter_data_filter_condition, NULL, 3, 1,
+};
 
 static const struct mip_named_bits bits_filter_data_cv7_status_flags[] = {
     {"filter_condition", 0, 2, &names_filter_data_filter_condition},
@@ -921,101 +977,17 @@ static const struct mip_named_bits bits_filter_data_cv7_status_flags[] = {
     {"solution_error", 12, 4, NULL},
 };
 static const struct mip_names names_filter_data_cv7_status_flags = {
-    "filter_data.cv7_status_flags", NULL, bits_filter_data_cv7_status_flags, 11, 2};
-
-static const struct mip_named_bits bits_filter_data_heading_source_flags[] = {
-    {"external", 2, 1, NULL},
+    "filter_data.cv7_status_flags", NULL, bits_filter_data_cv7_status_flags, 11, 2,
 };
-static const struct mip_names names_filter_data_heading_source_flags = {
-    "filter_data.heading_source_flags", NULL, bits_filter_data_heading_source_flags, 1, 2};
-
-static const struct mip_named_bits bits_filter_data_gnss_aiding_status[] = {
-    {"tight_coupling", 0, 1, NULL},
-    {"differential", 1, 1, NULL},
-    {"integer_fix", 2, 1, NULL},
-    {"gps_l1", 3, 1, NULL},
-    {"gps_l2", 4, 1, NULL},
-    {"gps_l5", 5, 1, NULL},
-    {"glonass_l1", 6, 1, NULL},
-    {"glonass_l2", 7, 1, NULL},
-    {"galileo_e1", 8, 1, NULL},
-    {"galileo_e5", 9, 1, NULL},
-    {"galileo_e6", 10, 1, NULL},
-    {"beidou_b1", 11, 1, NULL},
-    {"beidou_b2", 12, 1, NULL},
-    {"beidou_b3", 13, 1, NULL},
-    {"no_fix", 14, 1, NULL},
-    {"config_error", 15, 1, NULL},
-};
-static const struct mip_names names_filter_data_gnss_aiding_status = {
-    "filter_data.gnss_aiding_status", NULL, bits_filter_data_gnss_aiding_status, 16, 2};
-
-static const struct mip_named_value values_filter_data_heading_aiding_type[] = {
-    {"dual_antenna", 1},
-    {"external_message", 2},
-};
-static const struct mip_names names_filter_data_heading_aiding_type = {
-    "filter_data.heading_aiding_type", values_filter_data_heading_aiding_type, NULL, 2, 1};
-
-static const struct mip_named_value values_filter_data_aiding_measurement_type[] = {
-    {"gnss", 1},
-    {"dual_antenna", 2},
-    {"heading", 3},
-    {"pressure", 4},
-    {"mag", 5},
-    {"speed", 6},
-    {"aiding_ecef_position", 33},
-    {"aiding_llh_position", 34},
-    {"aiding_height_above_ellipsoid", 35},
-    {"aiding_ecef_velocity", 40},
-    {"aiding_ned_velocity", 41},
-    {"aiding_body_frame_velocity", 42},
-    {"aiding_true_heading", 49},
-    {"aiding_magnetic_field", 50},
-    {"aiding_pressure", 51},
-};
-static const struct mip_names names_filter_data_aiding_measurement_type = {
-    "filter_data.aiding_measurement_type", values_filter_data_aiding_measurement_type, NULL, 15, 1};
-
-static const struct mip_named_bits bits_filter_data_aiding_measurement_indicator[] = {
-    {"enabled", 0, 1, NULL},
-    {"used", 1, 1, NULL},
-    {"residual_high_warning", 2, 1, NULL},
-    {"sample_time_warning", 3, 1, NULL},
-    {"config_error", 4, 1, NULL},
-    {"max_measurements_exceeded", 5, 1, NULL},
-};
-static const struct mip_names names_filter_data_aiding_measurement_indicator = {
-    "filter_data.aiding_measurement_indicator", NULL, bits_filter_data_aiding_measurement_indicator,
-    6, 1};
-
-static const struct mip_named_value values_filter_data_dual_antenna_fix_type[] = {
-    {"fix_none", 0},
-    {"fix_da_float", 1},
-    {"fix_da_fixed", 2},
-};
-static const struct mip_names names_filter_data_dual_antenna_fix_type = {
-    "filter_data.dual_antenna_fix_type", values_filter_data_dual_antenna_fix_type, NULL, 3, 1};
-
-static const struct mip_named_bits bits_filter_data_dual_antenna_status_flags[] = {
-    {"receiver_1_data_valid", 0, 1, NULL},
-    {"receiver_2_data_valid", 1, 1, NULL},
-    {"antenna_offsets_valid", 2, 1, NULL},
-};
-static const struct mip_names names_filter_data_dual_antenna_status_flags = {
-    "filter_data.dual_antenna_status_flags", NULL, bits_filter_data_dual_antenna_status_flags, 3,
-    2};
 
 static const struct mip_named_bits bits_gnss_1_llh_position_flags[] = {
-    {"lat_lon", 0, 1, NULL},
-    {"ellipsoid_height", 1, 1, NULL},
-    {"msl_height", 2, 1, NULL},
-    {"horizontal_accuracy", 3, 1, NULL},
-    {"vertical_accuracy", 4, 1, NULL},
-    {"flags", 0, 5, NULL},
+    {"lat_lon", 0, 1, NULL},           {"ellipsoid_height", 1, 1, NULL},
+    {"msl_height", 2, 1, NULL},        {"horizontal_accuracy", 3, 1, NULL},
+    {"vertical_accuracy", 4, 1, NULL}, {"flags", 0, 5, NULL},
 };
 static const struct mip_names names_gnss_1_llh_position_flags = {
-    "gnss_1.llh_position_flags", NULL, bits_gnss_1_llh_position_flags, 6, 2};
+    "gnss_1.llh_position_flags", NULL, bits_gnss_1_llh_position_flags, 6, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_ecef_position_flags[] = {
     {"position", 0, 1, NULL},
@@ -1023,19 +995,17 @@ static const struct mip_named_bits bits_gnss_1_ecef_position_flags[] = {
     {"flags", 0, 2, NULL},
 };
 static const struct mip_names names_gnss_1_ecef_position_flags = {
-    "gnss_1.ecef_position_flags", NULL, bits_gnss_1_ecef_position_flags, 3, 2};
+    "gnss_1.ecef_position_flags", NULL, bits_gnss_1_ecef_position_flags, 3, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_ned_velocity_flags[] = {
-    {"velocity", 0, 1, NULL},
-    {"speed_3d", 1, 1, NULL},
-    {"ground_speed", 2, 1, NULL},
-    {"heading", 3, 1, NULL},
-    {"speed_accuracy", 4, 1, NULL},
-    {"heading_accuracy", 5, 1, NULL},
+    {"velocity", 0, 1, NULL}, {"speed_3d", 1, 1, NULL},       {"ground_speed", 2, 1, NULL},
+    {"heading", 3, 1, NULL},  {"speed_accuracy", 4, 1, NULL}, {"heading_accuracy", 5, 1, NULL},
     {"flags", 0, 6, NULL},
 };
 static const struct mip_names names_gnss_1_ned_velocity_flags = {
-    "gnss_1.ned_velocity_flags", NULL, bits_gnss_1_ned_velocity_flags, 7, 2};
+    "gnss_1.ned_velocity_flags", NULL, bits_gnss_1_ned_velocity_flags, 7, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_ecef_velocity_flags[] = {
     {"velocity", 0, 1, NULL},
@@ -1043,20 +1013,16 @@ static const struct mip_named_bits bits_gnss_1_ecef_velocity_flags[] = {
     {"flags", 0, 2, NULL},
 };
 static const struct mip_names names_gnss_1_ecef_velocity_flags = {
-    "gnss_1.ecef_velocity_flags", NULL, bits_gnss_1_ecef_velocity_flags, 3, 2};
+    "gnss_1.ecef_velocity_flags", NULL, bits_gnss_1_ecef_velocity_flags, 3, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_dop_flags[] = {
-    {"gdop", 0, 1, NULL},
-    {"pdop", 1, 1, NULL},
-    {"hdop", 2, 1, NULL},
-    {"vdop", 3, 1, NULL},
-    {"tdop", 4, 1, NULL},
-    {"ndop", 5, 1, NULL},
-    {"edop", 6, 1, NULL},
-    {"flags", 0, 7, NULL},
+    {"gdop", 0, 1, NULL}, {"pdop", 1, 1, NULL}, {"hdop", 2, 1, NULL}, {"vdop", 3, 1, NULL},
+    {"tdop", 4, 1, NULL}, {"ndop", 5, 1, NULL}, {"edop", 6, 1, NULL}, {"flags", 0, 7, NULL},
 };
 static const struct mip_names names_gnss_1_dop_flags = {
-    "gnss_1.dop_flags", NULL, bits_gnss_1_dop_flags, 8, 2};
+    "gnss_1.dop_flags", NULL, bits_gnss_1_dop_flags, 8, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_utc_time_flags[] = {
     {"gnss_date_time", 0, 1, NULL},
@@ -1064,7 +1030,8 @@ static const struct mip_named_bits bits_gnss_1_utc_time_flags[] = {
     {"flags", 0, 2, NULL},
 };
 static const struct mip_names names_gnss_1_utc_time_flags = {
-    "gnss_1.utc_time_flags", NULL, bits_gnss_1_utc_time_flags, 3, 2};
+    "gnss_1.utc_time_flags", NULL, bits_gnss_1_utc_time_flags, 3, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_gps_time_flags[] = {
     {"tow", 0, 1, NULL},
@@ -1072,7 +1039,8 @@ static const struct mip_named_bits bits_gnss_1_gps_time_flags[] = {
     {"flags", 0, 2, NULL},
 };
 static const struct mip_names names_gnss_1_gps_time_flags = {
-    "gnss_1.gps_time_flags", NULL, bits_gnss_1_gps_time_flags, 3, 2};
+    "gnss_1.gps_time_flags", NULL, bits_gnss_1_gps_time_flags, 3, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_clock_info_flags[] = {
     {"bias", 0, 1, NULL},
@@ -1081,14 +1049,16 @@ static const struct mip_named_bits bits_gnss_1_clock_info_flags[] = {
     {"flags", 0, 3, NULL},
 };
 static const struct mip_names names_gnss_1_clock_info_flags = {
-    "gnss_1.clock_info_flags", NULL, bits_gnss_1_clock_info_flags, 4, 2};
+    "gnss_1.clock_info_flags", NULL, bits_gnss_1_clock_info_flags, 4, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_fix_flags[] = {
     {"sbas_used", 0, 1, NULL},
     {"dgnss_used", 1, 1, NULL},
 };
 static const struct mip_names names_gnss_1_fix_flags = {
-    "gnss_1.fix_flags", NULL, bits_gnss_1_fix_flags, 2, 2};
+    "gnss_1.fix_flags", NULL, bits_gnss_1_fix_flags, 2, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_fix_info_flags[] = {
     {"fix_type", 0, 1, NULL},
@@ -1097,26 +1067,25 @@ static const struct mip_named_bits bits_gnss_1_fix_info_flags[] = {
     {"flags", 0, 3, NULL},
 };
 static const struct mip_names names_gnss_1_fix_info_flags = {
-    "gnss_1.fix_info_flags", NULL, bits_gnss_1_fix_info_flags, 4, 2};
+    "gnss_1.fix_info_flags", NULL, bits_gnss_1_fix_info_flags, 4, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_sv_flags[] = {
     {"used_for_navigation", 0, 1, NULL},
     {"healthy", 1, 1, NULL},
 };
 static const struct mip_names names_gnss_1_sv_flags = {
-    "gnss_1.sv_flags", NULL, bits_gnss_1_sv_flags, 2, 2};
+    "gnss_1.sv_flags", NULL, bits_gnss_1_sv_flags, 2, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_sv_info_flags[] = {
-    {"channel", 0, 1, NULL},
-    {"satellite_id", 1, 1, NULL},
-    {"carrier_noise_ratio", 2, 1, NULL},
-    {"azimuth", 3, 1, NULL},
-    {"elevation", 4, 1, NULL},
-    {"sv_flags", 5, 1, NULL},
+    {"channel", 0, 1, NULL}, {"satellite_id", 1, 1, NULL}, {"carrier_noise_ratio", 2, 1, NULL},
+    {"azimuth", 3, 1, NULL}, {"elevation", 4, 1, NULL},    {"sv_flags", 5, 1, NULL},
     {"flags", 0, 6, NULL},
 };
 static const struct mip_names names_gnss_1_sv_info_flags = {
-    "gnss_1.sv_info_flags", NULL, bits_gnss_1_sv_info_flags, 7, 2};
+    "gnss_1.sv_info_flags", NULL, bits_gnss_1_sv_info_flags, 7, 2,
+};
 
 static const struct mip_named_value values_gnss_1_receiver_state[] = {
     {"off", 0},
@@ -1124,17 +1093,15 @@ static const struct mip_named_value values_gnss_1_receiver_state[] = {
     {"unknown", 2},
 };
 static const struct mip_names names_gnss_1_receiver_state = {
-    "gnss_1.receiver_state", values_gnss_1_receiver_state, NULL, 3, 1};
+    "gnss_1.receiver_state", values_gnss_1_receiver_state, NULL, 3, 1,
+};
 
 static const struct mip_named_value values_gnss_1_antenna_state[] = {
-    {"init", 1},
-    {"short", 2},
-    {"open", 3},
-    {"good", 4},
-    {"unknown", 5},
+    {"init", 1}, {"short", 2}, {"open", 3}, {"good", 4}, {"unknown", 5},
 };
 static const struct mip_names names_gnss_1_antenna_state = {
-    "gnss_1.antenna_state", values_gnss_1_antenna_state, NULL, 5, 1};
+    "gnss_1.antenna_state", values_gnss_1_antenna_state, NULL, 5, 1,
+};
 
 static const struct mip_named_value values_gnss_1_antenna_power[] = {
     {"off", 0},
@@ -1142,7 +1109,8 @@ static const struct mip_named_value values_gnss_1_antenna_power[] = {
     {"unknown", 2},
 };
 static const struct mip_names names_gnss_1_antenna_power = {
-    "gnss_1.antenna_power", values_gnss_1_antenna_power, NULL, 3, 1};
+    "gnss_1.antenna_power", values_gnss_1_antenna_power, NULL, 3, 1,
+};
 
 static const struct mip_named_bits bits_gnss_1_hardware_status_flags[] = {
     {"sensor_state", 0, 1, NULL},
@@ -1151,7 +1119,8 @@ static const struct mip_named_bits bits_gnss_1_hardware_status_flags[] = {
     {"flags", 0, 3, NULL},
 };
 static const struct mip_names names_gnss_1_hardware_status_flags = {
-    "gnss_1.hardware_status_flags", NULL, bits_gnss_1_hardware_status_flags, 4, 2};
+    "gnss_1.hardware_status_flags", NULL, bits_gnss_1_hardware_status_flags, 4, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_dgps_info_flags[] = {
     {"age", 0, 1, NULL},
@@ -1161,43 +1130,38 @@ static const struct mip_named_bits bits_gnss_1_dgps_info_flags[] = {
     {"flags", 0, 4, NULL},
 };
 static const struct mip_names names_gnss_1_dgps_info_flags = {
-    "gnss_1.dgps_info_flags", NULL, bits_gnss_1_dgps_info_flags, 5, 2};
+    "gnss_1.dgps_info_flags", NULL, bits_gnss_1_dgps_info_flags, 5, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_dgps_channel_flags[] = {
-    {"satellite_id", 0, 1, NULL},
-    {"age", 1, 1, NULL},
-    {"range_correction", 2, 1, NULL},
-    {"range_rate_correction", 3, 1, NULL},
-    {"flags", 0, 4, NULL},
+    {"satellite_id", 0, 1, NULL},          {"age", 1, 1, NULL},   {"range_correction", 2, 1, NULL},
+    {"range_rate_correction", 3, 1, NULL}, {"flags", 0, 4, NULL},
 };
 static const struct mip_names names_gnss_1_dgps_channel_flags = {
-    "gnss_1.dgps_channel_flags", NULL, bits_gnss_1_dgps_channel_flags, 5, 2};
+    "gnss_1.dgps_channel_flags", NULL, bits_gnss_1_dgps_channel_flags, 5, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_clock_info_2_flags[] = {
-    {"bias", 0, 1, NULL},
-    {"drift", 1, 1, NULL},
-    {"bias_accuracy", 2, 1, NULL},
-    {"drift_accuracy", 3, 1, NULL},
-    {"flags", 0, 4, NULL},
+    {"bias", 0, 1, NULL},           {"drift", 1, 1, NULL}, {"bias_accuracy", 2, 1, NULL},
+    {"drift_accuracy", 3, 1, NULL}, {"flags", 0, 4, NULL},
 };
 static const struct mip_names names_gnss_1_clock_info_2_flags = {
-    "gnss_1.clock_info_2_flags", NULL, bits_gnss_1_clock_info_2_flags, 5, 2};
+    "gnss_1.clock_info_2_flags", NULL, bits_gnss_1_clock_info_2_flags, 5, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_gps_leap_seconds_flags[] = {
     {"leap_seconds", 1, 1, NULL},
 };
 static const struct mip_names names_gnss_1_gps_leap_seconds_flags = {
-    "gnss_1.gps_leap_seconds_flags", NULL, bits_gnss_1_gps_leap_seconds_flags, 1, 2};
+    "gnss_1.gps_leap_seconds_flags", NULL, bits_gnss_1_gps_leap_seconds_flags, 1, 2,
+};
 
 static const struct mip_named_value values_gnss_1_sbas_system[] = {
-    {"unknown", 0},
-    {"waas", 1},
-    {"egnos", 2},
-    {"msas", 3},
-    {"gagan", 4},
+    {"unknown", 0}, {"waas", 1}, {"egnos", 2}, {"msas", 3}, {"gagan", 4},
 };
 static const struct mip_names names_gnss_1_sbas_system = {
-    "gnss_1.sbas_system", values_gnss_1_sbas_system, NULL, 5, 1};
+    "gnss_1.sbas_system", values_gnss_1_sbas_system, NULL, 5, 1,
+};
 
 static const struct mip_named_bits bits_gnss_1_sbas_status[] = {
     {"range_available", 0, 1, NULL},
@@ -1206,19 +1170,17 @@ static const struct mip_named_bits bits_gnss_1_sbas_status[] = {
     {"test_mode", 3, 1, NULL},
 };
 static const struct mip_names names_gnss_1_sbas_status = {
-    "gnss_1.sbas_status", NULL, bits_gnss_1_sbas_status, 4, 1};
+    "gnss_1.sbas_status", NULL, bits_gnss_1_sbas_status, 4, 1,
+};
 
 static const struct mip_named_bits bits_gnss_1_sbas_info_flags[] = {
-    {"tow", 0, 1, NULL},
-    {"week_number", 1, 1, NULL},
-    {"sbas_system", 2, 1, NULL},
-    {"sbas_id", 3, 1, NULL},
-    {"count", 4, 1, NULL},
-    {"sbas_status", 5, 1, NULL},
+    {"tow", 0, 1, NULL},     {"week_number", 1, 1, NULL}, {"sbas_system", 2, 1, NULL},
+    {"sbas_id", 3, 1, NULL}, {"count", 4, 1, NULL},       {"sbas_status", 5, 1, NULL},
     {"flags", 0, 6, NULL},
 };
 static const struct mip_names names_gnss_1_sbas_info_flags = {
-    "gnss_1.sbas_info_flags", NULL, bits_gnss_1_sbas_info_flags, 7, 2};
+    "gnss_1.sbas_info_flags", NULL, bits_gnss_1_sbas_info_flags, 7, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_sbas_correction_flags[] = {
     {"udrei", 0, 1, NULL},
@@ -1227,7 +1189,8 @@ static const struct mip_named_bits bits_gnss_1_sbas_correction_flags[] = {
     {"flags", 0, 3, NULL},
 };
 static const struct mip_names names_gnss_1_sbas_correction_flags = {
-    "gnss_1.sbas_correction_flags", NULL, bits_gnss_1_sbas_correction_flags, 4, 2};
+    "gnss_1.sbas_correction_flags", NULL, bits_gnss_1_sbas_correction_flags, 4, 2,
+};
 
 static const struct mip_named_value values_gnss_1_rf_band[] = {
     {"unknown", 0},
@@ -1236,7 +1199,8 @@ static const struct mip_named_value values_gnss_1_rf_band[] = {
     {"l5", 5},
 };
 static const struct mip_names names_gnss_1_rf_band = {
-    "gnss_1.rf_band", values_gnss_1_rf_band, NULL, 4, 1};
+    "gnss_1.rf_band", values_gnss_1_rf_band, NULL, 4, 1,
+};
 
 static const struct mip_named_value values_gnss_1_jamming_state[] = {
     {"unknown", 0},
@@ -1245,7 +1209,8 @@ static const struct mip_named_value values_gnss_1_jamming_state[] = {
     {"significant", 3},
 };
 static const struct mip_names names_gnss_1_jamming_state = {
-    "gnss_1.jamming_state", values_gnss_1_jamming_state, NULL, 4, 1};
+    "gnss_1.jamming_state", values_gnss_1_jamming_state, NULL, 4, 1,
+};
 
 static const struct mip_named_value values_gnss_1_spoofing_state[] = {
     {"unknown", 0},
@@ -1254,7 +1219,8 @@ static const struct mip_named_value values_gnss_1_spoofing_state[] = {
     {"significant", 3},
 };
 static const struct mip_names names_gnss_1_spoofing_state = {
-    "gnss_1.spoofing_state", values_gnss_1_spoofing_state, NULL, 4, 1};
+    "gnss_1.spoofing_state", values_gnss_1_spoofing_state, NULL, 4, 1,
+};
 
 static const struct mip_named_bits bits_gnss_1_rf_error_detection_flags[] = {
     {"rf_band", 0, 1, NULL},
@@ -1263,31 +1229,25 @@ static const struct mip_named_bits bits_gnss_1_rf_error_detection_flags[] = {
     {"flags", 0, 3, NULL},
 };
 static const struct mip_names names_gnss_1_rf_error_detection_flags = {
-    "gnss_1.rf_error_detection_flags", NULL, bits_gnss_1_rf_error_detection_flags, 4, 2};
+    "gnss_1.rf_error_detection_flags", NULL, bits_gnss_1_rf_error_detection_flags, 4, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_satellite_status_flags[] = {
-    {"tow", 0, 1, NULL},
-    {"week_number", 1, 1, NULL},
-    {"gnss_id", 2, 1, NULL},
-    {"satellite_id", 3, 1, NULL},
-    {"elevation", 4, 1, NULL},
-    {"azimuth", 5, 1, NULL},
-    {"health", 6, 1, NULL},
-    {"flags", 0, 7, NULL},
+    {"tow", 0, 1, NULL},          {"week_number", 1, 1, NULL}, {"gnss_id", 2, 1, NULL},
+    {"satellite_id", 3, 1, NULL}, {"elevation", 4, 1, NULL},   {"azimuth", 5, 1, NULL},
+    {"health", 6, 1, NULL},       {"flags", 0, 7, NULL},
 };
 static const struct mip_names names_gnss_1_satellite_status_flags = {
-    "gnss_1.satellite_status_flags", NULL, bits_gnss_1_satellite_status_flags, 8, 2};
+    "gnss_1.satellite_status_flags", NULL, bits_gnss_1_satellite_status_flags, 8, 2,
+};
 
 static const struct mip_named_value values_gnss_1_signal_quality[] = {
-    {"none", 0},
-    {"searching", 1},
-    {"acquired", 2},
-    {"unusable", 3},
-    {"time_locked", 4},
-    {"fully_locked", 5},
+    {"none", 0},     {"searching", 1},   {"acquired", 2},
+    {"unusable", 3}, {"time_locked", 4}, {"fully_locked", 5},
 };
 static const struct mip_names names_gnss_1_signal_quality = {
-    "gnss_1.signal_quality", values_gnss_1_signal_quality, NULL, 6, 1};
+    "gnss_1.signal_quality", values_gnss_1_signal_quality, NULL, 6, 1,
+};
 
 static const struct mip_named_bits bits_gnss_1_raw_flags[] = {
     {"tow", 0, 1, NULL},
@@ -1309,7 +1269,8 @@ static const struct mip_named_bits bits_gnss_1_raw_flags[] = {
     {"flags", 0, 16, NULL},
 };
 static const struct mip_names names_gnss_1_raw_flags = {
-    "gnss_1.raw_flags", NULL, bits_gnss_1_raw_flags, 17, 2};
+    "gnss_1.raw_flags", NULL, bits_gnss_1_raw_flags, 17, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_base_station_indicators[] = {
     {"gps", 0, 1, NULL},
@@ -1323,19 +1284,17 @@ static const struct mip_named_bits bits_gnss_1_base_station_indicators[] = {
     {"quarter_cycle_bits", 6, 2, NULL},
 };
 static const struct mip_names names_gnss_1_base_station_indicators = {
-    "gnss_1.base_station_indicators", NULL, bits_gnss_1_base_station_indicators, 9, 2};
+    "gnss_1.base_station_indicators", NULL, bits_gnss_1_base_station_indicators, 9, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_base_station_info_flags[] = {
-    {"tow", 0, 1, NULL},
-    {"week_number", 1, 1, NULL},
-    {"ecef_position", 2, 1, NULL},
-    {"height", 3, 1, NULL},
-    {"station_id", 4, 1, NULL},
-    {"indicators", 5, 1, NULL},
+    {"tow", 0, 1, NULL},    {"week_number", 1, 1, NULL}, {"ecef_position", 2, 1, NULL},
+    {"height", 3, 1, NULL}, {"station_id", 4, 1, NULL},  {"indicators", 5, 1, NULL},
     {"flags", 0, 6, NULL},
 };
 static const struct mip_names names_gnss_1_base_station_info_flags = {
-    "gnss_1.base_station_info_flags", NULL, bits_gnss_1_base_station_info_flags, 7, 2};
+    "gnss_1.base_station_info_flags", NULL, bits_gnss_1_base_station_info_flags, 7, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_rtk_epoch_status[] = {
     {"antenna_location_received", 0, 1, NULL},
@@ -1349,7 +1308,8 @@ static const struct mip_named_bits bits_gnss_1_rtk_epoch_status[] = {
     {"dongle_status_read_failed", 8, 1, NULL},
 };
 static const struct mip_names names_gnss_1_rtk_epoch_status = {
-    "gnss_1.rtk_epoch_status", NULL, bits_gnss_1_rtk_epoch_status, 9, 2};
+    "gnss_1.rtk_epoch_status", NULL, bits_gnss_1_rtk_epoch_status, 9, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_rtk_corrections_status_flags[] = {
     {"tow", 0, 1, NULL},
@@ -1363,7 +1323,8 @@ static const struct mip_named_bits bits_gnss_1_rtk_corrections_status_flags[] = 
     {"flags", 0, 8, NULL},
 };
 static const struct mip_names names_gnss_1_rtk_corrections_status_flags = {
-    "gnss_1.rtk_corrections_status_flags", NULL, bits_gnss_1_rtk_corrections_status_flags, 9, 2};
+    "gnss_1.rtk_corrections_status_flags", NULL, bits_gnss_1_rtk_corrections_status_flags, 9, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_ephemeris_flags[] = {
     {"ephemeris", 0, 1, NULL},
@@ -1372,52 +1333,49 @@ static const struct mip_named_bits bits_gnss_1_ephemeris_flags[] = {
     {"flags", 0, 3, NULL},
 };
 static const struct mip_names names_gnss_1_ephemeris_flags = {
-    "gnss_1.ephemeris_flags", NULL, bits_gnss_1_ephemeris_flags, 4, 2};
+    "gnss_1.ephemeris_flags", NULL, bits_gnss_1_ephemeris_flags, 4, 2,
+};
 
 static const struct mip_named_value values_gnss_1_glonass_satellite_type[] = {
     {"glonass", 0},
     {"glonass_m", 1},
 };
 static const struct mip_names names_gnss_1_glonass_satellite_type = {
-    "gnss_1.glonass_satellite_type", values_gnss_1_glonass_satellite_type, NULL, 2, 1};
+    "gnss_1.glonass_satellite_type", values_gnss_1_glonass_satellite_type, NULL, 2, 1,
+};
 
 static const struct mip_named_bits bits_gnss_1_glonass_ephemeris_flags[] = {
     {"ephemeris", 0, 1, NULL},
     {"flags", 0, 1, NULL},
 };
 static const struct mip_names names_gnss_1_glonass_ephemeris_flags = {
-    "gnss_1.glonass_ephemeris_flags", NULL, bits_gnss_1_glonass_ephemeris_flags, 2, 2};
+    "gnss_1.glonass_ephemeris_flags", NULL, bits_gnss_1_glonass_ephemeris_flags, 2, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_gps_iono_correction_flags[] = {
-    {"tow", 0, 1, NULL},
-    {"week_number", 1, 1, NULL},
-    {"alpha", 2, 1, NULL},
-    {"beta", 3, 1, NULL},
-    {"flags", 0, 4, NULL},
+    {"tow", 0, 1, NULL},  {"week_number", 1, 1, NULL}, {"alpha", 2, 1, NULL},
+    {"beta", 3, 1, NULL}, {"flags", 0, 4, NULL},
 };
 static const struct mip_names names_gnss_1_gps_iono_correction_flags = {
-    "gnss_1.gps_iono_correction_flags", NULL, bits_gnss_1_gps_iono_correction_flags, 5, 2};
+    "gnss_1.gps_iono_correction_flags", NULL, bits_gnss_1_gps_iono_correction_flags, 5, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_galileo_iono_correction_flags[] = {
-    {"tow", 0, 1, NULL},
-    {"week_number", 1, 1, NULL},
-    {"alpha", 2, 1, NULL},
-    {"disturbance_flags", 3, 1, NULL},
+    {"tow", 0, 1, NULL},   {"week_number", 1, 1, NULL},
+    {"alpha", 2, 1, NULL}, {"disturbance_flags", 3, 1, NULL},
     {"flags", 0, 4, NULL},
 };
 static const struct mip_names names_gnss_1_galileo_iono_correction_flags = {
-    "gnss_1.galileo_iono_correction_flags", NULL, bits_gnss_1_galileo_iono_correction_flags, 5, 2};
+    "gnss_1.galileo_iono_correction_flags", NULL, bits_gnss_1_galileo_iono_correction_flags, 5, 2,
+};
 
 static const struct mip_named_bits bits_gnss_1_beidou_iono_correction_flags[] = {
-    {"tow", 0, 1, NULL},
-    {"week_number", 1, 1, NULL},
-    {"alpha", 2, 1, NULL},
-    {"beta", 3, 1, NULL},
-    {"alpha_correction", 4, 1, NULL},
-    {"flags", 0, 5, NULL},
+    {"tow", 0, 1, NULL},  {"week_number", 1, 1, NULL},      {"alpha", 2, 1, NULL},
+    {"beta", 3, 1, NULL}, {"alpha_correction", 4, 1, NULL}, {"flags", 0, 5, NULL},
 };
 static const struct mip_names names_gnss_1_beidou_iono_correction_flags = {
-    "gnss_1.beidou_iono_correction_flags", NULL, bits_gnss_1_beidou_iono_correction_flags, 6, 2};
+    "gnss_1.beidou_iono_correction_flags", NULL, bits_gnss_1_beidou_iono_correction_flags, 6, 2,
+};
 
 static const struct mip_named_bits bits_system_data_gpio_pin_states[] = {
     {"pin_1", 0, 1, NULL},
@@ -1426,7 +1384,8 @@ static const struct mip_named_bits bits_system_data_gpio_pin_states[] = {
     {"pin_4", 3, 1, NULL},
 };
 static const struct mip_names names_system_data_gpio_pin_states = {
-    "system_data.gpio_pin_states", NULL, bits_system_data_gpio_pin_states, 4, 1};
+    "system_data.gpio_pin_states", NULL, bits_system_data_gpio_pin_states, 4, 1,
+};
 
 static const struct mip_named_bits bits_shared_gps_timestamp_flags[] = {
     {"tow", 0, 1, NULL},
@@ -1434,19 +1393,22 @@ static const struct mip_named_bits bits_shared_gps_timestamp_flags[] = {
     {"time_valid", 0, 2, NULL},
 };
 static const struct mip_names names_shared_gps_timestamp_flags = {
-    "shared.gps_timestamp_flags", NULL, bits_shared_gps_timestamp_flags, 3, 2};
+    "shared.gps_timestamp_flags", NULL, bits_shared_gps_timestamp_flags, 3, 2,
+};
 
 static const struct mip_named_bits bits_shared_external_timestamp_flags[] = {
     {"nanoseconds", 0, 1, NULL},
 };
 static const struct mip_names names_shared_external_timestamp_flags = {
-    "shared.external_timestamp_flags", NULL, bits_shared_external_timestamp_flags, 1, 2};
+    "shared.external_timestamp_flags", NULL, bits_shared_external_timestamp_flags, 1, 2,
+};
 
 static const struct mip_named_bits bits_shared_external_time_delta_flags[] = {
     {"dt_nanos", 0, 1, NULL},
 };
 static const struct mip_names names_shared_external_time_delta_flags = {
-    "shared.external_time_delta_flags", NULL, bits_shared_external_time_delta_flags, 1, 2};
+    "shared.external_time_delta_flags", NULL, bits_shared_external_time_delta_flags, 1, 2,
+};
 
 const struct mip_names *const mip_all_names[] = {
     &names_function_selector,
@@ -1480,7 +1442,6 @@ const struct mip_names *const mip_all_names[] = {
     &names_gx5_sensor_gps_timestamp_flags,
     &names_base_gps_time_field,
     &names_3dm_factory_streaming_action,
-    &names_3dm_legacy_data_stream,
     &names_3dm_constellation_id,
     &names_3dm_constellation_options,
     &names_3dm_sbas_options,
@@ -1490,6 +1451,7 @@ const struct mip_names *const mip_all_names[] = {
     &names_3dm_odometer_mode,
     &names_3dm_sensor_range_type,
     &names_3dm_device_status_selector,
+    &names_3dm_legacy_data_stream,
     &names_filter_dynamics_mode,
     &names_filter_estimated_states,
     &names_filter_gnss_aiding_source,
@@ -1531,13 +1493,6 @@ const struct mip_names *const mip_all_names[] = {
     &names_sensor_overrange_flags,
     &names_sensor_odometer_flags,
     &names_filter_data_valid_flags,
-    &names_filter_data_gx5_filter_state,
-    &names_filter_data_cv7_filter_state,
-    &names_filter_data_gx5_dynamics_mode,
-    &names_filter_data_cv7_dynamics_mode,
-    &names_filter_data_gx5_status_flags,
-    &names_filter_data_filter_condition,
-    &names_filter_data_cv7_status_flags,
     &names_filter_data_heading_source_flags,
     &names_filter_data_gnss_aiding_status,
     &names_filter_data_heading_aiding_type,
@@ -1545,6 +1500,13 @@ const struct mip_names *const mip_all_names[] = {
     &names_filter_data_aiding_measurement_indicator,
     &names_filter_data_dual_antenna_fix_type,
     &names_filter_data_dual_antenna_status_flags,
+    &names_filter_data_gx5_filter_state,
+    &names_filter_data_cv7_filter_state,
+    &names_filter_data_gx5_dynamics_mode,
+    &names_filter_data_cv7_dynamics_mode,
+    &names_filter_data_gx5_status_flags,
+    &names_filter_data_filter_condition,
+    &names_filter_data_cv7_status_flags,
     &names_gnss_1_llh_position_flags,
     &names_gnss_1_ecef_position_flags,
     &names_gnss_1_ned_velocity_flags,
@@ -1603,7 +1565,10 @@ static const struct mip_parameter parameters_event_trigger_gpio[] = {
      0},
 };
 static const struct mip_record record_event_trigger_gpio = {
-    parameters_event_trigger_gpio, 2, sizeof(struct mip_event_trigger_gpio)};
+    parameters_event_trigger_gpio,
+    2,
+    sizeof(struct mip_event_trigger_gpio),
+};
 
 static const struct mip_parameter parameters_event_threshold_window[] = {
     {"low_threshold", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1612,7 +1577,10 @@ static const struct mip_parameter parameters_event_threshold_window[] = {
      ONE(struct mip_event_threshold_window, high_threshold), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_event_threshold_window = {
-    parameters_event_threshold_window, 2, sizeof(struct mip_event_threshold_window)};
+    parameters_event_threshold_window,
+    2,
+    sizeof(struct mip_event_threshold_window),
+};
 
 static const struct mip_parameter parameters_event_threshold_interval[] = {
     {"interval_threshold", "", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1621,7 +1589,10 @@ static const struct mip_parameter parameters_event_threshold_interval[] = {
      ONE(struct mip_event_threshold_interval, interval), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_event_threshold_interval = {
-    parameters_event_threshold_interval, 2, sizeof(struct mip_event_threshold_interval)};
+    parameters_event_threshold_interval,
+    2,
+    sizeof(struct mip_event_threshold_interval),
+};
 
 static const struct mip_parameter members_event_trigger_threshold_thresholds[] = {
     {"window", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1650,7 +1621,10 @@ static const struct mip_parameter parameters_event_trigger_threshold[] = {
      cases_event_trigger_threshold_thresholds, 2},
 };
 static const struct mip_record record_event_trigger_threshold = {
-    parameters_event_trigger_threshold, 5, sizeof(struct mip_event_trigger_threshold)};
+    parameters_event_trigger_threshold,
+    5,
+    sizeof(struct mip_event_trigger_threshold),
+};
 
 static const struct mip_parameter parameters_event_trigger_combination[] = {
     {"logic_table", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1659,7 +1633,10 @@ static const struct mip_parameter parameters_event_trigger_combination[] = {
      MANY(struct mip_event_trigger_combination, input_triggers), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_event_trigger_combination = {
-    parameters_event_trigger_combination, 2, sizeof(struct mip_event_trigger_combination)};
+    parameters_event_trigger_combination,
+    2,
+    sizeof(struct mip_event_trigger_combination),
+};
 
 static const struct mip_parameter parameters_event_action_gpio[] = {
     {"pin", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1669,7 +1646,10 @@ static const struct mip_parameter parameters_event_action_gpio[] = {
      0},
 };
 static const struct mip_record record_event_action_gpio = {
-    parameters_event_action_gpio, 2, sizeof(struct mip_event_action_gpio)};
+    parameters_event_action_gpio,
+    2,
+    sizeof(struct mip_event_action_gpio),
+};
 
 static const struct mip_parameter parameters_event_action_message[] = {
     {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1682,7 +1662,10 @@ static const struct mip_parameter parameters_event_action_message[] = {
      MANY(struct mip_event_action_message, descriptors), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_event_action_message = {
-    parameters_event_action_message, 4, sizeof(struct mip_event_action_message)};
+    parameters_event_action_message,
+    4,
+    sizeof(struct mip_event_action_message),
+};
 
 static const struct mip_parameter parameters_nmea_message[] = {
     {"message_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1695,7 +1678,10 @@ static const struct mip_parameter parameters_nmea_message[] = {
      ONE(struct mip_nmea_message, decimation), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_nmea_message = {
-    parameters_nmea_message, 4, sizeof(struct mip_nmea_message)};
+    parameters_nmea_message,
+    4,
+    sizeof(struct mip_nmea_message),
+};
 
 static const struct mip_parameter parameters_descriptor_rate[] = {
     {"descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1704,7 +1690,10 @@ static const struct mip_parameter parameters_descriptor_rate[] = {
      ONE(struct mip_descriptor_rate, decimation), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_descriptor_rate = {
-    parameters_descriptor_rate, 2, sizeof(struct mip_descriptor_rate)};
+    parameters_descriptor_rate,
+    2,
+    sizeof(struct mip_descriptor_rate),
+};
 
 static const struct mip_parameter parameters_base_device_info[] = {
     {"firmware_version", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1721,7 +1710,10 @@ static const struct mip_parameter parameters_base_device_info[] = {
      MANY(struct mip_base_device_info, device_options), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_base_device_info = {
-    parameters_base_device_info, 6, sizeof(struct mip_base_device_info)};
+    parameters_base_device_info,
+    6,
+    sizeof(struct mip_base_device_info),
+};
 
 static const struct mip_parameter parameters_3dm_poll_entry[] = {
     {"descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1730,7 +1722,10 @@ static const struct mip_parameter parameters_3dm_poll_entry[] = {
      ONE(struct mip_3dm_poll_entry, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_poll_entry = {
-    parameters_3dm_poll_entry, 2, sizeof(struct mip_3dm_poll_entry)};
+    parameters_3dm_poll_entry,
+    2,
+    sizeof(struct mip_3dm_poll_entry),
+};
 
 static const struct mip_parameter parameters_3dm_constellation_settings_entry[] = {
     {"constellation_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1748,8 +1743,10 @@ static const struct mip_parameter parameters_3dm_constellation_settings_entry[] 
      &names_3dm_constellation_options, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_constellation_settings_entry = {
-    parameters_3dm_constellation_settings_entry, 5,
-    sizeof(struct mip_3dm_constellation_settings_entry)};
+    parameters_3dm_constellation_settings_entry,
+    5,
+    sizeof(struct mip_3dm_constellation_settings_entry),
+};
 
 static const struct mip_parameter parameters_3dm_event_support_info[] = {
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1758,7 +1755,10 @@ static const struct mip_parameter parameters_3dm_event_support_info[] = {
      ONE(struct mip_3dm_event_support_info, count), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_event_support_info = {
-    parameters_3dm_event_support_info, 2, sizeof(struct mip_3dm_event_support_info)};
+    parameters_3dm_event_support_info,
+    2,
+    sizeof(struct mip_3dm_event_support_info),
+};
 
 static const struct mip_parameter parameters_3dm_event_trigger_status_entry[] = {
     {"type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1769,8 +1769,10 @@ static const struct mip_parameter parameters_3dm_event_trigger_status_entry[] = 
      NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_event_trigger_status_entry = {
-    parameters_3dm_event_trigger_status_entry, 2,
-    sizeof(struct mip_3dm_event_trigger_status_entry)};
+    parameters_3dm_event_trigger_status_entry,
+    2,
+    sizeof(struct mip_3dm_event_trigger_status_entry),
+};
 
 static const struct mip_parameter parameters_3dm_event_action_status_entry[] = {
     {"action_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1780,7 +1782,10 @@ static const struct mip_parameter parameters_3dm_event_action_status_entry[] = {
      ONE(struct mip_3dm_event_action_status_entry, trigger_id), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_event_action_status_entry = {
-    parameters_3dm_event_action_status_entry, 2, sizeof(struct mip_3dm_event_action_status_entry)};
+    parameters_3dm_event_action_status_entry,
+    2,
+    sizeof(struct mip_3dm_event_action_status_entry),
+};
 
 static const struct mip_parameter parameters_3dm_sensor_range_entry[] = {
     {"setting", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1789,7 +1794,10 @@ static const struct mip_parameter parameters_3dm_sensor_range_entry[] = {
      ONE(struct mip_3dm_sensor_range_entry, range), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_sensor_range_entry = {
-    parameters_3dm_sensor_range_entry, 2, sizeof(struct mip_3dm_sensor_range_entry)};
+    parameters_3dm_sensor_range_entry,
+    2,
+    sizeof(struct mip_3dm_sensor_range_entry),
+};
 
 static const struct mip_parameter parameters_gnss_receiver_info_entry[] = {
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1801,7 +1809,10 @@ static const struct mip_parameter parameters_gnss_receiver_info_entry[] = {
      MANY(struct mip_gnss_receiver_info_entry, description), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_receiver_info_entry = {
-    parameters_gnss_receiver_info_entry, 3, sizeof(struct mip_gnss_receiver_info_entry)};
+    parameters_gnss_receiver_info_entry,
+    3,
+    sizeof(struct mip_gnss_receiver_info_entry),
+};
 
 static const struct mip_parameter parameters_aiding_measurement_time[] = {
     {"timebase", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1813,7 +1824,10 @@ static const struct mip_parameter parameters_aiding_measurement_time[] = {
      ONE(struct mip_aiding_measurement_time, nanoseconds), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_measurement_time = {
-    parameters_aiding_measurement_time, 3, sizeof(struct mip_aiding_measurement_time)};
+    parameters_aiding_measurement_time,
+    3,
+    sizeof(struct mip_aiding_measurement_time),
+};
 
 static const struct mip_parameter parameters_protocol_acknowledge[] = {
     {"command", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1822,31 +1836,58 @@ static const struct mip_parameter parameters_protocol_acknowledge[] = {
      ONE(struct mip_protocol_acknowledge, code), 0, &names_ack_code, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_protocol_acknowledge = {
-    parameters_protocol_acknowledge, 2, sizeof(struct mip_protocol_acknowledge)};
+    parameters_protocol_acknowledge,
+    2,
+    sizeof(struct mip_protocol_acknowledge),
+};
 
 static const struct mip_record record_base_ping = {
-    NULL, 0, sizeof(struct mip_base_ping)};
+    NULL,
+    0,
+    sizeof(struct mip_base_ping),
+};
 
 static const struct mip_record record_base_set_idle = {
-    NULL, 0, sizeof(struct mip_base_set_idle)};
+    NULL,
+    0,
+    sizeof(struct mip_base_set_idle),
+};
 
 static const struct mip_record record_base_get_device_info = {
-    NULL, 0, sizeof(struct mip_base_get_device_info)};
+    NULL,
+    0,
+    sizeof(struct mip_base_get_device_info),
+};
 
 static const struct mip_record record_base_get_device_descriptors = {
-    NULL, 0, sizeof(struct mip_base_get_device_descriptors)};
+    NULL,
+    0,
+    sizeof(struct mip_base_get_device_descriptors),
+};
 
 static const struct mip_record record_base_built_in_test = {
-    NULL, 0, sizeof(struct mip_base_built_in_test)};
+    NULL,
+    0,
+    sizeof(struct mip_base_built_in_test),
+};
 
 static const struct mip_record record_base_resume = {
-    NULL, 0, sizeof(struct mip_base_resume)};
+    NULL,
+    0,
+    sizeof(struct mip_base_resume),
+};
 
 static const struct mip_record record_base_get_extended_descriptors = {
-    NULL, 0, sizeof(struct mip_base_get_extended_descriptors)};
+    NULL,
+    0,
+    sizeof(struct mip_base_get_extended_descriptors),
+};
 
 static const struct mip_record record_base_continuous_built_in_test = {
-    NULL, 0, sizeof(struct mip_base_continuous_built_in_test)};
+    NULL,
+    0,
+    sizeof(struct mip_base_continuous_built_in_test),
+};
 
 static const struct mip_parameter parameters_base_comm_speed[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1857,7 +1898,10 @@ static const struct mip_parameter parameters_base_comm_speed[] = {
      ONE(struct mip_base_comm_speed, baud), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_base_comm_speed = {
-    parameters_base_comm_speed, 3, sizeof(struct mip_base_comm_speed)};
+    parameters_base_comm_speed,
+    3,
+    sizeof(struct mip_base_comm_speed),
+};
 static const uint8_t required_base_comm_speed[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_base_gps_time_update[] = {
@@ -1871,11 +1915,17 @@ static const struct mip_parameter parameters_base_gps_time_update[] = {
      ONE(struct mip_base_gps_time_update, value), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_base_gps_time_update = {
-    parameters_base_gps_time_update, 3, sizeof(struct mip_base_gps_time_update)};
+    parameters_base_gps_time_update,
+    3,
+    sizeof(struct mip_base_gps_time_update),
+};
 static const uint8_t required_base_gps_time_update[] = {0, 2, 1, 0, 0, 0, 2};
 
 static const struct mip_record record_base_soft_reset = {
-    NULL, 0, sizeof(struct mip_base_soft_reset)};
+    NULL,
+    0,
+    sizeof(struct mip_base_soft_reset),
+};
 
 static const struct mip_parameter parameters_base_get_device_info_response[] = {
     {"device_info", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1883,7 +1933,10 @@ static const struct mip_parameter parameters_base_get_device_info_response[] = {
      &record_base_device_info, NULL, 0},
 };
 static const struct mip_record record_base_get_device_info_response = {
-    parameters_base_get_device_info_response, 1, sizeof(struct mip_base_get_device_info_response)};
+    parameters_base_get_device_info_response,
+    1,
+    sizeof(struct mip_base_get_device_info_response),
+};
 
 static const struct mip_parameter parameters_base_get_device_descriptors_response[] = {
     {"descriptors", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_REST, 126, 1, 0, 0, 0,
@@ -1892,12 +1945,14 @@ static const struct mip_parameter parameters_base_get_device_descriptors_respons
      NULL, 0},
 };
 static const struct mip_record record_base_get_device_descriptors_response = {
-    parameters_base_get_device_descriptors_response, 1,
-    sizeof(struct mip_base_get_device_descriptors_response)};
+    parameters_base_get_device_descriptors_response,
+    1,
+    sizeof(struct mip_base_get_device_descriptors_response),
+};
 
 static const struct mip_reading readings_base_built_in_test_response_result[] = {
-    {"3dm-gx5-15", 0, 0, &names_gx5_built_in_test},
     {"3dm-cv7-gnss-ins", 0, 0, &names_cv7_built_in_test},
+    {"3dm-gx5-15", 0, 0, &names_gx5_built_in_test},
 };
 static const struct mip_parameter parameters_base_built_in_test_response[] = {
     {"result", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1905,7 +1960,10 @@ static const struct mip_parameter parameters_base_built_in_test_response[] = {
      readings_base_built_in_test_response_result, NULL, NULL, 2},
 };
 static const struct mip_record record_base_built_in_test_response = {
-    parameters_base_built_in_test_response, 1, sizeof(struct mip_base_built_in_test_response)};
+    parameters_base_built_in_test_response,
+    1,
+    sizeof(struct mip_base_built_in_test_response),
+};
 
 static const struct mip_parameter parameters_base_gps_time_update_week_number_response[] = {
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1913,16 +1971,20 @@ static const struct mip_parameter parameters_base_gps_time_update_week_number_re
      NULL, 0},
 };
 static const struct mip_record record_base_gps_time_update_week_number_response = {
-    parameters_base_gps_time_update_week_number_response, 1,
-    sizeof(struct mip_base_gps_time_update_week_number_response)};
+    parameters_base_gps_time_update_week_number_response,
+    1,
+    sizeof(struct mip_base_gps_time_update_week_number_response),
+};
 
 static const struct mip_parameter parameters_base_gps_time_update_tow_response[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_base_gps_time_update_tow_response, tow), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_base_gps_time_update_tow_response = {
-    parameters_base_gps_time_update_tow_response, 1,
-    sizeof(struct mip_base_gps_time_update_tow_response)};
+    parameters_base_gps_time_update_tow_response,
+    1,
+    sizeof(struct mip_base_gps_time_update_tow_response),
+};
 
 static const struct mip_parameter parameters_base_get_extended_descriptors_response[] = {
     {"descriptors", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_REST, 126, 1, 0, 0, 0,
@@ -1931,8 +1993,10 @@ static const struct mip_parameter parameters_base_get_extended_descriptors_respo
      NULL, NULL, 0},
 };
 static const struct mip_record record_base_get_extended_descriptors_response = {
-    parameters_base_get_extended_descriptors_response, 1,
-    sizeof(struct mip_base_get_extended_descriptors_response)};
+    parameters_base_get_extended_descriptors_response,
+    1,
+    sizeof(struct mip_base_get_extended_descriptors_response),
+};
 
 static const struct mip_reading readings_base_continuous_built_in_test_response_result[] = {
     {"3dm-cv7-gnss-ins", 0, 0, &names_cv7_continuous_built_in_test},
@@ -1943,8 +2007,10 @@ static const struct mip_parameter parameters_base_continuous_built_in_test_respo
      readings_base_continuous_built_in_test_response_result, NULL, NULL, 1},
 };
 static const struct mip_record record_base_continuous_built_in_test_response = {
-    parameters_base_continuous_built_in_test_response, 1,
-    sizeof(struct mip_base_continuous_built_in_test_response)};
+    parameters_base_continuous_built_in_test_response,
+    1,
+    sizeof(struct mip_base_continuous_built_in_test_response),
+};
 
 static const struct mip_parameter parameters_base_comm_speed_response[] = {
     {"port", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1953,7 +2019,10 @@ static const struct mip_parameter parameters_base_comm_speed_response[] = {
      ONE(struct mip_base_comm_speed_response, baud), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_base_comm_speed_response = {
-    parameters_base_comm_speed_response, 2, sizeof(struct mip_base_comm_speed_response)};
+    parameters_base_comm_speed_response,
+    2,
+    sizeof(struct mip_base_comm_speed_response),
+};
 
 static const struct mip_parameter parameters_3dm_poll_imu_data[] = {
     {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1965,7 +2034,10 @@ static const struct mip_parameter parameters_3dm_poll_imu_data[] = {
      0},
 };
 static const struct mip_record record_3dm_poll_imu_data = {
-    parameters_3dm_poll_imu_data, 3, sizeof(struct mip_3dm_poll_imu_data)};
+    parameters_3dm_poll_imu_data,
+    3,
+    sizeof(struct mip_3dm_poll_imu_data),
+};
 
 static const struct mip_parameter parameters_3dm_poll_gnss_data[] = {
     {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1977,7 +2049,10 @@ static const struct mip_parameter parameters_3dm_poll_gnss_data[] = {
      0},
 };
 static const struct mip_record record_3dm_poll_gnss_data = {
-    parameters_3dm_poll_gnss_data, 3, sizeof(struct mip_3dm_poll_gnss_data)};
+    parameters_3dm_poll_gnss_data,
+    3,
+    sizeof(struct mip_3dm_poll_gnss_data),
+};
 
 static const struct mip_parameter parameters_3dm_poll_filter_data[] = {
     {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -1989,7 +2064,10 @@ static const struct mip_parameter parameters_3dm_poll_filter_data[] = {
      NULL, 0},
 };
 static const struct mip_record record_3dm_poll_filter_data = {
-    parameters_3dm_poll_filter_data, 3, sizeof(struct mip_3dm_poll_filter_data)};
+    parameters_3dm_poll_filter_data,
+    3,
+    sizeof(struct mip_3dm_poll_filter_data),
+};
 
 static const struct mip_parameter parameters_3dm_poll_nmea_data[] = {
     {"suppress_ack", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2001,13 +2079,22 @@ static const struct mip_parameter parameters_3dm_poll_nmea_data[] = {
      0},
 };
 static const struct mip_record record_3dm_poll_nmea_data = {
-    parameters_3dm_poll_nmea_data, 3, sizeof(struct mip_3dm_poll_nmea_data)};
+    parameters_3dm_poll_nmea_data,
+    3,
+    sizeof(struct mip_3dm_poll_nmea_data),
+};
 
 static const struct mip_record record_3dm_get_imu_base_rate = {
-    NULL, 0, sizeof(struct mip_3dm_get_imu_base_rate)};
+    NULL,
+    0,
+    sizeof(struct mip_3dm_get_imu_base_rate),
+};
 
 static const struct mip_record record_3dm_get_gnss_base_rate = {
-    NULL, 0, sizeof(struct mip_3dm_get_gnss_base_rate)};
+    NULL,
+    0,
+    sizeof(struct mip_3dm_get_gnss_base_rate),
+};
 
 static const struct mip_parameter parameters_3dm_imu_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2020,7 +2107,10 @@ static const struct mip_parameter parameters_3dm_imu_message_format[] = {
      NULL, 0},
 };
 static const struct mip_record record_3dm_imu_message_format = {
-    parameters_3dm_imu_message_format, 3, sizeof(struct mip_3dm_imu_message_format)};
+    parameters_3dm_imu_message_format,
+    3,
+    sizeof(struct mip_3dm_imu_message_format),
+};
 static const uint8_t required_3dm_imu_message_format[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_gnss_message_format[] = {
@@ -2034,7 +2124,10 @@ static const struct mip_parameter parameters_3dm_gnss_message_format[] = {
      NULL, 0},
 };
 static const struct mip_record record_3dm_gnss_message_format = {
-    parameters_3dm_gnss_message_format, 3, sizeof(struct mip_3dm_gnss_message_format)};
+    parameters_3dm_gnss_message_format,
+    3,
+    sizeof(struct mip_3dm_gnss_message_format),
+};
 static const uint8_t required_3dm_gnss_message_format[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_filter_message_format[] = {
@@ -2048,11 +2141,17 @@ static const struct mip_parameter parameters_3dm_filter_message_format[] = {
      &record_descriptor_rate, NULL, 0},
 };
 static const struct mip_record record_3dm_filter_message_format = {
-    parameters_3dm_filter_message_format, 3, sizeof(struct mip_3dm_filter_message_format)};
+    parameters_3dm_filter_message_format,
+    3,
+    sizeof(struct mip_3dm_filter_message_format),
+};
 static const uint8_t required_3dm_filter_message_format[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_record record_3dm_get_filter_base_rate = {
-    NULL, 0, sizeof(struct mip_3dm_get_filter_base_rate)};
+    NULL,
+    0,
+    sizeof(struct mip_3dm_get_filter_base_rate),
+};
 
 static const struct mip_parameter parameters_3dm_nmea_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2065,7 +2164,10 @@ static const struct mip_parameter parameters_3dm_nmea_message_format[] = {
      NULL, 0},
 };
 static const struct mip_record record_3dm_nmea_message_format = {
-    parameters_3dm_nmea_message_format, 3, sizeof(struct mip_3dm_nmea_message_format)};
+    parameters_3dm_nmea_message_format,
+    3,
+    sizeof(struct mip_3dm_nmea_message_format),
+};
 static const uint8_t required_3dm_nmea_message_format[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_poll_data[] = {
@@ -2079,14 +2181,20 @@ static const struct mip_parameter parameters_3dm_poll_data[] = {
      MANY(struct mip_3dm_poll_data, descriptors), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_poll_data = {
-    parameters_3dm_poll_data, 4, sizeof(struct mip_3dm_poll_data)};
+    parameters_3dm_poll_data,
+    4,
+    sizeof(struct mip_3dm_poll_data),
+};
 
 static const struct mip_parameter parameters_3dm_get_base_rate[] = {
     {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_get_base_rate, descriptor_set), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_get_base_rate = {
-    parameters_3dm_get_base_rate, 1, sizeof(struct mip_3dm_get_base_rate)};
+    parameters_3dm_get_base_rate,
+    1,
+    sizeof(struct mip_3dm_get_base_rate),
+};
 
 static const struct mip_parameter parameters_3dm_message_format[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2101,7 +2209,10 @@ static const struct mip_parameter parameters_3dm_message_format[] = {
      0},
 };
 static const struct mip_record record_3dm_message_format = {
-    parameters_3dm_message_format, 4, sizeof(struct mip_3dm_message_format)};
+    parameters_3dm_message_format,
+    4,
+    sizeof(struct mip_3dm_message_format),
+};
 static const uint8_t required_3dm_message_format[] = {0, 3, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_factory_streaming[] = {
@@ -2112,7 +2223,10 @@ static const struct mip_parameter parameters_3dm_factory_streaming[] = {
      ONE(struct mip_3dm_factory_streaming, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_factory_streaming = {
-    parameters_3dm_factory_streaming, 2, sizeof(struct mip_3dm_factory_streaming)};
+    parameters_3dm_factory_streaming,
+    2,
+    sizeof(struct mip_3dm_factory_streaming),
+};
 
 static const struct mip_reading readings_3dm_data_stream_control_descriptor_set[] = {
     {"3dm-gx5-15", 0, 0, &names_3dm_legacy_data_stream},
@@ -2128,7 +2242,10 @@ static const struct mip_parameter parameters_3dm_data_stream_control[] = {
      ONE(struct mip_3dm_data_stream_control, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_data_stream_control = {
-    parameters_3dm_data_stream_control, 3, sizeof(struct mip_3dm_data_stream_control)};
+    parameters_3dm_data_stream_control,
+    3,
+    sizeof(struct mip_3dm_data_stream_control),
+};
 static const uint8_t required_3dm_data_stream_control[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_constellation_settings[] = {
@@ -2144,7 +2261,10 @@ static const struct mip_parameter parameters_3dm_constellation_settings[] = {
      &record_3dm_constellation_settings_entry, NULL, 0},
 };
 static const struct mip_record record_3dm_constellation_settings = {
-    parameters_3dm_constellation_settings, 4, sizeof(struct mip_3dm_constellation_settings)};
+    parameters_3dm_constellation_settings,
+    4,
+    sizeof(struct mip_3dm_constellation_settings),
+};
 static const uint8_t required_3dm_constellation_settings[] = {0, 3, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_gnss_sbas_settings[] = {
@@ -2162,7 +2282,10 @@ static const struct mip_parameter parameters_3dm_gnss_sbas_settings[] = {
      MANY(struct mip_3dm_gnss_sbas_settings, included_prns), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gnss_sbas_settings = {
-    parameters_3dm_gnss_sbas_settings, 5, sizeof(struct mip_3dm_gnss_sbas_settings)};
+    parameters_3dm_gnss_sbas_settings,
+    5,
+    sizeof(struct mip_3dm_gnss_sbas_settings),
+};
 static const uint8_t required_3dm_gnss_sbas_settings[] = {0, 4, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_gnss_assisted_fix[] = {
@@ -2176,7 +2299,10 @@ static const struct mip_parameter parameters_3dm_gnss_assisted_fix[] = {
      ONE(struct mip_3dm_gnss_assisted_fix, flags), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gnss_assisted_fix = {
-    parameters_3dm_gnss_assisted_fix, 3, sizeof(struct mip_3dm_gnss_assisted_fix)};
+    parameters_3dm_gnss_assisted_fix,
+    3,
+    sizeof(struct mip_3dm_gnss_assisted_fix),
+};
 static const uint8_t required_3dm_gnss_assisted_fix[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_gnss_time_assistance[] = {
@@ -2191,7 +2317,10 @@ static const struct mip_parameter parameters_3dm_gnss_time_assistance[] = {
      ONE(struct mip_3dm_gnss_time_assistance, accuracy), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gnss_time_assistance = {
-    parameters_3dm_gnss_time_assistance, 4, sizeof(struct mip_3dm_gnss_time_assistance)};
+    parameters_3dm_gnss_time_assistance,
+    4,
+    sizeof(struct mip_3dm_gnss_time_assistance),
+};
 static const uint8_t required_3dm_gnss_time_assistance[] = {0, 3, 0};
 
 static const struct mip_parameter parameters_3dm_pps_source_control[] = {
@@ -2202,7 +2331,10 @@ static const struct mip_parameter parameters_3dm_pps_source_control[] = {
      ONE(struct mip_3dm_pps_source_control, source), 0, &names_3dm_pps_source, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_pps_source_control = {
-    parameters_3dm_pps_source_control, 2, sizeof(struct mip_3dm_pps_source_control)};
+    parameters_3dm_pps_source_control,
+    2,
+    sizeof(struct mip_3dm_pps_source_control),
+};
 static const uint8_t required_3dm_pps_source_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_get_event_support[] = {
@@ -2211,7 +2343,10 @@ static const struct mip_parameter parameters_3dm_get_event_support[] = {
      NULL, 0},
 };
 static const struct mip_record record_3dm_get_event_support = {
-    parameters_3dm_get_event_support, 1, sizeof(struct mip_3dm_get_event_support)};
+    parameters_3dm_get_event_support,
+    1,
+    sizeof(struct mip_3dm_get_event_support),
+};
 
 static const struct mip_parameter parameters_3dm_event_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2222,7 +2357,10 @@ static const struct mip_parameter parameters_3dm_event_control[] = {
      ONE(struct mip_3dm_event_control, mode), 0, &names_event_trigger_mode, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_event_control = {
-    parameters_3dm_event_control, 3, sizeof(struct mip_3dm_event_control)};
+    parameters_3dm_event_control,
+    3,
+    sizeof(struct mip_3dm_event_control),
+};
 static const uint8_t required_3dm_event_control[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_get_event_trigger_status[] = {
@@ -2233,7 +2371,10 @@ static const struct mip_parameter parameters_3dm_get_event_trigger_status[] = {
      0},
 };
 static const struct mip_record record_3dm_get_event_trigger_status = {
-    parameters_3dm_get_event_trigger_status, 2, sizeof(struct mip_3dm_get_event_trigger_status)};
+    parameters_3dm_get_event_trigger_status,
+    2,
+    sizeof(struct mip_3dm_get_event_trigger_status),
+};
 
 static const struct mip_parameter parameters_3dm_get_event_action_status[] = {
     {"requested_count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -2243,7 +2384,10 @@ static const struct mip_parameter parameters_3dm_get_event_action_status[] = {
      0},
 };
 static const struct mip_record record_3dm_get_event_action_status = {
-    parameters_3dm_get_event_action_status, 2, sizeof(struct mip_3dm_get_event_action_status)};
+    parameters_3dm_get_event_action_status,
+    2,
+    sizeof(struct mip_3dm_get_event_action_status),
+};
 
 static const struct mip_parameter members_3dm_event_trigger_config_parameters[] = {
     {"gpio", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2276,7 +2420,10 @@ static const struct mip_parameter parameters_3dm_event_trigger_config[] = {
      cases_3dm_event_trigger_config_parameters, 4},
 };
 static const struct mip_record record_3dm_event_trigger_config = {
-    parameters_3dm_event_trigger_config, 4, sizeof(struct mip_3dm_event_trigger_config)};
+    parameters_3dm_event_trigger_config,
+    4,
+    sizeof(struct mip_3dm_event_trigger_config),
+};
 static const uint8_t required_3dm_event_trigger_config[] = {0, 3, 1, 1, 1, 1};
 
 static const struct mip_parameter members_3dm_event_action_config_parameters[] = {
@@ -2308,7 +2455,10 @@ static const struct mip_parameter parameters_3dm_event_action_config[] = {
      cases_3dm_event_action_config_parameters, 3},
 };
 static const struct mip_record record_3dm_event_action_config = {
-    parameters_3dm_event_action_config, 5, sizeof(struct mip_3dm_event_action_config)};
+    parameters_3dm_event_action_config,
+    5,
+    sizeof(struct mip_3dm_event_action_config),
+};
 static const uint8_t required_3dm_event_action_config[] = {0, 4, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_device_settings[] = {
@@ -2317,7 +2467,10 @@ static const struct mip_parameter parameters_3dm_device_settings[] = {
      0},
 };
 static const struct mip_record record_3dm_device_settings = {
-    parameters_3dm_device_settings, 1, sizeof(struct mip_3dm_device_settings)};
+    parameters_3dm_device_settings,
+    1,
+    sizeof(struct mip_3dm_device_settings),
+};
 static const uint8_t required_3dm_device_settings[] = {0, 0, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_euler[] = {
@@ -2332,8 +2485,10 @@ static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_eul
      ONE(struct mip_3dm_sensor_to_vehicle_transform_euler, yaw), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_sensor_to_vehicle_transform_euler = {
-    parameters_3dm_sensor_to_vehicle_transform_euler, 4,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler)};
+    parameters_3dm_sensor_to_vehicle_transform_euler,
+    4,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler),
+};
 static const uint8_t required_3dm_sensor_to_vehicle_transform_euler[] = {0, 3, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_quaternion[] = {
@@ -2344,8 +2499,10 @@ static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_qua
      ONE(struct mip_3dm_sensor_to_vehicle_transform_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_sensor_to_vehicle_transform_quaternion = {
-    parameters_3dm_sensor_to_vehicle_transform_quaternion, 2,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion)};
+    parameters_3dm_sensor_to_vehicle_transform_quaternion,
+    2,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion),
+};
 static const uint8_t required_3dm_sensor_to_vehicle_transform_quaternion[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_dcm[] = {
@@ -2356,8 +2513,10 @@ static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_dcm
      ONE(struct mip_3dm_sensor_to_vehicle_transform_dcm, dcm), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_sensor_to_vehicle_transform_dcm = {
-    parameters_3dm_sensor_to_vehicle_transform_dcm, 2,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm)};
+    parameters_3dm_sensor_to_vehicle_transform_dcm,
+    2,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm),
+};
 static const uint8_t required_3dm_sensor_to_vehicle_transform_dcm[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_accel_bias[] = {
@@ -2367,7 +2526,10 @@ static const struct mip_parameter parameters_3dm_accel_bias[] = {
      ONE(struct mip_3dm_accel_bias, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_accel_bias = {
-    parameters_3dm_accel_bias, 2, sizeof(struct mip_3dm_accel_bias)};
+    parameters_3dm_accel_bias,
+    2,
+    sizeof(struct mip_3dm_accel_bias),
+};
 static const uint8_t required_3dm_accel_bias[] = {0, 1, 0, 0, 0, 0, 1};
 
 static const struct mip_parameter parameters_3dm_gyro_bias[] = {
@@ -2377,7 +2539,10 @@ static const struct mip_parameter parameters_3dm_gyro_bias[] = {
      ONE(struct mip_3dm_gyro_bias, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gyro_bias = {
-    parameters_3dm_gyro_bias, 2, sizeof(struct mip_3dm_gyro_bias)};
+    parameters_3dm_gyro_bias,
+    2,
+    sizeof(struct mip_3dm_gyro_bias),
+};
 static const uint8_t required_3dm_gyro_bias[] = {0, 1, 0, 0, 0, 0, 1};
 
 static const struct mip_parameter parameters_3dm_capture_gyro_bias[] = {
@@ -2385,7 +2550,10 @@ static const struct mip_parameter parameters_3dm_capture_gyro_bias[] = {
      ONE(struct mip_3dm_capture_gyro_bias, averaging_time_ms), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_capture_gyro_bias = {
-    parameters_3dm_capture_gyro_bias, 1, sizeof(struct mip_3dm_capture_gyro_bias)};
+    parameters_3dm_capture_gyro_bias,
+    1,
+    sizeof(struct mip_3dm_capture_gyro_bias),
+};
 
 static const struct mip_parameter parameters_3dm_mag_hard_iron_offset[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2395,7 +2563,10 @@ static const struct mip_parameter parameters_3dm_mag_hard_iron_offset[] = {
      ONE(struct mip_3dm_mag_hard_iron_offset, offset), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_mag_hard_iron_offset = {
-    parameters_3dm_mag_hard_iron_offset, 2, sizeof(struct mip_3dm_mag_hard_iron_offset)};
+    parameters_3dm_mag_hard_iron_offset,
+    2,
+    sizeof(struct mip_3dm_mag_hard_iron_offset),
+};
 static const uint8_t required_3dm_mag_hard_iron_offset[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_mag_soft_iron_matrix[] = {
@@ -2406,7 +2577,10 @@ static const struct mip_parameter parameters_3dm_mag_soft_iron_matrix[] = {
      ONE(struct mip_3dm_mag_soft_iron_matrix, matrix), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_mag_soft_iron_matrix = {
-    parameters_3dm_mag_soft_iron_matrix, 2, sizeof(struct mip_3dm_mag_soft_iron_matrix)};
+    parameters_3dm_mag_soft_iron_matrix,
+    2,
+    sizeof(struct mip_3dm_mag_soft_iron_matrix),
+};
 static const uint8_t required_3dm_mag_soft_iron_matrix[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_coning_sculling_enable[] = {
@@ -2417,7 +2591,10 @@ static const struct mip_parameter parameters_3dm_coning_sculling_enable[] = {
      ONE(struct mip_3dm_coning_sculling_enable, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_coning_sculling_enable = {
-    parameters_3dm_coning_sculling_enable, 2, sizeof(struct mip_3dm_coning_sculling_enable)};
+    parameters_3dm_coning_sculling_enable,
+    2,
+    sizeof(struct mip_3dm_coning_sculling_enable),
+};
 static const uint8_t required_3dm_coning_sculling_enable[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_uart_baud_rate[] = {
@@ -2428,16 +2605,16 @@ static const struct mip_parameter parameters_3dm_uart_baud_rate[] = {
      ONE(struct mip_3dm_uart_baud_rate, baud), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_uart_baud_rate = {
-    parameters_3dm_uart_baud_rate, 2, sizeof(struct mip_3dm_uart_baud_rate)};
+    parameters_3dm_uart_baud_rate,
+    2,
+    sizeof(struct mip_3dm_uart_baud_rate),
+};
 static const uint8_t required_3dm_uart_baud_rate[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_reading readings_3dm_gpio_config_behavior[] = {
-    {NULL, 2, 0, &names_gpio_unused_behavior},
-    {NULL, 2, 1, &names_gpio_behavior},
-    {NULL, 2, 2, &names_gpio_pps_behavior},
-    {NULL, 2, 3, &names_gpio_encoder_behavior},
-    {NULL, 2, 4, &names_gpio_timestamp_behavior},
-    {NULL, 2, 5, &names_gpio_uart_behavior},
+    {NULL, 2, 0, &names_gpio_unused_behavior},    {NULL, 2, 1, &names_gpio_behavior},
+    {NULL, 2, 2, &names_gpio_pps_behavior},       {NULL, 2, 3, &names_gpio_encoder_behavior},
+    {NULL, 2, 4, &names_gpio_timestamp_behavior}, {NULL, 2, 5, &names_gpio_uart_behavior},
 };
 static const struct mip_parameter parameters_3dm_gpio_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2453,7 +2630,10 @@ static const struct mip_parameter parameters_3dm_gpio_config[] = {
      ONE(struct mip_3dm_gpio_config, pin_mode), 0, &names_gpio_pin_mode, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gpio_config = {
-    parameters_3dm_gpio_config, 5, sizeof(struct mip_3dm_gpio_config)};
+    parameters_3dm_gpio_config,
+    5,
+    sizeof(struct mip_3dm_gpio_config),
+};
 static const uint8_t required_3dm_gpio_config[] = {0, 4, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_gpio_state[] = {
@@ -2465,7 +2645,10 @@ static const struct mip_parameter parameters_3dm_gpio_state[] = {
      ONE(struct mip_3dm_gpio_state, state), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gpio_state = {
-    parameters_3dm_gpio_state, 3, sizeof(struct mip_3dm_gpio_state)};
+    parameters_3dm_gpio_state,
+    3,
+    sizeof(struct mip_3dm_gpio_state),
+};
 static const uint8_t required_3dm_gpio_state[] = {0, 2, 1};
 
 static const struct mip_parameter parameters_3dm_odometer_config[] = {
@@ -2480,7 +2663,10 @@ static const struct mip_parameter parameters_3dm_odometer_config[] = {
      ONE(struct mip_3dm_odometer_config, uncertainty), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_odometer_config = {
-    parameters_3dm_odometer_config, 4, sizeof(struct mip_3dm_odometer_config)};
+    parameters_3dm_odometer_config,
+    4,
+    sizeof(struct mip_3dm_odometer_config),
+};
 static const uint8_t required_3dm_odometer_config[] = {0, 3, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_imu_low_pass_filter[] = {
@@ -2499,7 +2685,10 @@ static const struct mip_parameter parameters_3dm_imu_low_pass_filter[] = {
      ONE(struct mip_3dm_imu_low_pass_filter, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_imu_low_pass_filter = {
-    parameters_3dm_imu_low_pass_filter, 6, sizeof(struct mip_3dm_imu_low_pass_filter)};
+    parameters_3dm_imu_low_pass_filter,
+    6,
+    sizeof(struct mip_3dm_imu_low_pass_filter),
+};
 static const uint8_t required_3dm_imu_low_pass_filter[] = {0, 5, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_complementary_filter[] = {
@@ -2517,7 +2706,10 @@ static const struct mip_parameter parameters_3dm_complementary_filter[] = {
      ONE(struct mip_3dm_complementary_filter, heading_time_constant), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_complementary_filter = {
-    parameters_3dm_complementary_filter, 5, sizeof(struct mip_3dm_complementary_filter)};
+    parameters_3dm_complementary_filter,
+    5,
+    sizeof(struct mip_3dm_complementary_filter),
+};
 static const uint8_t required_3dm_complementary_filter[] = {0, 4, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_3dm_sensor_range[] = {
@@ -2530,7 +2722,10 @@ static const struct mip_parameter parameters_3dm_sensor_range[] = {
      ONE(struct mip_3dm_sensor_range, setting), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_sensor_range = {
-    parameters_3dm_sensor_range, 3, sizeof(struct mip_3dm_sensor_range)};
+    parameters_3dm_sensor_range,
+    3,
+    sizeof(struct mip_3dm_sensor_range),
+};
 static const uint8_t required_3dm_sensor_range[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_3dm_get_calibrated_sensor_ranges[] = {
@@ -2539,8 +2734,10 @@ static const struct mip_parameter parameters_3dm_get_calibrated_sensor_ranges[] 
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_get_calibrated_sensor_ranges = {
-    parameters_3dm_get_calibrated_sensor_ranges, 1,
-    sizeof(struct mip_3dm_get_calibrated_sensor_ranges)};
+    parameters_3dm_get_calibrated_sensor_ranges,
+    1,
+    sizeof(struct mip_3dm_get_calibrated_sensor_ranges),
+};
 
 static const struct mip_parameter parameters_3dm_low_pass_filter[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2558,7 +2755,10 @@ static const struct mip_parameter parameters_3dm_low_pass_filter[] = {
      ONE(struct mip_3dm_low_pass_filter, frequency), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_low_pass_filter = {
-    parameters_3dm_low_pass_filter, 6, sizeof(struct mip_3dm_low_pass_filter)};
+    parameters_3dm_low_pass_filter,
+    6,
+    sizeof(struct mip_3dm_low_pass_filter),
+};
 static const uint8_t required_3dm_low_pass_filter[] = {0, 5, 2, 2, 2, 2};
 
 static const struct mip_parameter parameters_3dm_device_status[] = {
@@ -2569,7 +2769,10 @@ static const struct mip_parameter parameters_3dm_device_status[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_device_status = {
-    parameters_3dm_device_status, 2, sizeof(struct mip_3dm_device_status)};
+    parameters_3dm_device_status,
+    2,
+    sizeof(struct mip_3dm_device_status),
+};
 
 static const struct mip_parameter parameters_3dm_imu_message_format_response[] = {
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -2580,8 +2783,10 @@ static const struct mip_parameter parameters_3dm_imu_message_format_response[] =
      &record_descriptor_rate, NULL, 0},
 };
 static const struct mip_record record_3dm_imu_message_format_response = {
-    parameters_3dm_imu_message_format_response, 2,
-    sizeof(struct mip_3dm_imu_message_format_response)};
+    parameters_3dm_imu_message_format_response,
+    2,
+    sizeof(struct mip_3dm_imu_message_format_response),
+};
 
 static const struct mip_parameter parameters_3dm_gnss_message_format_response[] = {
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -2592,8 +2797,10 @@ static const struct mip_parameter parameters_3dm_gnss_message_format_response[] 
      &record_descriptor_rate, NULL, 0},
 };
 static const struct mip_record record_3dm_gnss_message_format_response = {
-    parameters_3dm_gnss_message_format_response, 2,
-    sizeof(struct mip_3dm_gnss_message_format_response)};
+    parameters_3dm_gnss_message_format_response,
+    2,
+    sizeof(struct mip_3dm_gnss_message_format_response),
+};
 
 static const struct mip_parameter parameters_3dm_filter_message_format_response[] = {
     {"num_descriptors", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -2604,24 +2811,30 @@ static const struct mip_parameter parameters_3dm_filter_message_format_response[
      &record_descriptor_rate, NULL, 0},
 };
 static const struct mip_record record_3dm_filter_message_format_response = {
-    parameters_3dm_filter_message_format_response, 2,
-    sizeof(struct mip_3dm_filter_message_format_response)};
+    parameters_3dm_filter_message_format_response,
+    2,
+    sizeof(struct mip_3dm_filter_message_format_response),
+};
 
 static const struct mip_parameter parameters_3dm_get_imu_base_rate_response[] = {
     {"rate", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_get_imu_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_get_imu_base_rate_response = {
-    parameters_3dm_get_imu_base_rate_response, 1,
-    sizeof(struct mip_3dm_get_imu_base_rate_response)};
+    parameters_3dm_get_imu_base_rate_response,
+    1,
+    sizeof(struct mip_3dm_get_imu_base_rate_response),
+};
 
 static const struct mip_parameter parameters_3dm_get_gnss_base_rate_response[] = {
     {"rate", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_get_gnss_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_get_gnss_base_rate_response = {
-    parameters_3dm_get_gnss_base_rate_response, 1,
-    sizeof(struct mip_3dm_get_gnss_base_rate_response)};
+    parameters_3dm_get_gnss_base_rate_response,
+    1,
+    sizeof(struct mip_3dm_get_gnss_base_rate_response),
+};
 
 static const struct mip_reading readings_3dm_data_stream_control_response_descriptor_set[] = {
     {"3dm-gx5-15", 0, 0, &names_3dm_legacy_data_stream},
@@ -2634,23 +2847,30 @@ static const struct mip_parameter parameters_3dm_data_stream_control_response[] 
      ONE(struct mip_3dm_data_stream_control_response, enabled), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_data_stream_control_response = {
-    parameters_3dm_data_stream_control_response, 2,
-    sizeof(struct mip_3dm_data_stream_control_response)};
+    parameters_3dm_data_stream_control_response,
+    2,
+    sizeof(struct mip_3dm_data_stream_control_response),
+};
 
 static const struct mip_parameter parameters_3dm_uart_baud_rate_response[] = {
     {"baud", "Bd", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_uart_baud_rate_response, baud), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_uart_baud_rate_response = {
-    parameters_3dm_uart_baud_rate_response, 1, sizeof(struct mip_3dm_uart_baud_rate_response)};
+    parameters_3dm_uart_baud_rate_response,
+    1,
+    sizeof(struct mip_3dm_uart_baud_rate_response),
+};
 
 static const struct mip_parameter parameters_3dm_get_filter_base_rate_response[] = {
     {"rate", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_get_filter_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_get_filter_base_rate_response = {
-    parameters_3dm_get_filter_base_rate_response, 1,
-    sizeof(struct mip_3dm_get_filter_base_rate_response)};
+    parameters_3dm_get_filter_base_rate_response,
+    1,
+    sizeof(struct mip_3dm_get_filter_base_rate_response),
+};
 
 static const struct mip_parameter parameters_3dm_imu_low_pass_filter_response[] = {
     {"target_descriptor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2666,8 +2886,10 @@ static const struct mip_parameter parameters_3dm_imu_low_pass_filter_response[] 
      ONE(struct mip_3dm_imu_low_pass_filter_response, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_imu_low_pass_filter_response = {
-    parameters_3dm_imu_low_pass_filter_response, 5,
-    sizeof(struct mip_3dm_imu_low_pass_filter_response)};
+    parameters_3dm_imu_low_pass_filter_response,
+    5,
+    sizeof(struct mip_3dm_imu_low_pass_filter_response),
+};
 
 static const struct mip_parameter parameters_3dm_nmea_message_format_response[] = {
     {"count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -2677,8 +2899,10 @@ static const struct mip_parameter parameters_3dm_nmea_message_format_response[] 
      &record_nmea_message, NULL, 0},
 };
 static const struct mip_record record_3dm_nmea_message_format_response = {
-    parameters_3dm_nmea_message_format_response, 2,
-    sizeof(struct mip_3dm_nmea_message_format_response)};
+    parameters_3dm_nmea_message_format_response,
+    2,
+    sizeof(struct mip_3dm_nmea_message_format_response),
+};
 
 static const struct mip_parameter parameters_3dm_get_base_rate_response[] = {
     {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2687,7 +2911,10 @@ static const struct mip_parameter parameters_3dm_get_base_rate_response[] = {
      ONE(struct mip_3dm_get_base_rate_response, rate), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_get_base_rate_response = {
-    parameters_3dm_get_base_rate_response, 2, sizeof(struct mip_3dm_get_base_rate_response)};
+    parameters_3dm_get_base_rate_response,
+    2,
+    sizeof(struct mip_3dm_get_base_rate_response),
+};
 
 static const struct mip_parameter parameters_3dm_message_format_response[] = {
     {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2699,7 +2926,10 @@ static const struct mip_parameter parameters_3dm_message_format_response[] = {
      &record_descriptor_rate, NULL, 0},
 };
 static const struct mip_record record_3dm_message_format_response = {
-    parameters_3dm_message_format_response, 3, sizeof(struct mip_3dm_message_format_response)};
+    parameters_3dm_message_format_response,
+    3,
+    sizeof(struct mip_3dm_message_format_response),
+};
 
 static const struct mip_parameter parameters_3dm_device_status_basic_response[] = {
     {"model_number", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 6254, 0, 0,
@@ -2714,8 +2944,10 @@ static const struct mip_parameter parameters_3dm_device_status_basic_response[] 
      ONE(struct mip_3dm_device_status_basic_response, system_timer), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_device_status_basic_response = {
-    parameters_3dm_device_status_basic_response, 5,
-    sizeof(struct mip_3dm_device_status_basic_response)};
+    parameters_3dm_device_status_basic_response,
+    5,
+    sizeof(struct mip_3dm_device_status_basic_response),
+};
 
 static const struct mip_parameter parameters_3dm_device_status_diagnostic_response[] = {
     {"model_number", "", MIP_KIND_CONSTANT, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 6254, 0, 0,
@@ -2766,8 +2998,10 @@ static const struct mip_parameter parameters_3dm_device_status_diagnostic_respon
      NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_device_status_diagnostic_response = {
-    parameters_3dm_device_status_diagnostic_response, 16,
-    sizeof(struct mip_3dm_device_status_diagnostic_response)};
+    parameters_3dm_device_status_diagnostic_response,
+    16,
+    sizeof(struct mip_3dm_device_status_diagnostic_response),
+};
 
 static const struct mip_parameter parameters_3dm_complementary_filter_response[] = {
     {"pitch_roll_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2784,46 +3018,60 @@ static const struct mip_parameter parameters_3dm_complementary_filter_response[]
      NULL, 0},
 };
 static const struct mip_record record_3dm_complementary_filter_response = {
-    parameters_3dm_complementary_filter_response, 4,
-    sizeof(struct mip_3dm_complementary_filter_response)};
+    parameters_3dm_complementary_filter_response,
+    4,
+    sizeof(struct mip_3dm_complementary_filter_response),
+};
 
 static const struct mip_parameter parameters_3dm_accel_bias_response[] = {
     {"bias", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_3dm_accel_bias_response, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_accel_bias_response = {
-    parameters_3dm_accel_bias_response, 1, sizeof(struct mip_3dm_accel_bias_response)};
+    parameters_3dm_accel_bias_response,
+    1,
+    sizeof(struct mip_3dm_accel_bias_response),
+};
 
 static const struct mip_parameter parameters_3dm_gyro_bias_response[] = {
     {"bias", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_3dm_gyro_bias_response, bias), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gyro_bias_response = {
-    parameters_3dm_gyro_bias_response, 1, sizeof(struct mip_3dm_gyro_bias_response)};
+    parameters_3dm_gyro_bias_response,
+    1,
+    sizeof(struct mip_3dm_gyro_bias_response),
+};
 
 static const struct mip_parameter parameters_3dm_mag_hard_iron_offset_response[] = {
     {"offset", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_3dm_mag_hard_iron_offset_response, offset), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_mag_hard_iron_offset_response = {
-    parameters_3dm_mag_hard_iron_offset_response, 1,
-    sizeof(struct mip_3dm_mag_hard_iron_offset_response)};
+    parameters_3dm_mag_hard_iron_offset_response,
+    1,
+    sizeof(struct mip_3dm_mag_hard_iron_offset_response),
+};
 
 static const struct mip_parameter parameters_3dm_mag_soft_iron_matrix_response[] = {
     {"matrix", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
      ONE(struct mip_3dm_mag_soft_iron_matrix_response, matrix), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_mag_soft_iron_matrix_response = {
-    parameters_3dm_mag_soft_iron_matrix_response, 1,
-    sizeof(struct mip_3dm_mag_soft_iron_matrix_response)};
+    parameters_3dm_mag_soft_iron_matrix_response,
+    1,
+    sizeof(struct mip_3dm_mag_soft_iron_matrix_response),
+};
 
 static const struct mip_parameter parameters_3dm_coning_sculling_enable_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_coning_sculling_enable_response, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_coning_sculling_enable_response = {
-    parameters_3dm_coning_sculling_enable_response, 1,
-    sizeof(struct mip_3dm_coning_sculling_enable_response)};
+    parameters_3dm_coning_sculling_enable_response,
+    1,
+    sizeof(struct mip_3dm_coning_sculling_enable_response),
+};
 
 static const struct mip_parameter parameters_3dm_constellation_settings_response[] = {
     {"max_channels_available", "1", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2840,8 +3088,10 @@ static const struct mip_parameter parameters_3dm_constellation_settings_response
      &record_3dm_constellation_settings_entry, NULL, 0},
 };
 static const struct mip_record record_3dm_constellation_settings_response = {
-    parameters_3dm_constellation_settings_response, 4,
-    sizeof(struct mip_3dm_constellation_settings_response)};
+    parameters_3dm_constellation_settings_response,
+    4,
+    sizeof(struct mip_3dm_constellation_settings_response),
+};
 
 static const struct mip_parameter parameters_3dm_gnss_sbas_settings_response[] = {
     {"enable_sbas", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2856,8 +3106,10 @@ static const struct mip_parameter parameters_3dm_gnss_sbas_settings_response[] =
      MANY(struct mip_3dm_gnss_sbas_settings_response, included_prns), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gnss_sbas_settings_response = {
-    parameters_3dm_gnss_sbas_settings_response, 4,
-    sizeof(struct mip_3dm_gnss_sbas_settings_response)};
+    parameters_3dm_gnss_sbas_settings_response,
+    4,
+    sizeof(struct mip_3dm_gnss_sbas_settings_response),
+};
 
 static const struct mip_parameter parameters_3dm_gnss_assisted_fix_response[] = {
     {"option", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2867,8 +3119,10 @@ static const struct mip_parameter parameters_3dm_gnss_assisted_fix_response[] = 
      ONE(struct mip_3dm_gnss_assisted_fix_response, flags), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gnss_assisted_fix_response = {
-    parameters_3dm_gnss_assisted_fix_response, 2,
-    sizeof(struct mip_3dm_gnss_assisted_fix_response)};
+    parameters_3dm_gnss_assisted_fix_response,
+    2,
+    sizeof(struct mip_3dm_gnss_assisted_fix_response),
+};
 
 static const struct mip_parameter parameters_3dm_gnss_time_assistance_response[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2879,8 +3133,10 @@ static const struct mip_parameter parameters_3dm_gnss_time_assistance_response[]
      ONE(struct mip_3dm_gnss_time_assistance_response, accuracy), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gnss_time_assistance_response = {
-    parameters_3dm_gnss_time_assistance_response, 3,
-    sizeof(struct mip_3dm_gnss_time_assistance_response)};
+    parameters_3dm_gnss_time_assistance_response,
+    3,
+    sizeof(struct mip_3dm_gnss_time_assistance_response),
+};
 
 static const struct mip_parameter parameters_3dm_pps_source_control_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2888,8 +3144,10 @@ static const struct mip_parameter parameters_3dm_pps_source_control_response[] =
      NULL, 0},
 };
 static const struct mip_record record_3dm_pps_source_control_response = {
-    parameters_3dm_pps_source_control_response, 1,
-    sizeof(struct mip_3dm_pps_source_control_response)};
+    parameters_3dm_pps_source_control_response,
+    1,
+    sizeof(struct mip_3dm_pps_source_control_response),
+};
 
 static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_euler_response[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2903,17 +3161,22 @@ static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_eul
      0},
 };
 static const struct mip_record record_3dm_sensor_to_vehicle_transform_euler_response = {
-    parameters_3dm_sensor_to_vehicle_transform_euler_response, 3,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler_response)};
+    parameters_3dm_sensor_to_vehicle_transform_euler_response,
+    3,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_euler_response),
+};
 
-static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_quaternion_response[] = {
-    {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
-     ONE(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response, q), 0, NULL, NULL, NULL,
-     NULL, 0},
+static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_quaternion_response[] =
+    {
+        {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
+         ONE(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response, q), 0, NULL, NULL,
+         NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_sensor_to_vehicle_transform_quaternion_response = {
-    parameters_3dm_sensor_to_vehicle_transform_quaternion_response, 1,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response)};
+    parameters_3dm_sensor_to_vehicle_transform_quaternion_response,
+    1,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_quaternion_response),
+};
 
 static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_dcm_response[] = {
     {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
@@ -2921,8 +3184,10 @@ static const struct mip_parameter parameters_3dm_sensor_to_vehicle_transform_dcm
      0},
 };
 static const struct mip_record record_3dm_sensor_to_vehicle_transform_dcm_response = {
-    parameters_3dm_sensor_to_vehicle_transform_dcm_response, 1,
-    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm_response)};
+    parameters_3dm_sensor_to_vehicle_transform_dcm_response,
+    1,
+    sizeof(struct mip_3dm_sensor_to_vehicle_transform_dcm_response),
+};
 
 static const struct mip_parameter parameters_3dm_get_event_support_response[] = {
     {"query", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2937,8 +3202,10 @@ static const struct mip_parameter parameters_3dm_get_event_support_response[] = 
      &record_3dm_event_support_info, NULL, 0},
 };
 static const struct mip_record record_3dm_get_event_support_response = {
-    parameters_3dm_get_event_support_response, 4,
-    sizeof(struct mip_3dm_get_event_support_response)};
+    parameters_3dm_get_event_support_response,
+    4,
+    sizeof(struct mip_3dm_get_event_support_response),
+};
 
 static const struct mip_parameter parameters_3dm_event_control_response[] = {
     {"instance", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -2948,7 +3215,10 @@ static const struct mip_parameter parameters_3dm_event_control_response[] = {
      NULL, 0},
 };
 static const struct mip_record record_3dm_event_control_response = {
-    parameters_3dm_event_control_response, 2, sizeof(struct mip_3dm_event_control_response)};
+    parameters_3dm_event_control_response,
+    2,
+    sizeof(struct mip_3dm_event_control_response),
+};
 
 static const struct mip_parameter parameters_3dm_get_event_trigger_status_response[] = {
     {"count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -2958,8 +3228,10 @@ static const struct mip_parameter parameters_3dm_get_event_trigger_status_respon
      &record_3dm_event_trigger_status_entry, NULL, 0},
 };
 static const struct mip_record record_3dm_get_event_trigger_status_response = {
-    parameters_3dm_get_event_trigger_status_response, 2,
-    sizeof(struct mip_3dm_get_event_trigger_status_response)};
+    parameters_3dm_get_event_trigger_status_response,
+    2,
+    sizeof(struct mip_3dm_get_event_trigger_status_response),
+};
 
 static const struct mip_parameter parameters_3dm_get_event_action_status_response[] = {
     {"count", "", MIP_KIND_COUNTER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 1, 0, 0,
@@ -2969,8 +3241,10 @@ static const struct mip_parameter parameters_3dm_get_event_action_status_respons
      &record_3dm_event_action_status_entry, NULL, 0},
 };
 static const struct mip_record record_3dm_get_event_action_status_response = {
-    parameters_3dm_get_event_action_status_response, 2,
-    sizeof(struct mip_3dm_get_event_action_status_response)};
+    parameters_3dm_get_event_action_status_response,
+    2,
+    sizeof(struct mip_3dm_get_event_action_status_response),
+};
 
 static const struct mip_parameter members_3dm_event_trigger_config_response_parameters[] = {
     {"gpio", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3000,8 +3274,10 @@ static const struct mip_parameter parameters_3dm_event_trigger_config_response[]
      cases_3dm_event_trigger_config_response_parameters, 4},
 };
 static const struct mip_record record_3dm_event_trigger_config_response = {
-    parameters_3dm_event_trigger_config_response, 3,
-    sizeof(struct mip_3dm_event_trigger_config_response)};
+    parameters_3dm_event_trigger_config_response,
+    3,
+    sizeof(struct mip_3dm_event_trigger_config_response),
+};
 
 static const struct mip_parameter members_3dm_event_action_config_response_parameters[] = {
     {"gpio", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3029,16 +3305,15 @@ static const struct mip_parameter parameters_3dm_event_action_config_response[] 
      cases_3dm_event_action_config_response_parameters, 3},
 };
 static const struct mip_record record_3dm_event_action_config_response = {
-    parameters_3dm_event_action_config_response, 4,
-    sizeof(struct mip_3dm_event_action_config_response)};
+    parameters_3dm_event_action_config_response,
+    4,
+    sizeof(struct mip_3dm_event_action_config_response),
+};
 
 static const struct mip_reading readings_3dm_gpio_config_response_behavior[] = {
-    {NULL, 1, 0, &names_gpio_unused_behavior},
-    {NULL, 1, 1, &names_gpio_behavior},
-    {NULL, 1, 2, &names_gpio_pps_behavior},
-    {NULL, 1, 3, &names_gpio_encoder_behavior},
-    {NULL, 1, 4, &names_gpio_timestamp_behavior},
-    {NULL, 1, 5, &names_gpio_uart_behavior},
+    {NULL, 1, 0, &names_gpio_unused_behavior},    {NULL, 1, 1, &names_gpio_behavior},
+    {NULL, 1, 2, &names_gpio_pps_behavior},       {NULL, 1, 3, &names_gpio_encoder_behavior},
+    {NULL, 1, 4, &names_gpio_timestamp_behavior}, {NULL, 1, 5, &names_gpio_uart_behavior},
 };
 static const struct mip_parameter parameters_3dm_gpio_config_response[] = {
     {"pin", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3054,7 +3329,10 @@ static const struct mip_parameter parameters_3dm_gpio_config_response[] = {
      0},
 };
 static const struct mip_record record_3dm_gpio_config_response = {
-    parameters_3dm_gpio_config_response, 4, sizeof(struct mip_3dm_gpio_config_response)};
+    parameters_3dm_gpio_config_response,
+    4,
+    sizeof(struct mip_3dm_gpio_config_response),
+};
 
 static const struct mip_parameter parameters_3dm_gpio_state_response[] = {
     {"pin", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3063,7 +3341,10 @@ static const struct mip_parameter parameters_3dm_gpio_state_response[] = {
      ONE(struct mip_3dm_gpio_state_response, state), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_gpio_state_response = {
-    parameters_3dm_gpio_state_response, 2, sizeof(struct mip_3dm_gpio_state_response)};
+    parameters_3dm_gpio_state_response,
+    2,
+    sizeof(struct mip_3dm_gpio_state_response),
+};
 
 static const struct mip_parameter parameters_3dm_odometer_config_response[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3075,7 +3356,10 @@ static const struct mip_parameter parameters_3dm_odometer_config_response[] = {
      ONE(struct mip_3dm_odometer_config_response, uncertainty), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_odometer_config_response = {
-    parameters_3dm_odometer_config_response, 3, sizeof(struct mip_3dm_odometer_config_response)};
+    parameters_3dm_odometer_config_response,
+    3,
+    sizeof(struct mip_3dm_odometer_config_response),
+};
 
 static const struct mip_parameter parameters_3dm_sensor_range_response[] = {
     {"sensor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3085,7 +3369,10 @@ static const struct mip_parameter parameters_3dm_sensor_range_response[] = {
      ONE(struct mip_3dm_sensor_range_response, setting), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_sensor_range_response = {
-    parameters_3dm_sensor_range_response, 2, sizeof(struct mip_3dm_sensor_range_response)};
+    parameters_3dm_sensor_range_response,
+    2,
+    sizeof(struct mip_3dm_sensor_range_response),
+};
 
 static const struct mip_parameter parameters_3dm_get_calibrated_sensor_ranges_response[] = {
     {"sensor", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3099,8 +3386,10 @@ static const struct mip_parameter parameters_3dm_get_calibrated_sensor_ranges_re
      &record_3dm_sensor_range_entry, NULL, 0},
 };
 static const struct mip_record record_3dm_get_calibrated_sensor_ranges_response = {
-    parameters_3dm_get_calibrated_sensor_ranges_response, 3,
-    sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response)};
+    parameters_3dm_get_calibrated_sensor_ranges_response,
+    3,
+    sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response),
+};
 
 static const struct mip_parameter parameters_3dm_low_pass_filter_response[] = {
     {"descriptor_set", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3115,10 +3404,16 @@ static const struct mip_parameter parameters_3dm_low_pass_filter_response[] = {
      ONE(struct mip_3dm_low_pass_filter_response, frequency), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_low_pass_filter_response = {
-    parameters_3dm_low_pass_filter_response, 5, sizeof(struct mip_3dm_low_pass_filter_response)};
+    parameters_3dm_low_pass_filter_response,
+    5,
+    sizeof(struct mip_3dm_low_pass_filter_response),
+};
 
 static const struct mip_record record_filter_reset = {
-    NULL, 0, sizeof(struct mip_filter_reset)};
+    NULL,
+    0,
+    sizeof(struct mip_filter_reset),
+};
 
 static const struct mip_parameter parameters_filter_set_initial_attitude[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3129,17 +3424,26 @@ static const struct mip_parameter parameters_filter_set_initial_attitude[] = {
      ONE(struct mip_filter_set_initial_attitude, heading), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_set_initial_attitude = {
-    parameters_filter_set_initial_attitude, 3, sizeof(struct mip_filter_set_initial_attitude)};
+    parameters_filter_set_initial_attitude,
+    3,
+    sizeof(struct mip_filter_set_initial_attitude),
+};
 
 static const struct mip_parameter parameters_filter_set_initial_heading[] = {
     {"heading", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_set_initial_heading, heading), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_set_initial_heading = {
-    parameters_filter_set_initial_heading, 1, sizeof(struct mip_filter_set_initial_heading)};
+    parameters_filter_set_initial_heading,
+    1,
+    sizeof(struct mip_filter_set_initial_heading),
+};
 
 static const struct mip_record record_filter_run = {
-    NULL, 0, sizeof(struct mip_filter_run)};
+    NULL,
+    0,
+    sizeof(struct mip_filter_run),
+};
 
 static const struct mip_parameter parameters_filter_vehicle_dynamics_mode[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3150,7 +3454,10 @@ static const struct mip_parameter parameters_filter_vehicle_dynamics_mode[] = {
      NULL, 0},
 };
 static const struct mip_record record_filter_vehicle_dynamics_mode = {
-    parameters_filter_vehicle_dynamics_mode, 2, sizeof(struct mip_filter_vehicle_dynamics_mode)};
+    parameters_filter_vehicle_dynamics_mode,
+    2,
+    sizeof(struct mip_filter_vehicle_dynamics_mode),
+};
 static const uint8_t required_filter_vehicle_dynamics_mode[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_euler[] = {
@@ -3165,8 +3472,10 @@ static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_e
      ONE(struct mip_filter_sensor_to_vehicle_rotation_euler, yaw), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_sensor_to_vehicle_rotation_euler = {
-    parameters_filter_sensor_to_vehicle_rotation_euler, 4,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler)};
+    parameters_filter_sensor_to_vehicle_rotation_euler,
+    4,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler),
+};
 static const uint8_t required_filter_sensor_to_vehicle_rotation_euler[] = {0, 3, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_offset[] = {
@@ -3177,8 +3486,10 @@ static const struct mip_parameter parameters_filter_sensor_to_vehicle_offset[] =
      ONE(struct mip_filter_sensor_to_vehicle_offset, offset), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_sensor_to_vehicle_offset = {
-    parameters_filter_sensor_to_vehicle_offset, 2,
-    sizeof(struct mip_filter_sensor_to_vehicle_offset)};
+    parameters_filter_sensor_to_vehicle_offset,
+    2,
+    sizeof(struct mip_filter_sensor_to_vehicle_offset),
+};
 static const uint8_t required_filter_sensor_to_vehicle_offset[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_antenna_offset[] = {
@@ -3189,7 +3500,10 @@ static const struct mip_parameter parameters_filter_antenna_offset[] = {
      ONE(struct mip_filter_antenna_offset, offset), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_antenna_offset = {
-    parameters_filter_antenna_offset, 2, sizeof(struct mip_filter_antenna_offset)};
+    parameters_filter_antenna_offset,
+    2,
+    sizeof(struct mip_filter_antenna_offset),
+};
 static const uint8_t required_filter_antenna_offset[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_estimation_control[] = {
@@ -3201,7 +3515,10 @@ static const struct mip_parameter parameters_filter_estimation_control[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_estimation_control = {
-    parameters_filter_estimation_control, 2, sizeof(struct mip_filter_estimation_control)};
+    parameters_filter_estimation_control,
+    2,
+    sizeof(struct mip_filter_estimation_control),
+};
 static const uint8_t required_filter_estimation_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_gnss_source[] = {
@@ -3213,7 +3530,10 @@ static const struct mip_parameter parameters_filter_gnss_source[] = {
      NULL, 0},
 };
 static const struct mip_record record_filter_gnss_source = {
-    parameters_filter_gnss_source, 2, sizeof(struct mip_filter_gnss_source)};
+    parameters_filter_gnss_source,
+    2,
+    sizeof(struct mip_filter_gnss_source),
+};
 static const uint8_t required_filter_gnss_source[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_external_gnss_update[] = {
@@ -3237,7 +3557,10 @@ static const struct mip_parameter parameters_filter_external_gnss_update[] = {
      NULL, 0},
 };
 static const struct mip_record record_filter_external_gnss_update = {
-    parameters_filter_external_gnss_update, 8, sizeof(struct mip_filter_external_gnss_update)};
+    parameters_filter_external_gnss_update,
+    8,
+    sizeof(struct mip_filter_external_gnss_update),
+};
 
 static const struct mip_parameter parameters_filter_external_heading_update[] = {
     {"heading", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3250,8 +3573,10 @@ static const struct mip_parameter parameters_filter_external_heading_update[] = 
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_external_heading_update = {
-    parameters_filter_external_heading_update, 3,
-    sizeof(struct mip_filter_external_heading_update)};
+    parameters_filter_external_heading_update,
+    3,
+    sizeof(struct mip_filter_external_heading_update),
+};
 
 static const struct mip_parameter parameters_filter_heading_source[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3262,7 +3587,10 @@ static const struct mip_parameter parameters_filter_heading_source[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_heading_source = {
-    parameters_filter_heading_source, 2, sizeof(struct mip_filter_heading_source)};
+    parameters_filter_heading_source,
+    2,
+    sizeof(struct mip_filter_heading_source),
+};
 static const uint8_t required_filter_heading_source[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_auto_initialization_control[] = {
@@ -3273,8 +3601,10 @@ static const struct mip_parameter parameters_filter_auto_initialization_control[
      ONE(struct mip_filter_auto_initialization_control, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_auto_initialization_control = {
-    parameters_filter_auto_initialization_control, 2,
-    sizeof(struct mip_filter_auto_initialization_control)};
+    parameters_filter_auto_initialization_control,
+    2,
+    sizeof(struct mip_filter_auto_initialization_control),
+};
 static const uint8_t required_filter_auto_initialization_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_accel_noise[] = {
@@ -3285,7 +3615,10 @@ static const struct mip_parameter parameters_filter_accel_noise[] = {
      ONE(struct mip_filter_accel_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_accel_noise = {
-    parameters_filter_accel_noise, 2, sizeof(struct mip_filter_accel_noise)};
+    parameters_filter_accel_noise,
+    2,
+    sizeof(struct mip_filter_accel_noise),
+};
 static const uint8_t required_filter_accel_noise[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_gyro_noise[] = {
@@ -3295,7 +3628,10 @@ static const struct mip_parameter parameters_filter_gyro_noise[] = {
      ONE(struct mip_filter_gyro_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gyro_noise = {
-    parameters_filter_gyro_noise, 2, sizeof(struct mip_filter_gyro_noise)};
+    parameters_filter_gyro_noise,
+    2,
+    sizeof(struct mip_filter_gyro_noise),
+};
 static const uint8_t required_filter_gyro_noise[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_accel_bias_model[] = {
@@ -3308,7 +3644,10 @@ static const struct mip_parameter parameters_filter_accel_bias_model[] = {
      ONE(struct mip_filter_accel_bias_model, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_accel_bias_model = {
-    parameters_filter_accel_bias_model, 3, sizeof(struct mip_filter_accel_bias_model)};
+    parameters_filter_accel_bias_model,
+    3,
+    sizeof(struct mip_filter_accel_bias_model),
+};
 static const uint8_t required_filter_accel_bias_model[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_gyro_bias_model[] = {
@@ -3321,7 +3660,10 @@ static const struct mip_parameter parameters_filter_gyro_bias_model[] = {
      ONE(struct mip_filter_gyro_bias_model, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gyro_bias_model = {
-    parameters_filter_gyro_bias_model, 3, sizeof(struct mip_filter_gyro_bias_model)};
+    parameters_filter_gyro_bias_model,
+    3,
+    sizeof(struct mip_filter_gyro_bias_model),
+};
 static const uint8_t required_filter_gyro_bias_model[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_auto_zupt[] = {
@@ -3333,7 +3675,10 @@ static const struct mip_parameter parameters_filter_auto_zupt[] = {
      ONE(struct mip_filter_auto_zupt, threshold), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_auto_zupt = {
-    parameters_filter_auto_zupt, 3, sizeof(struct mip_filter_auto_zupt)};
+    parameters_filter_auto_zupt,
+    3,
+    sizeof(struct mip_filter_auto_zupt),
+};
 static const uint8_t required_filter_auto_zupt[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_external_heading_update_with_time[] = {
@@ -3353,8 +3698,10 @@ static const struct mip_parameter parameters_filter_external_heading_update_with
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_external_heading_update_with_time = {
-    parameters_filter_external_heading_update_with_time, 5,
-    sizeof(struct mip_filter_external_heading_update_with_time)};
+    parameters_filter_external_heading_update_with_time,
+    5,
+    sizeof(struct mip_filter_external_heading_update_with_time),
+};
 
 static const struct mip_parameter parameters_filter_auto_angular_zupt[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3366,7 +3713,10 @@ static const struct mip_parameter parameters_filter_auto_angular_zupt[] = {
      ONE(struct mip_filter_auto_angular_zupt, threshold), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_auto_angular_zupt = {
-    parameters_filter_auto_angular_zupt, 3, sizeof(struct mip_filter_auto_angular_zupt)};
+    parameters_filter_auto_angular_zupt,
+    3,
+    sizeof(struct mip_filter_auto_angular_zupt),
+};
 static const uint8_t required_filter_auto_angular_zupt[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_tare_orientation[] = {
@@ -3378,14 +3728,23 @@ static const struct mip_parameter parameters_filter_tare_orientation[] = {
      0},
 };
 static const struct mip_record record_filter_tare_orientation = {
-    parameters_filter_tare_orientation, 2, sizeof(struct mip_filter_tare_orientation)};
+    parameters_filter_tare_orientation,
+    2,
+    sizeof(struct mip_filter_tare_orientation),
+};
 static const uint8_t required_filter_tare_orientation[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_record record_filter_commanded_zupt = {
-    NULL, 0, sizeof(struct mip_filter_commanded_zupt)};
+    NULL,
+    0,
+    sizeof(struct mip_filter_commanded_zupt),
+};
 
 static const struct mip_record record_filter_commanded_angular_zupt = {
-    NULL, 0, sizeof(struct mip_filter_commanded_angular_zupt)};
+    NULL,
+    0,
+    sizeof(struct mip_filter_commanded_angular_zupt),
+};
 
 static const struct mip_parameter parameters_filter_reference_position[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3401,7 +3760,10 @@ static const struct mip_parameter parameters_filter_reference_position[] = {
      ONE(struct mip_filter_reference_position, altitude), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_reference_position = {
-    parameters_filter_reference_position, 5, sizeof(struct mip_filter_reference_position)};
+    parameters_filter_reference_position,
+    5,
+    sizeof(struct mip_filter_reference_position),
+};
 static const uint8_t required_filter_reference_position[] = {0, 4, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_mag_capture_auto_calibration[] = {
@@ -3410,8 +3772,10 @@ static const struct mip_parameter parameters_filter_mag_capture_auto_calibration
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_mag_capture_auto_calibration = {
-    parameters_filter_mag_capture_auto_calibration, 1,
-    sizeof(struct mip_filter_mag_capture_auto_calibration)};
+    parameters_filter_mag_capture_auto_calibration,
+    1,
+    sizeof(struct mip_filter_mag_capture_auto_calibration),
+};
 static const uint8_t required_filter_mag_capture_auto_calibration[] = {0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_gravity_noise[] = {
@@ -3422,7 +3786,10 @@ static const struct mip_parameter parameters_filter_gravity_noise[] = {
      ONE(struct mip_filter_gravity_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gravity_noise = {
-    parameters_filter_gravity_noise, 2, sizeof(struct mip_filter_gravity_noise)};
+    parameters_filter_gravity_noise,
+    2,
+    sizeof(struct mip_filter_gravity_noise),
+};
 static const uint8_t required_filter_gravity_noise[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_pressure_altitude_noise[] = {
@@ -3433,8 +3800,10 @@ static const struct mip_parameter parameters_filter_pressure_altitude_noise[] = 
      ONE(struct mip_filter_pressure_altitude_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_pressure_altitude_noise = {
-    parameters_filter_pressure_altitude_noise, 2,
-    sizeof(struct mip_filter_pressure_altitude_noise)};
+    parameters_filter_pressure_altitude_noise,
+    2,
+    sizeof(struct mip_filter_pressure_altitude_noise),
+};
 static const uint8_t required_filter_pressure_altitude_noise[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_hard_iron_offset_noise[] = {
@@ -3445,7 +3814,10 @@ static const struct mip_parameter parameters_filter_hard_iron_offset_noise[] = {
      ONE(struct mip_filter_hard_iron_offset_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_hard_iron_offset_noise = {
-    parameters_filter_hard_iron_offset_noise, 2, sizeof(struct mip_filter_hard_iron_offset_noise)};
+    parameters_filter_hard_iron_offset_noise,
+    2,
+    sizeof(struct mip_filter_hard_iron_offset_noise),
+};
 static const uint8_t required_filter_hard_iron_offset_noise[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_soft_iron_matrix_noise[] = {
@@ -3456,7 +3828,10 @@ static const struct mip_parameter parameters_filter_soft_iron_matrix_noise[] = {
      ONE(struct mip_filter_soft_iron_matrix_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_soft_iron_matrix_noise = {
-    parameters_filter_soft_iron_matrix_noise, 2, sizeof(struct mip_filter_soft_iron_matrix_noise)};
+    parameters_filter_soft_iron_matrix_noise,
+    2,
+    sizeof(struct mip_filter_soft_iron_matrix_noise),
+};
 static const uint8_t required_filter_soft_iron_matrix_noise[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_enable_measurements[] = {
@@ -3468,7 +3843,10 @@ static const struct mip_parameter parameters_filter_enable_measurements[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_enable_measurements = {
-    parameters_filter_enable_measurements, 2, sizeof(struct mip_filter_enable_measurements)};
+    parameters_filter_enable_measurements,
+    2,
+    sizeof(struct mip_filter_enable_measurements),
+};
 static const uint8_t required_filter_enable_measurements[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_mag_noise[] = {
@@ -3478,7 +3856,10 @@ static const struct mip_parameter parameters_filter_mag_noise[] = {
      ONE(struct mip_filter_mag_noise, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_mag_noise = {
-    parameters_filter_mag_noise, 2, sizeof(struct mip_filter_mag_noise)};
+    parameters_filter_mag_noise,
+    2,
+    sizeof(struct mip_filter_mag_noise),
+};
 static const uint8_t required_filter_mag_noise[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_magnetic_declination_source[] = {
@@ -3492,8 +3873,10 @@ static const struct mip_parameter parameters_filter_magnetic_declination_source[
      ONE(struct mip_filter_magnetic_declination_source, declination), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_magnetic_declination_source = {
-    parameters_filter_magnetic_declination_source, 3,
-    sizeof(struct mip_filter_magnetic_declination_source)};
+    parameters_filter_magnetic_declination_source,
+    3,
+    sizeof(struct mip_filter_magnetic_declination_source),
+};
 static const uint8_t required_filter_magnetic_declination_source[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_accel_magnitude_error_adaptive_measurement[] = {
@@ -3524,10 +3907,12 @@ static const struct mip_parameter parameters_filter_accel_magnitude_error_adapti
      NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_accel_magnitude_error_adaptive_measurement = {
-    parameters_filter_accel_magnitude_error_adaptive_measurement, 8,
-    sizeof(struct mip_filter_accel_magnitude_error_adaptive_measurement)};
-static const uint8_t required_filter_accel_magnitude_error_adaptive_measurement[] = {
-    0, 1, 0, 0, 0, 0};
+    parameters_filter_accel_magnitude_error_adaptive_measurement,
+    8,
+    sizeof(struct mip_filter_accel_magnitude_error_adaptive_measurement),
+};
+static const uint8_t required_filter_accel_magnitude_error_adaptive_measurement[] = {0, 1, 0,
+                                                                                     0, 0, 0};
 
 static const struct mip_parameter parameters_filter_mag_magnitude_error_adaptive_measurement[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3556,10 +3941,12 @@ static const struct mip_parameter parameters_filter_mag_magnitude_error_adaptive
      NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_mag_magnitude_error_adaptive_measurement = {
-    parameters_filter_mag_magnitude_error_adaptive_measurement, 8,
-    sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement)};
-static const uint8_t required_filter_mag_magnitude_error_adaptive_measurement[] = {
-    0, 7, 0, 0, 0, 0};
+    parameters_filter_mag_magnitude_error_adaptive_measurement,
+    8,
+    sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement),
+};
+static const uint8_t required_filter_mag_magnitude_error_adaptive_measurement[] = {0, 7, 0,
+                                                                                   0, 0, 0};
 
 static const struct mip_parameter parameters_filter_mag_dip_angle_error_adaptive_measurement[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3582,10 +3969,12 @@ static const struct mip_parameter parameters_filter_mag_dip_angle_error_adaptive
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_mag_dip_angle_error_adaptive_measurement = {
-    parameters_filter_mag_dip_angle_error_adaptive_measurement, 6,
-    sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement)};
-static const uint8_t required_filter_mag_dip_angle_error_adaptive_measurement[] = {
-    0, 5, 0, 0, 0, 0};
+    parameters_filter_mag_dip_angle_error_adaptive_measurement,
+    6,
+    sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement),
+};
+static const uint8_t required_filter_mag_dip_angle_error_adaptive_measurement[] = {0, 5, 0,
+                                                                                   0, 0, 0};
 
 static const struct mip_parameter parameters_filter_altitude_aiding[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3596,7 +3985,10 @@ static const struct mip_parameter parameters_filter_altitude_aiding[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_altitude_aiding = {
-    parameters_filter_altitude_aiding, 2, sizeof(struct mip_filter_altitude_aiding)};
+    parameters_filter_altitude_aiding,
+    2,
+    sizeof(struct mip_filter_altitude_aiding),
+};
 static const uint8_t required_filter_altitude_aiding[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_pitch_roll_aiding[] = {
@@ -3608,7 +4000,10 @@ static const struct mip_parameter parameters_filter_pitch_roll_aiding[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_pitch_roll_aiding = {
-    parameters_filter_pitch_roll_aiding, 2, sizeof(struct mip_filter_pitch_roll_aiding)};
+    parameters_filter_pitch_roll_aiding,
+    2,
+    sizeof(struct mip_filter_pitch_roll_aiding),
+};
 static const uint8_t required_filter_pitch_roll_aiding[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_magnetic_inclination_source[] = {
@@ -3622,8 +4017,10 @@ static const struct mip_parameter parameters_filter_magnetic_inclination_source[
      ONE(struct mip_filter_magnetic_inclination_source, inclination), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_magnetic_inclination_source = {
-    parameters_filter_magnetic_inclination_source, 3,
-    sizeof(struct mip_filter_magnetic_inclination_source)};
+    parameters_filter_magnetic_inclination_source,
+    3,
+    sizeof(struct mip_filter_magnetic_inclination_source),
+};
 static const uint8_t required_filter_magnetic_inclination_source[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_magnetic_magnitude_source[] = {
@@ -3637,8 +4034,10 @@ static const struct mip_parameter parameters_filter_magnetic_magnitude_source[] 
      ONE(struct mip_filter_magnetic_magnitude_source, magnitude), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_magnetic_magnitude_source = {
-    parameters_filter_magnetic_magnitude_source, 3,
-    sizeof(struct mip_filter_magnetic_magnitude_source)};
+    parameters_filter_magnetic_magnitude_source,
+    3,
+    sizeof(struct mip_filter_magnetic_magnitude_source),
+};
 static const uint8_t required_filter_magnetic_magnitude_source[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_dcm[] = {
@@ -3649,8 +4048,10 @@ static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_d
      ONE(struct mip_filter_sensor_to_vehicle_rotation_dcm, dcm), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_sensor_to_vehicle_rotation_dcm = {
-    parameters_filter_sensor_to_vehicle_rotation_dcm, 2,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm)};
+    parameters_filter_sensor_to_vehicle_rotation_dcm,
+    2,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm),
+};
 static const uint8_t required_filter_sensor_to_vehicle_rotation_dcm[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_quaternion[] = {
@@ -3661,8 +4062,10 @@ static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_q
      ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_sensor_to_vehicle_rotation_quaternion = {
-    parameters_filter_sensor_to_vehicle_rotation_quaternion, 2,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion)};
+    parameters_filter_sensor_to_vehicle_rotation_quaternion,
+    2,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion),
+};
 static const uint8_t required_filter_sensor_to_vehicle_rotation_quaternion[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_aiding_measurement_enable[] = {
@@ -3676,8 +4079,10 @@ static const struct mip_parameter parameters_filter_aiding_measurement_enable[] 
      ONE(struct mip_filter_aiding_measurement_enable, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_aiding_measurement_enable = {
-    parameters_filter_aiding_measurement_enable, 3,
-    sizeof(struct mip_filter_aiding_measurement_enable)};
+    parameters_filter_aiding_measurement_enable,
+    3,
+    sizeof(struct mip_filter_aiding_measurement_enable),
+};
 static const uint8_t required_filter_aiding_measurement_enable[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_filter_kinematic_constraint[] = {
@@ -3695,7 +4100,10 @@ static const struct mip_parameter parameters_filter_kinematic_constraint[] = {
      &names_filter_angular_constraint, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_kinematic_constraint = {
-    parameters_filter_kinematic_constraint, 4, sizeof(struct mip_filter_kinematic_constraint)};
+    parameters_filter_kinematic_constraint,
+    4,
+    sizeof(struct mip_filter_kinematic_constraint),
+};
 static const uint8_t required_filter_kinematic_constraint[] = {0, 3, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_initialization_config[] = {
@@ -3726,7 +4134,10 @@ static const struct mip_parameter parameters_filter_initialization_config[] = {
      &names_filter_reference_frame, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_initialization_config = {
-    parameters_filter_initialization_config, 10, sizeof(struct mip_filter_initialization_config)};
+    parameters_filter_initialization_config,
+    10,
+    sizeof(struct mip_filter_initialization_config),
+};
 static const uint8_t required_filter_initialization_config[] = {0, 9, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_adaptive_filter_options[] = {
@@ -3740,8 +4151,10 @@ static const struct mip_parameter parameters_filter_adaptive_filter_options[] = 
      ONE(struct mip_filter_adaptive_filter_options, time_limit), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_adaptive_filter_options = {
-    parameters_filter_adaptive_filter_options, 3,
-    sizeof(struct mip_filter_adaptive_filter_options)};
+    parameters_filter_adaptive_filter_options,
+    3,
+    sizeof(struct mip_filter_adaptive_filter_options),
+};
 static const uint8_t required_filter_adaptive_filter_options[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_multi_antenna_offset[] = {
@@ -3754,7 +4167,10 @@ static const struct mip_parameter parameters_filter_multi_antenna_offset[] = {
      ONE(struct mip_filter_multi_antenna_offset, antenna_offset), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_multi_antenna_offset = {
-    parameters_filter_multi_antenna_offset, 3, sizeof(struct mip_filter_multi_antenna_offset)};
+    parameters_filter_multi_antenna_offset,
+    3,
+    sizeof(struct mip_filter_multi_antenna_offset),
+};
 static const uint8_t required_filter_multi_antenna_offset[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_filter_relative_position_config[] = {
@@ -3772,8 +4188,10 @@ static const struct mip_parameter parameters_filter_relative_position_config[] =
      NULL, 0},
 };
 static const struct mip_record record_filter_relative_position_config = {
-    parameters_filter_relative_position_config, 4,
-    sizeof(struct mip_filter_relative_position_config)};
+    parameters_filter_relative_position_config,
+    4,
+    sizeof(struct mip_filter_relative_position_config),
+};
 static const uint8_t required_filter_relative_position_config[] = {0, 3, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_reference_point_lever_arm[] = {
@@ -3788,8 +4206,10 @@ static const struct mip_parameter parameters_filter_reference_point_lever_arm[] 
      0},
 };
 static const struct mip_record record_filter_reference_point_lever_arm = {
-    parameters_filter_reference_point_lever_arm, 3,
-    sizeof(struct mip_filter_reference_point_lever_arm)};
+    parameters_filter_reference_point_lever_arm,
+    3,
+    sizeof(struct mip_filter_reference_point_lever_arm),
+};
 static const uint8_t required_filter_reference_point_lever_arm[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_speed_measurement[] = {
@@ -3803,7 +4223,10 @@ static const struct mip_parameter parameters_filter_speed_measurement[] = {
      ONE(struct mip_filter_speed_measurement, speed_uncertainty), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_speed_measurement = {
-    parameters_filter_speed_measurement, 4, sizeof(struct mip_filter_speed_measurement)};
+    parameters_filter_speed_measurement,
+    4,
+    sizeof(struct mip_filter_speed_measurement),
+};
 
 static const struct mip_parameter parameters_filter_speed_lever_arm[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3815,7 +4238,10 @@ static const struct mip_parameter parameters_filter_speed_lever_arm[] = {
      ONE(struct mip_filter_speed_lever_arm, lever_arm_offset), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_speed_lever_arm = {
-    parameters_filter_speed_lever_arm, 3, sizeof(struct mip_filter_speed_lever_arm)};
+    parameters_filter_speed_lever_arm,
+    3,
+    sizeof(struct mip_filter_speed_lever_arm),
+};
 static const uint8_t required_filter_speed_lever_arm[] = {0, 2, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_filter_vertical_gyro_constraint_control[] = {
@@ -3826,8 +4252,10 @@ static const struct mip_parameter parameters_filter_vertical_gyro_constraint_con
      ONE(struct mip_filter_vertical_gyro_constraint_control, enable), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_vertical_gyro_constraint_control = {
-    parameters_filter_vertical_gyro_constraint_control, 2,
-    sizeof(struct mip_filter_vertical_gyro_constraint_control)};
+    parameters_filter_vertical_gyro_constraint_control,
+    2,
+    sizeof(struct mip_filter_vertical_gyro_constraint_control),
+};
 static const uint8_t required_filter_vertical_gyro_constraint_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_control[] = {
@@ -3839,8 +4267,10 @@ static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_c
      0},
 };
 static const struct mip_record record_filter_wheeled_vehicle_constraint_control = {
-    parameters_filter_wheeled_vehicle_constraint_control, 2,
-    sizeof(struct mip_filter_wheeled_vehicle_constraint_control)};
+    parameters_filter_wheeled_vehicle_constraint_control,
+    2,
+    sizeof(struct mip_filter_wheeled_vehicle_constraint_control),
+};
 static const uint8_t required_filter_wheeled_vehicle_constraint_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_gnss_antenna_calibration_control[] = {
@@ -3854,8 +4284,10 @@ static const struct mip_parameter parameters_filter_gnss_antenna_calibration_con
      0},
 };
 static const struct mip_record record_filter_gnss_antenna_calibration_control = {
-    parameters_filter_gnss_antenna_calibration_control, 3,
-    sizeof(struct mip_filter_gnss_antenna_calibration_control)};
+    parameters_filter_gnss_antenna_calibration_control,
+    3,
+    sizeof(struct mip_filter_gnss_antenna_calibration_control),
+};
 static const uint8_t required_filter_gnss_antenna_calibration_control[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_filter_vehicle_dynamics_mode_response[] = {
@@ -3864,8 +4296,10 @@ static const struct mip_parameter parameters_filter_vehicle_dynamics_mode_respon
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_vehicle_dynamics_mode_response = {
-    parameters_filter_vehicle_dynamics_mode_response, 1,
-    sizeof(struct mip_filter_vehicle_dynamics_mode_response)};
+    parameters_filter_vehicle_dynamics_mode_response,
+    1,
+    sizeof(struct mip_filter_vehicle_dynamics_mode_response),
+};
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_euler_response[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3879,8 +4313,10 @@ static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_e
      NULL, 0},
 };
 static const struct mip_record record_filter_sensor_to_vehicle_rotation_euler_response = {
-    parameters_filter_sensor_to_vehicle_rotation_euler_response, 3,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler_response)};
+    parameters_filter_sensor_to_vehicle_rotation_euler_response,
+    3,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_euler_response),
+};
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_offset_response[] = {
     {"offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -3888,16 +4324,20 @@ static const struct mip_parameter parameters_filter_sensor_to_vehicle_offset_res
      0},
 };
 static const struct mip_record record_filter_sensor_to_vehicle_offset_response = {
-    parameters_filter_sensor_to_vehicle_offset_response, 1,
-    sizeof(struct mip_filter_sensor_to_vehicle_offset_response)};
+    parameters_filter_sensor_to_vehicle_offset_response,
+    1,
+    sizeof(struct mip_filter_sensor_to_vehicle_offset_response),
+};
 
 static const struct mip_parameter parameters_filter_antenna_offset_response[] = {
     {"offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_antenna_offset_response, offset), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_antenna_offset_response = {
-    parameters_filter_antenna_offset_response, 1,
-    sizeof(struct mip_filter_antenna_offset_response)};
+    parameters_filter_antenna_offset_response,
+    1,
+    sizeof(struct mip_filter_antenna_offset_response),
+};
 
 static const struct mip_parameter parameters_filter_estimation_control_response[] = {
     {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3905,8 +4345,10 @@ static const struct mip_parameter parameters_filter_estimation_control_response[
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_estimation_control_response = {
-    parameters_filter_estimation_control_response, 1,
-    sizeof(struct mip_filter_estimation_control_response)};
+    parameters_filter_estimation_control_response,
+    1,
+    sizeof(struct mip_filter_estimation_control_response),
+};
 
 static const struct mip_parameter parameters_filter_gnss_source_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3914,7 +4356,10 @@ static const struct mip_parameter parameters_filter_gnss_source_response[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gnss_source_response = {
-    parameters_filter_gnss_source_response, 1, sizeof(struct mip_filter_gnss_source_response)};
+    parameters_filter_gnss_source_response,
+    1,
+    sizeof(struct mip_filter_gnss_source_response),
+};
 
 static const struct mip_parameter parameters_filter_heading_source_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3922,8 +4367,10 @@ static const struct mip_parameter parameters_filter_heading_source_response[] = 
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_heading_source_response = {
-    parameters_filter_heading_source_response, 1,
-    sizeof(struct mip_filter_heading_source_response)};
+    parameters_filter_heading_source_response,
+    1,
+    sizeof(struct mip_filter_heading_source_response),
+};
 
 static const struct mip_parameter parameters_filter_auto_initialization_control_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3931,22 +4378,30 @@ static const struct mip_parameter parameters_filter_auto_initialization_control_
      0},
 };
 static const struct mip_record record_filter_auto_initialization_control_response = {
-    parameters_filter_auto_initialization_control_response, 1,
-    sizeof(struct mip_filter_auto_initialization_control_response)};
+    parameters_filter_auto_initialization_control_response,
+    1,
+    sizeof(struct mip_filter_auto_initialization_control_response),
+};
 
 static const struct mip_parameter parameters_filter_accel_noise_response[] = {
     {"noise", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_accel_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_accel_noise_response = {
-    parameters_filter_accel_noise_response, 1, sizeof(struct mip_filter_accel_noise_response)};
+    parameters_filter_accel_noise_response,
+    1,
+    sizeof(struct mip_filter_accel_noise_response),
+};
 
 static const struct mip_parameter parameters_filter_gyro_noise_response[] = {
     {"noise", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_gyro_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gyro_noise_response = {
-    parameters_filter_gyro_noise_response, 1, sizeof(struct mip_filter_gyro_noise_response)};
+    parameters_filter_gyro_noise_response,
+    1,
+    sizeof(struct mip_filter_gyro_noise_response),
+};
 
 static const struct mip_parameter parameters_filter_accel_bias_model_response[] = {
     {"beta", "1/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -3955,8 +4410,10 @@ static const struct mip_parameter parameters_filter_accel_bias_model_response[] 
      ONE(struct mip_filter_accel_bias_model_response, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_accel_bias_model_response = {
-    parameters_filter_accel_bias_model_response, 2,
-    sizeof(struct mip_filter_accel_bias_model_response)};
+    parameters_filter_accel_bias_model_response,
+    2,
+    sizeof(struct mip_filter_accel_bias_model_response),
+};
 
 static const struct mip_parameter parameters_filter_gyro_bias_model_response[] = {
     {"beta", "1/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -3965,8 +4422,10 @@ static const struct mip_parameter parameters_filter_gyro_bias_model_response[] =
      ONE(struct mip_filter_gyro_bias_model_response, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gyro_bias_model_response = {
-    parameters_filter_gyro_bias_model_response, 2,
-    sizeof(struct mip_filter_gyro_bias_model_response)};
+    parameters_filter_gyro_bias_model_response,
+    2,
+    sizeof(struct mip_filter_gyro_bias_model_response),
+};
 
 static const struct mip_parameter parameters_filter_auto_zupt_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3975,7 +4434,10 @@ static const struct mip_parameter parameters_filter_auto_zupt_response[] = {
      ONE(struct mip_filter_auto_zupt_response, threshold), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_auto_zupt_response = {
-    parameters_filter_auto_zupt_response, 2, sizeof(struct mip_filter_auto_zupt_response)};
+    parameters_filter_auto_zupt_response,
+    2,
+    sizeof(struct mip_filter_auto_zupt_response),
+};
 
 static const struct mip_parameter parameters_filter_auto_angular_zupt_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3984,8 +4446,10 @@ static const struct mip_parameter parameters_filter_auto_angular_zupt_response[]
      ONE(struct mip_filter_auto_angular_zupt_response, threshold), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_auto_angular_zupt_response = {
-    parameters_filter_auto_angular_zupt_response, 2,
-    sizeof(struct mip_filter_auto_angular_zupt_response)};
+    parameters_filter_auto_angular_zupt_response,
+    2,
+    sizeof(struct mip_filter_auto_angular_zupt_response),
+};
 
 static const struct mip_parameter parameters_filter_reference_position_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -3998,39 +4462,50 @@ static const struct mip_parameter parameters_filter_reference_position_response[
      ONE(struct mip_filter_reference_position_response, altitude), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_reference_position_response = {
-    parameters_filter_reference_position_response, 4,
-    sizeof(struct mip_filter_reference_position_response)};
+    parameters_filter_reference_position_response,
+    4,
+    sizeof(struct mip_filter_reference_position_response),
+};
 
 static const struct mip_parameter parameters_filter_gravity_noise_response[] = {
     {"noise", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_gravity_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gravity_noise_response = {
-    parameters_filter_gravity_noise_response, 1, sizeof(struct mip_filter_gravity_noise_response)};
+    parameters_filter_gravity_noise_response,
+    1,
+    sizeof(struct mip_filter_gravity_noise_response),
+};
 
 static const struct mip_parameter parameters_filter_pressure_altitude_noise_response[] = {
     {"noise", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_pressure_altitude_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_pressure_altitude_noise_response = {
-    parameters_filter_pressure_altitude_noise_response, 1,
-    sizeof(struct mip_filter_pressure_altitude_noise_response)};
+    parameters_filter_pressure_altitude_noise_response,
+    1,
+    sizeof(struct mip_filter_pressure_altitude_noise_response),
+};
 
 static const struct mip_parameter parameters_filter_hard_iron_offset_noise_response[] = {
     {"noise", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_hard_iron_offset_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_hard_iron_offset_noise_response = {
-    parameters_filter_hard_iron_offset_noise_response, 1,
-    sizeof(struct mip_filter_hard_iron_offset_noise_response)};
+    parameters_filter_hard_iron_offset_noise_response,
+    1,
+    sizeof(struct mip_filter_hard_iron_offset_noise_response),
+};
 
 static const struct mip_parameter parameters_filter_soft_iron_matrix_noise_response[] = {
     {"noise", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
      ONE(struct mip_filter_soft_iron_matrix_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_soft_iron_matrix_noise_response = {
-    parameters_filter_soft_iron_matrix_noise_response, 1,
-    sizeof(struct mip_filter_soft_iron_matrix_noise_response)};
+    parameters_filter_soft_iron_matrix_noise_response,
+    1,
+    sizeof(struct mip_filter_soft_iron_matrix_noise_response),
+};
 
 static const struct mip_parameter parameters_filter_tare_orientation_response[] = {
     {"axes", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4038,8 +4513,10 @@ static const struct mip_parameter parameters_filter_tare_orientation_response[] 
      NULL, 0},
 };
 static const struct mip_record record_filter_tare_orientation_response = {
-    parameters_filter_tare_orientation_response, 1,
-    sizeof(struct mip_filter_tare_orientation_response)};
+    parameters_filter_tare_orientation_response,
+    1,
+    sizeof(struct mip_filter_tare_orientation_response),
+};
 
 static const struct mip_parameter parameters_filter_enable_measurements_response[] = {
     {"control", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4047,15 +4524,20 @@ static const struct mip_parameter parameters_filter_enable_measurements_response
      &names_filter_measurement_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_enable_measurements_response = {
-    parameters_filter_enable_measurements_response, 1,
-    sizeof(struct mip_filter_enable_measurements_response)};
+    parameters_filter_enable_measurements_response,
+    1,
+    sizeof(struct mip_filter_enable_measurements_response),
+};
 
 static const struct mip_parameter parameters_filter_mag_noise_response[] = {
     {"noise", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_filter_mag_noise_response, noise), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_mag_noise_response = {
-    parameters_filter_mag_noise_response, 1, sizeof(struct mip_filter_mag_noise_response)};
+    parameters_filter_mag_noise_response,
+    1,
+    sizeof(struct mip_filter_mag_noise_response),
+};
 
 static const struct mip_parameter parameters_filter_magnetic_declination_source_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4066,90 +4548,112 @@ static const struct mip_parameter parameters_filter_magnetic_declination_source_
      NULL, 0},
 };
 static const struct mip_record record_filter_magnetic_declination_source_response = {
-    parameters_filter_magnetic_declination_source_response, 2,
-    sizeof(struct mip_filter_magnetic_declination_source_response)};
+    parameters_filter_magnetic_declination_source_response,
+    2,
+    sizeof(struct mip_filter_magnetic_declination_source_response),
+};
 
-static const struct mip_parameter parameters_filter_accel_magnitude_error_adaptive_measurement_response[] = {
-    {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, adaptive_measurement),
-     0, &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
-    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, frequency), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"low_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, low_limit), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"high_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, high_limit), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"low_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     0, 0,
-     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, low_limit_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
-    {"high_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     0, 0,
-     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, high_limit_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
-    {"minimum_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
-     0,
-     ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, minimum_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter
+    parameters_filter_accel_magnitude_error_adaptive_measurement_response[] = {
+        {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
+             adaptive_measurement),
+         0, &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
+        {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, frequency), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"low_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, low_limit), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"high_limit", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response, high_limit), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"low_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
+         0, 0, 0,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
+             low_limit_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"high_limit_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
+         0, 0, 0,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
+             high_limit_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"minimum_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+         0, 0,
+         ONE(struct mip_filter_accel_magnitude_error_adaptive_measurement_response,
+             minimum_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_accel_magnitude_error_adaptive_measurement_response = {
-    parameters_filter_accel_magnitude_error_adaptive_measurement_response, 7,
-    sizeof(struct mip_filter_accel_magnitude_error_adaptive_measurement_response)};
+    parameters_filter_accel_magnitude_error_adaptive_measurement_response,
+    7,
+    sizeof(struct mip_filter_accel_magnitude_error_adaptive_measurement_response),
+};
 
-static const struct mip_parameter parameters_filter_mag_magnitude_error_adaptive_measurement_response[] = {
-    {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, adaptive_measurement),
-     0, &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
-    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, frequency), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"low_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, low_limit), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"high_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, high_limit), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"low_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     0, 0,
-     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, low_limit_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
-    {"high_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
-     0, 0,
-     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, high_limit_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
-    {"minimum_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
-     0,
-     ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, minimum_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter
+    parameters_filter_mag_magnitude_error_adaptive_measurement_response[] = {
+        {"adaptive_measurement", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response,
+             adaptive_measurement),
+         0, &names_filter_adaptive_measurement_selector, NULL, NULL, NULL, 0},
+        {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, frequency), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"low_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, low_limit), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"high_limit", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response, high_limit), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"low_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
+         0, 0, 0,
+         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response,
+             low_limit_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"high_limit_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
+         0, 0, 0,
+         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response,
+             high_limit_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"minimum_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+         0, 0,
+         ONE(struct mip_filter_mag_magnitude_error_adaptive_measurement_response,
+             minimum_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_mag_magnitude_error_adaptive_measurement_response = {
-    parameters_filter_mag_magnitude_error_adaptive_measurement_response, 7,
-    sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement_response)};
+    parameters_filter_mag_magnitude_error_adaptive_measurement_response,
+    7,
+    sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement_response),
+};
 
-static const struct mip_parameter parameters_filter_mag_dip_angle_error_adaptive_measurement_response[] = {
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, enable), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, frequency), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"high_limit", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, high_limit), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"high_limit_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0,
-     0,
-     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, high_limit_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
-    {"minimum_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, minimum_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
+static const struct mip_parameter
+    parameters_filter_mag_dip_angle_error_adaptive_measurement_response[] = {
+        {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, enable), 0, NULL,
+         NULL, NULL, NULL, 0},
+        {"frequency", "Hz", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, frequency), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"high_limit", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response, high_limit), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"high_limit_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
+         0, 0, 0,
+         ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response,
+             high_limit_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"minimum_uncertainty", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0,
+         0, 0,
+         ONE(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response,
+             minimum_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_mag_dip_angle_error_adaptive_measurement_response = {
-    parameters_filter_mag_dip_angle_error_adaptive_measurement_response, 5,
-    sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response)};
+    parameters_filter_mag_dip_angle_error_adaptive_measurement_response,
+    5,
+    sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response),
+};
 
 static const struct mip_parameter parameters_filter_altitude_aiding_response[] = {
     {"selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4157,8 +4661,10 @@ static const struct mip_parameter parameters_filter_altitude_aiding_response[] =
      &names_filter_altitude_aiding_source, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_altitude_aiding_response = {
-    parameters_filter_altitude_aiding_response, 1,
-    sizeof(struct mip_filter_altitude_aiding_response)};
+    parameters_filter_altitude_aiding_response,
+    1,
+    sizeof(struct mip_filter_altitude_aiding_response),
+};
 
 static const struct mip_parameter parameters_filter_pitch_roll_aiding_response[] = {
     {"aiding", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4166,8 +4672,10 @@ static const struct mip_parameter parameters_filter_pitch_roll_aiding_response[]
      &names_filter_pitch_roll_aiding_source, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_pitch_roll_aiding_response = {
-    parameters_filter_pitch_roll_aiding_response, 1,
-    sizeof(struct mip_filter_pitch_roll_aiding_response)};
+    parameters_filter_pitch_roll_aiding_response,
+    1,
+    sizeof(struct mip_filter_pitch_roll_aiding_response),
+};
 
 static const struct mip_parameter parameters_filter_magnetic_inclination_source_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4178,8 +4686,10 @@ static const struct mip_parameter parameters_filter_magnetic_inclination_source_
      NULL, 0},
 };
 static const struct mip_record record_filter_magnetic_inclination_source_response = {
-    parameters_filter_magnetic_inclination_source_response, 2,
-    sizeof(struct mip_filter_magnetic_inclination_source_response)};
+    parameters_filter_magnetic_inclination_source_response,
+    2,
+    sizeof(struct mip_filter_magnetic_inclination_source_response),
+};
 
 static const struct mip_parameter parameters_filter_magnetic_magnitude_source_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4190,8 +4700,10 @@ static const struct mip_parameter parameters_filter_magnetic_magnitude_source_re
      NULL, 0},
 };
 static const struct mip_record record_filter_magnetic_magnitude_source_response = {
-    parameters_filter_magnetic_magnitude_source_response, 2,
-    sizeof(struct mip_filter_magnetic_magnitude_source_response)};
+    parameters_filter_magnetic_magnitude_source_response,
+    2,
+    sizeof(struct mip_filter_magnetic_magnitude_source_response),
+};
 
 static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_dcm_response[] = {
     {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
@@ -4199,17 +4711,22 @@ static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_d
      0},
 };
 static const struct mip_record record_filter_sensor_to_vehicle_rotation_dcm_response = {
-    parameters_filter_sensor_to_vehicle_rotation_dcm_response, 1,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm_response)};
+    parameters_filter_sensor_to_vehicle_rotation_dcm_response,
+    1,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm_response),
+};
 
-static const struct mip_parameter parameters_filter_sensor_to_vehicle_rotation_quaternion_response[] = {
-    {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
-     ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response, q), 0, NULL, NULL, NULL,
-     NULL, 0},
+static const struct mip_parameter
+    parameters_filter_sensor_to_vehicle_rotation_quaternion_response[] = {
+        {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
+         ONE(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response, q), 0, NULL, NULL,
+         NULL, NULL, 0},
 };
 static const struct mip_record record_filter_sensor_to_vehicle_rotation_quaternion_response = {
-    parameters_filter_sensor_to_vehicle_rotation_quaternion_response, 1,
-    sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response)};
+    parameters_filter_sensor_to_vehicle_rotation_quaternion_response,
+    1,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response),
+};
 
 static const struct mip_parameter parameters_filter_aiding_measurement_enable_response[] = {
     {"aiding_source", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4220,8 +4737,10 @@ static const struct mip_parameter parameters_filter_aiding_measurement_enable_re
      0},
 };
 static const struct mip_record record_filter_aiding_measurement_enable_response = {
-    parameters_filter_aiding_measurement_enable_response, 2,
-    sizeof(struct mip_filter_aiding_measurement_enable_response)};
+    parameters_filter_aiding_measurement_enable_response,
+    2,
+    sizeof(struct mip_filter_aiding_measurement_enable_response),
+};
 
 static const struct mip_parameter parameters_filter_kinematic_constraint_response[] = {
     {"accel_constraint", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4235,8 +4754,10 @@ static const struct mip_parameter parameters_filter_kinematic_constraint_respons
      &names_filter_angular_constraint, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_kinematic_constraint_response = {
-    parameters_filter_kinematic_constraint_response, 3,
-    sizeof(struct mip_filter_kinematic_constraint_response)};
+    parameters_filter_kinematic_constraint_response,
+    3,
+    sizeof(struct mip_filter_kinematic_constraint_response),
+};
 
 static const struct mip_parameter parameters_filter_initialization_config_response[] = {
     {"wait_for_run_command", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4268,8 +4789,10 @@ static const struct mip_parameter parameters_filter_initialization_config_respon
      &names_filter_reference_frame, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_initialization_config_response = {
-    parameters_filter_initialization_config_response, 9,
-    sizeof(struct mip_filter_initialization_config_response)};
+    parameters_filter_initialization_config_response,
+    9,
+    sizeof(struct mip_filter_initialization_config_response),
+};
 
 static const struct mip_parameter parameters_filter_adaptive_filter_options_response[] = {
     {"level", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4280,8 +4803,10 @@ static const struct mip_parameter parameters_filter_adaptive_filter_options_resp
      0},
 };
 static const struct mip_record record_filter_adaptive_filter_options_response = {
-    parameters_filter_adaptive_filter_options_response, 2,
-    sizeof(struct mip_filter_adaptive_filter_options_response)};
+    parameters_filter_adaptive_filter_options_response,
+    2,
+    sizeof(struct mip_filter_adaptive_filter_options_response),
+};
 
 static const struct mip_parameter parameters_filter_multi_antenna_offset_response[] = {
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4292,8 +4817,10 @@ static const struct mip_parameter parameters_filter_multi_antenna_offset_respons
      NULL, 0},
 };
 static const struct mip_record record_filter_multi_antenna_offset_response = {
-    parameters_filter_multi_antenna_offset_response, 2,
-    sizeof(struct mip_filter_multi_antenna_offset_response)};
+    parameters_filter_multi_antenna_offset_response,
+    2,
+    sizeof(struct mip_filter_multi_antenna_offset_response),
+};
 
 static const struct mip_parameter parameters_filter_relative_position_config_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4307,8 +4834,10 @@ static const struct mip_parameter parameters_filter_relative_position_config_res
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_relative_position_config_response = {
-    parameters_filter_relative_position_config_response, 3,
-    sizeof(struct mip_filter_relative_position_config_response)};
+    parameters_filter_relative_position_config_response,
+    3,
+    sizeof(struct mip_filter_relative_position_config_response),
+};
 
 static const struct mip_parameter parameters_filter_reference_point_lever_arm_response[] = {
     {"reference_point", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4319,8 +4848,10 @@ static const struct mip_parameter parameters_filter_reference_point_lever_arm_re
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_reference_point_lever_arm_response = {
-    parameters_filter_reference_point_lever_arm_response, 2,
-    sizeof(struct mip_filter_reference_point_lever_arm_response)};
+    parameters_filter_reference_point_lever_arm_response,
+    2,
+    sizeof(struct mip_filter_reference_point_lever_arm_response),
+};
 
 static const struct mip_parameter parameters_filter_speed_lever_arm_response[] = {
     {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4330,8 +4861,10 @@ static const struct mip_parameter parameters_filter_speed_lever_arm_response[] =
      0},
 };
 static const struct mip_record record_filter_speed_lever_arm_response = {
-    parameters_filter_speed_lever_arm_response, 2,
-    sizeof(struct mip_filter_speed_lever_arm_response)};
+    parameters_filter_speed_lever_arm_response,
+    2,
+    sizeof(struct mip_filter_speed_lever_arm_response),
+};
 
 static const struct mip_parameter parameters_filter_vertical_gyro_constraint_control_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4339,17 +4872,22 @@ static const struct mip_parameter parameters_filter_vertical_gyro_constraint_con
      NULL, 0},
 };
 static const struct mip_record record_filter_vertical_gyro_constraint_control_response = {
-    parameters_filter_vertical_gyro_constraint_control_response, 1,
-    sizeof(struct mip_filter_vertical_gyro_constraint_control_response)};
+    parameters_filter_vertical_gyro_constraint_control_response,
+    1,
+    sizeof(struct mip_filter_vertical_gyro_constraint_control_response),
+};
 
-static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_control_response[] = {
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_wheeled_vehicle_constraint_control_response, enable), 0, NULL, NULL,
-     NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_wheeled_vehicle_constraint_control_response[] =
+    {
+        {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_wheeled_vehicle_constraint_control_response, enable), 0, NULL, NULL,
+         NULL, NULL, 0},
 };
 static const struct mip_record record_filter_wheeled_vehicle_constraint_control_response = {
-    parameters_filter_wheeled_vehicle_constraint_control_response, 1,
-    sizeof(struct mip_filter_wheeled_vehicle_constraint_control_response)};
+    parameters_filter_wheeled_vehicle_constraint_control_response,
+    1,
+    sizeof(struct mip_filter_wheeled_vehicle_constraint_control_response),
+};
 
 static const struct mip_parameter parameters_filter_gnss_antenna_calibration_control_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4360,11 +4898,16 @@ static const struct mip_parameter parameters_filter_gnss_antenna_calibration_con
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_gnss_antenna_calibration_control_response = {
-    parameters_filter_gnss_antenna_calibration_control_response, 2,
-    sizeof(struct mip_filter_gnss_antenna_calibration_control_response)};
+    parameters_filter_gnss_antenna_calibration_control_response,
+    2,
+    sizeof(struct mip_filter_gnss_antenna_calibration_control_response),
+};
 
 static const struct mip_record record_gnss_receiver_info = {
-    NULL, 0, sizeof(struct mip_gnss_receiver_info)};
+    NULL,
+    0,
+    sizeof(struct mip_gnss_receiver_info),
+};
 
 static const struct mip_parameter parameters_gnss_signal_config[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4386,7 +4929,10 @@ static const struct mip_parameter parameters_gnss_signal_config[] = {
      MANY(struct mip_gnss_signal_config, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_signal_config = {
-    parameters_gnss_signal_config, 6, sizeof(struct mip_gnss_signal_config)};
+    parameters_gnss_signal_config,
+    6,
+    sizeof(struct mip_gnss_signal_config),
+};
 static const uint8_t required_gnss_signal_config[] = {0, 5, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_gnss_rtk_dongle_config[] = {
@@ -4399,7 +4945,10 @@ static const struct mip_parameter parameters_gnss_rtk_dongle_config[] = {
      MANY(struct mip_gnss_rtk_dongle_config, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_rtk_dongle_config = {
-    parameters_gnss_rtk_dongle_config, 3, sizeof(struct mip_gnss_rtk_dongle_config)};
+    parameters_gnss_rtk_dongle_config,
+    3,
+    sizeof(struct mip_gnss_rtk_dongle_config),
+};
 static const uint8_t required_gnss_rtk_dongle_config[] = {0, 2, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_gnss_spartn_config[] = {
@@ -4425,7 +4974,10 @@ static const struct mip_parameter parameters_gnss_spartn_config[] = {
      MANY(struct mip_gnss_spartn_config, next_key), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_spartn_config = {
-    parameters_gnss_spartn_config, 9, sizeof(struct mip_gnss_spartn_config)};
+    parameters_gnss_spartn_config,
+    9,
+    sizeof(struct mip_gnss_spartn_config),
+};
 static const uint8_t required_gnss_spartn_config[] = {0, 8, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_gnss_receiver_info_response[] = {
@@ -4436,7 +4988,10 @@ static const struct mip_parameter parameters_gnss_receiver_info_response[] = {
      &record_gnss_receiver_info_entry, NULL, 0},
 };
 static const struct mip_record record_gnss_receiver_info_response = {
-    parameters_gnss_receiver_info_response, 2, sizeof(struct mip_gnss_receiver_info_response)};
+    parameters_gnss_receiver_info_response,
+    2,
+    sizeof(struct mip_gnss_receiver_info_response),
+};
 
 static const struct mip_parameter parameters_gnss_signal_config_response[] = {
     {"gps_enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4455,7 +5010,10 @@ static const struct mip_parameter parameters_gnss_signal_config_response[] = {
      MANY(struct mip_gnss_signal_config_response, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_signal_config_response = {
-    parameters_gnss_signal_config_response, 5, sizeof(struct mip_gnss_signal_config_response)};
+    parameters_gnss_signal_config_response,
+    5,
+    sizeof(struct mip_gnss_signal_config_response),
+};
 
 static const struct mip_parameter parameters_gnss_rtk_dongle_config_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4464,8 +5022,10 @@ static const struct mip_parameter parameters_gnss_rtk_dongle_config_response[] =
      MANY(struct mip_gnss_rtk_dongle_config_response, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_rtk_dongle_config_response = {
-    parameters_gnss_rtk_dongle_config_response, 2,
-    sizeof(struct mip_gnss_rtk_dongle_config_response)};
+    parameters_gnss_rtk_dongle_config_response,
+    2,
+    sizeof(struct mip_gnss_rtk_dongle_config_response),
+};
 
 static const struct mip_parameter parameters_gnss_spartn_config_response[] = {
     {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4487,22 +5047,40 @@ static const struct mip_parameter parameters_gnss_spartn_config_response[] = {
      MANY(struct mip_gnss_spartn_config_response, next_key), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_spartn_config_response = {
-    parameters_gnss_spartn_config_response, 8, sizeof(struct mip_gnss_spartn_config_response)};
+    parameters_gnss_spartn_config_response,
+    8,
+    sizeof(struct mip_gnss_spartn_config_response),
+};
 
 static const struct mip_record record_rtk_get_status_flags = {
-    NULL, 0, sizeof(struct mip_rtk_get_status_flags)};
+    NULL,
+    0,
+    sizeof(struct mip_rtk_get_status_flags),
+};
 
 static const struct mip_record record_rtk_get_imei = {
-    NULL, 0, sizeof(struct mip_rtk_get_imei)};
+    NULL,
+    0,
+    sizeof(struct mip_rtk_get_imei),
+};
 
 static const struct mip_record record_rtk_get_imsi = {
-    NULL, 0, sizeof(struct mip_rtk_get_imsi)};
+    NULL,
+    0,
+    sizeof(struct mip_rtk_get_imsi),
+};
 
 static const struct mip_record record_rtk_get_iccid = {
-    NULL, 0, sizeof(struct mip_rtk_get_iccid)};
+    NULL,
+    0,
+    sizeof(struct mip_rtk_get_iccid),
+};
 
 static const struct mip_record record_rtk_get_rssi = {
-    NULL, 0, sizeof(struct mip_rtk_get_rssi)};
+    NULL,
+    0,
+    sizeof(struct mip_rtk_get_rssi),
+};
 
 static const struct mip_parameter parameters_rtk_connected_device_type[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4513,14 +5091,23 @@ static const struct mip_parameter parameters_rtk_connected_device_type[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_rtk_connected_device_type = {
-    parameters_rtk_connected_device_type, 2, sizeof(struct mip_rtk_connected_device_type)};
+    parameters_rtk_connected_device_type,
+    2,
+    sizeof(struct mip_rtk_connected_device_type),
+};
 static const uint8_t required_rtk_connected_device_type[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_record record_rtk_get_activation_code = {
-    NULL, 0, sizeof(struct mip_rtk_get_activation_code)};
+    NULL,
+    0,
+    sizeof(struct mip_rtk_get_activation_code),
+};
 
 static const struct mip_record record_rtk_get_modem_firmware_version = {
-    NULL, 0, sizeof(struct mip_rtk_get_modem_firmware_version)};
+    NULL,
+    0,
+    sizeof(struct mip_rtk_get_modem_firmware_version),
+};
 
 static const struct mip_parameter parameters_rtk_service_status[] = {
     {"reserved1", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4529,14 +5116,20 @@ static const struct mip_parameter parameters_rtk_service_status[] = {
      ONE(struct mip_rtk_service_status, reserved2), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_rtk_service_status = {
-    parameters_rtk_service_status, 2, sizeof(struct mip_rtk_service_status)};
+    parameters_rtk_service_status,
+    2,
+    sizeof(struct mip_rtk_service_status),
+};
 
 static const struct mip_parameter parameters_rtk_erase_storage[] = {
     {"media", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_rtk_erase_storage, media), 0, &names_rtk_storage_medium, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_rtk_erase_storage = {
-    parameters_rtk_erase_storage, 1, sizeof(struct mip_rtk_erase_storage)};
+    parameters_rtk_erase_storage,
+    1,
+    sizeof(struct mip_rtk_erase_storage),
+};
 
 static const struct mip_parameter parameters_rtk_led_control[] = {
     {"primary_color", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 3, 1, 0, 0, 0,
@@ -4549,10 +5142,16 @@ static const struct mip_parameter parameters_rtk_led_control[] = {
      ONE(struct mip_rtk_led_control, period), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_rtk_led_control = {
-    parameters_rtk_led_control, 4, sizeof(struct mip_rtk_led_control)};
+    parameters_rtk_led_control,
+    4,
+    sizeof(struct mip_rtk_led_control),
+};
 
 static const struct mip_record record_rtk_modem_hard_reset = {
-    NULL, 0, sizeof(struct mip_rtk_modem_hard_reset)};
+    NULL,
+    0,
+    sizeof(struct mip_rtk_modem_hard_reset),
+};
 
 static const struct mip_parameter parameters_rtk_get_status_flags_response[] = {
     {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4560,28 +5159,40 @@ static const struct mip_parameter parameters_rtk_get_status_flags_response[] = {
      NULL, 0},
 };
 static const struct mip_record record_rtk_get_status_flags_response = {
-    parameters_rtk_get_status_flags_response, 1, sizeof(struct mip_rtk_get_status_flags_response)};
+    parameters_rtk_get_status_flags_response,
+    1,
+    sizeof(struct mip_rtk_get_status_flags_response),
+};
 
 static const struct mip_parameter parameters_rtk_get_imei_response[] = {
     {"imei", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
      MANY(struct mip_rtk_get_imei_response, imei), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_rtk_get_imei_response = {
-    parameters_rtk_get_imei_response, 1, sizeof(struct mip_rtk_get_imei_response)};
+    parameters_rtk_get_imei_response,
+    1,
+    sizeof(struct mip_rtk_get_imei_response),
+};
 
 static const struct mip_parameter parameters_rtk_get_imsi_response[] = {
     {"imsi", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
      MANY(struct mip_rtk_get_imsi_response, imsi), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_rtk_get_imsi_response = {
-    parameters_rtk_get_imsi_response, 1, sizeof(struct mip_rtk_get_imsi_response)};
+    parameters_rtk_get_imsi_response,
+    1,
+    sizeof(struct mip_rtk_get_imsi_response),
+};
 
 static const struct mip_parameter parameters_rtk_get_iccid_response[] = {
     {"iccid", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
      MANY(struct mip_rtk_get_iccid_response, iccid), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_rtk_get_iccid_response = {
-    parameters_rtk_get_iccid_response, 1, sizeof(struct mip_rtk_get_iccid_response)};
+    parameters_rtk_get_iccid_response,
+    1,
+    sizeof(struct mip_rtk_get_iccid_response),
+};
 
 static const struct mip_parameter parameters_rtk_get_rssi_response[] = {
     {"valid", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4592,7 +5203,10 @@ static const struct mip_parameter parameters_rtk_get_rssi_response[] = {
      ONE(struct mip_rtk_get_rssi_response, signal_quality), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_rtk_get_rssi_response = {
-    parameters_rtk_get_rssi_response, 3, sizeof(struct mip_rtk_get_rssi_response)};
+    parameters_rtk_get_rssi_response,
+    3,
+    sizeof(struct mip_rtk_get_rssi_response),
+};
 
 static const struct mip_parameter parameters_rtk_connected_device_type_response[] = {
     {"device_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4600,8 +5214,10 @@ static const struct mip_parameter parameters_rtk_connected_device_type_response[
      &names_rtk_connected_device, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_rtk_connected_device_type_response = {
-    parameters_rtk_connected_device_type_response, 1,
-    sizeof(struct mip_rtk_connected_device_type_response)};
+    parameters_rtk_connected_device_type_response,
+    1,
+    sizeof(struct mip_rtk_connected_device_type_response),
+};
 
 static const struct mip_parameter parameters_rtk_get_activation_code_response[] = {
     {"activation_code", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
@@ -4609,8 +5225,10 @@ static const struct mip_parameter parameters_rtk_get_activation_code_response[] 
      0},
 };
 static const struct mip_record record_rtk_get_activation_code_response = {
-    parameters_rtk_get_activation_code_response, 1,
-    sizeof(struct mip_rtk_get_activation_code_response)};
+    parameters_rtk_get_activation_code_response,
+    1,
+    sizeof(struct mip_rtk_get_activation_code_response),
+};
 
 static const struct mip_parameter parameters_rtk_get_modem_firmware_version_response[] = {
     {"modem_firmware_version", "", MIP_KIND_TEXT, MIP_SCALAR_U8, MIP_LENGTH_FIXED, 32, 1, 0, 0, 0,
@@ -4618,8 +5236,10 @@ static const struct mip_parameter parameters_rtk_get_modem_firmware_version_resp
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_rtk_get_modem_firmware_version_response = {
-    parameters_rtk_get_modem_firmware_version_response, 1,
-    sizeof(struct mip_rtk_get_modem_firmware_version_response)};
+    parameters_rtk_get_modem_firmware_version_response,
+    1,
+    sizeof(struct mip_rtk_get_modem_firmware_version_response),
+};
 
 static const struct mip_parameter parameters_rtk_service_status_response[] = {
     {"flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4633,7 +5253,10 @@ static const struct mip_parameter parameters_rtk_service_status_response[] = {
      ONE(struct mip_rtk_service_status_response, last_bytes_time), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_rtk_service_status_response = {
-    parameters_rtk_service_status_response, 4, sizeof(struct mip_rtk_service_status_response)};
+    parameters_rtk_service_status_response,
+    4,
+    sizeof(struct mip_rtk_service_status_response),
+};
 
 static const struct mip_parameter members_aiding_frame_config_rotation[] = {
     {"euler", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4663,7 +5286,10 @@ static const struct mip_parameter parameters_aiding_frame_config[] = {
      cases_aiding_frame_config_rotation, 2},
 };
 static const struct mip_record record_aiding_frame_config = {
-    parameters_aiding_frame_config, 6, sizeof(struct mip_aiding_frame_config)};
+    parameters_aiding_frame_config,
+    6,
+    sizeof(struct mip_aiding_frame_config),
+};
 static const uint8_t required_aiding_frame_config[] = {0, 5, 2, 1, 1, 1};
 
 static const struct mip_parameter parameters_aiding_echo_control[] = {
@@ -4674,7 +5300,10 @@ static const struct mip_parameter parameters_aiding_echo_control[] = {
      ONE(struct mip_aiding_echo_control, mode), 0, &names_aiding_echo_mode, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_echo_control = {
-    parameters_aiding_echo_control, 2, sizeof(struct mip_aiding_echo_control)};
+    parameters_aiding_echo_control,
+    2,
+    sizeof(struct mip_aiding_echo_control),
+};
 static const uint8_t required_aiding_echo_control[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_aiding_ecef_position[] = {
@@ -4692,7 +5321,10 @@ static const struct mip_parameter parameters_aiding_ecef_position[] = {
      NULL, 0},
 };
 static const struct mip_record record_aiding_ecef_position = {
-    parameters_aiding_ecef_position, 5, sizeof(struct mip_aiding_ecef_position)};
+    parameters_aiding_ecef_position,
+    5,
+    sizeof(struct mip_aiding_ecef_position),
+};
 
 static const struct mip_parameter parameters_aiding_llh_position[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4713,7 +5345,10 @@ static const struct mip_parameter parameters_aiding_llh_position[] = {
      NULL, 0},
 };
 static const struct mip_record record_aiding_llh_position = {
-    parameters_aiding_llh_position, 7, sizeof(struct mip_aiding_llh_position)};
+    parameters_aiding_llh_position,
+    7,
+    sizeof(struct mip_aiding_llh_position),
+};
 
 static const struct mip_parameter parameters_aiding_height_above_ellipsoid[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4729,7 +5364,10 @@ static const struct mip_parameter parameters_aiding_height_above_ellipsoid[] = {
      ONE(struct mip_aiding_height_above_ellipsoid, valid_flags), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_height_above_ellipsoid = {
-    parameters_aiding_height_above_ellipsoid, 5, sizeof(struct mip_aiding_height_above_ellipsoid)};
+    parameters_aiding_height_above_ellipsoid,
+    5,
+    sizeof(struct mip_aiding_height_above_ellipsoid),
+};
 
 static const struct mip_parameter parameters_aiding_ecef_velocity[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4746,7 +5384,10 @@ static const struct mip_parameter parameters_aiding_ecef_velocity[] = {
      NULL, 0},
 };
 static const struct mip_record record_aiding_ecef_velocity = {
-    parameters_aiding_ecef_velocity, 5, sizeof(struct mip_aiding_ecef_velocity)};
+    parameters_aiding_ecef_velocity,
+    5,
+    sizeof(struct mip_aiding_ecef_velocity),
+};
 
 static const struct mip_parameter parameters_aiding_ned_velocity[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4763,7 +5404,10 @@ static const struct mip_parameter parameters_aiding_ned_velocity[] = {
      NULL, 0},
 };
 static const struct mip_record record_aiding_ned_velocity = {
-    parameters_aiding_ned_velocity, 5, sizeof(struct mip_aiding_ned_velocity)};
+    parameters_aiding_ned_velocity,
+    5,
+    sizeof(struct mip_aiding_ned_velocity),
+};
 
 static const struct mip_parameter parameters_aiding_body_frame_velocity[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4780,7 +5424,10 @@ static const struct mip_parameter parameters_aiding_body_frame_velocity[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_body_frame_velocity = {
-    parameters_aiding_body_frame_velocity, 5, sizeof(struct mip_aiding_body_frame_velocity)};
+    parameters_aiding_body_frame_velocity,
+    5,
+    sizeof(struct mip_aiding_body_frame_velocity),
+};
 
 static const struct mip_parameter parameters_aiding_true_heading[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4796,7 +5443,10 @@ static const struct mip_parameter parameters_aiding_true_heading[] = {
      ONE(struct mip_aiding_true_heading, valid_flags), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_true_heading = {
-    parameters_aiding_true_heading, 5, sizeof(struct mip_aiding_true_heading)};
+    parameters_aiding_true_heading,
+    5,
+    sizeof(struct mip_aiding_true_heading),
+};
 
 static const struct mip_parameter parameters_aiding_magnetic_field[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4813,7 +5463,10 @@ static const struct mip_parameter parameters_aiding_magnetic_field[] = {
      NULL, 0},
 };
 static const struct mip_record record_aiding_magnetic_field = {
-    parameters_aiding_magnetic_field, 5, sizeof(struct mip_aiding_magnetic_field)};
+    parameters_aiding_magnetic_field,
+    5,
+    sizeof(struct mip_aiding_magnetic_field),
+};
 
 static const struct mip_parameter parameters_aiding_pressure[] = {
     {"time", "", MIP_KIND_STRUCT, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4829,7 +5482,10 @@ static const struct mip_parameter parameters_aiding_pressure[] = {
      ONE(struct mip_aiding_pressure, valid_flags), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_aiding_pressure = {
-    parameters_aiding_pressure, 5, sizeof(struct mip_aiding_pressure)};
+    parameters_aiding_pressure,
+    5,
+    sizeof(struct mip_aiding_pressure),
+};
 
 static const struct mip_parameter members_aiding_frame_config_response_rotation[] = {
     {"euler", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -4857,7 +5513,10 @@ static const struct mip_parameter parameters_aiding_frame_config_response[] = {
      cases_aiding_frame_config_response_rotation, 2},
 };
 static const struct mip_record record_aiding_frame_config_response = {
-    parameters_aiding_frame_config_response, 5, sizeof(struct mip_aiding_frame_config_response)};
+    parameters_aiding_frame_config_response,
+    5,
+    sizeof(struct mip_aiding_frame_config_response),
+};
 
 static const struct mip_parameter parameters_aiding_echo_control_response[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4865,7 +5524,10 @@ static const struct mip_parameter parameters_aiding_echo_control_response[] = {
      NULL, 0},
 };
 static const struct mip_record record_aiding_echo_control_response = {
-    parameters_aiding_echo_control_response, 1, sizeof(struct mip_aiding_echo_control_response)};
+    parameters_aiding_echo_control_response,
+    1,
+    sizeof(struct mip_aiding_echo_control_response),
+};
 
 static const struct mip_parameter parameters_system_interface_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4882,7 +5544,10 @@ static const struct mip_parameter parameters_system_interface_control[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_system_interface_control = {
-    parameters_system_interface_control, 4, sizeof(struct mip_system_interface_control)};
+    parameters_system_interface_control,
+    4,
+    sizeof(struct mip_system_interface_control),
+};
 static const uint8_t required_system_interface_control[] = {0, 3, 1, 1, 1, 1};
 
 static const struct mip_parameter parameters_system_comm_mode[] = {
@@ -4892,7 +5557,10 @@ static const struct mip_parameter parameters_system_comm_mode[] = {
      ONE(struct mip_system_comm_mode, mode), 0, &names_system_protocol_mode, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_system_comm_mode = {
-    parameters_system_comm_mode, 2, sizeof(struct mip_system_comm_mode)};
+    parameters_system_comm_mode,
+    2,
+    sizeof(struct mip_system_comm_mode),
+};
 static const uint8_t required_system_comm_mode[] = {0, 1, 0, 0, 0, 0};
 
 static const struct mip_parameter parameters_system_interface_control_response[] = {
@@ -4907,8 +5575,10 @@ static const struct mip_parameter parameters_system_interface_control_response[]
      &names_system_comm_protocols, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_system_interface_control_response = {
-    parameters_system_interface_control_response, 3,
-    sizeof(struct mip_system_interface_control_response)};
+    parameters_system_interface_control_response,
+    3,
+    sizeof(struct mip_system_interface_control_response),
+};
 
 static const struct mip_parameter parameters_system_comm_mode_response[] = {
     {"mode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -4916,86 +5586,120 @@ static const struct mip_parameter parameters_system_comm_mode_response[] = {
      NULL, 0},
 };
 static const struct mip_record record_system_comm_mode_response = {
-    parameters_system_comm_mode_response, 1, sizeof(struct mip_system_comm_mode_response)};
+    parameters_system_comm_mode_response,
+    1,
+    sizeof(struct mip_system_comm_mode_response),
+};
 
 static const struct mip_parameter parameters_sensor_raw_accel[] = {
     {"raw_accel", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_raw_accel, raw_accel), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_raw_accel = {
-    parameters_sensor_raw_accel, 1, sizeof(struct mip_sensor_raw_accel)};
+    parameters_sensor_raw_accel,
+    1,
+    sizeof(struct mip_sensor_raw_accel),
+};
 
 static const struct mip_parameter parameters_sensor_raw_gyro[] = {
     {"raw_gyro", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_raw_gyro, raw_gyro), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_raw_gyro = {
-    parameters_sensor_raw_gyro, 1, sizeof(struct mip_sensor_raw_gyro)};
+    parameters_sensor_raw_gyro,
+    1,
+    sizeof(struct mip_sensor_raw_gyro),
+};
 
 static const struct mip_parameter parameters_sensor_raw_mag[] = {
     {"raw_mag", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_raw_mag, raw_mag), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_raw_mag = {
-    parameters_sensor_raw_mag, 1, sizeof(struct mip_sensor_raw_mag)};
+    parameters_sensor_raw_mag,
+    1,
+    sizeof(struct mip_sensor_raw_mag),
+};
 
 static const struct mip_parameter parameters_sensor_scaled_accel[] = {
     {"scaled_accel", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_scaled_accel, scaled_accel), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_scaled_accel = {
-    parameters_sensor_scaled_accel, 1, sizeof(struct mip_sensor_scaled_accel)};
+    parameters_sensor_scaled_accel,
+    1,
+    sizeof(struct mip_sensor_scaled_accel),
+};
 
 static const struct mip_parameter parameters_sensor_scaled_gyro[] = {
     {"scaled_gyro", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_scaled_gyro, scaled_gyro), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_scaled_gyro = {
-    parameters_sensor_scaled_gyro, 1, sizeof(struct mip_sensor_scaled_gyro)};
+    parameters_sensor_scaled_gyro,
+    1,
+    sizeof(struct mip_sensor_scaled_gyro),
+};
 
 static const struct mip_parameter parameters_sensor_scaled_mag[] = {
     {"scaled_mag", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_scaled_mag, scaled_mag), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_scaled_mag = {
-    parameters_sensor_scaled_mag, 1, sizeof(struct mip_sensor_scaled_mag)};
+    parameters_sensor_scaled_mag,
+    1,
+    sizeof(struct mip_sensor_scaled_mag),
+};
 
 static const struct mip_parameter parameters_sensor_delta_theta[] = {
     {"delta_theta", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_delta_theta, delta_theta), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_delta_theta = {
-    parameters_sensor_delta_theta, 1, sizeof(struct mip_sensor_delta_theta)};
+    parameters_sensor_delta_theta,
+    1,
+    sizeof(struct mip_sensor_delta_theta),
+};
 
 static const struct mip_parameter parameters_sensor_delta_velocity[] = {
     {"delta_velocity", "g*s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_delta_velocity, delta_velocity), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_delta_velocity = {
-    parameters_sensor_delta_velocity, 1, sizeof(struct mip_sensor_delta_velocity)};
+    parameters_sensor_delta_velocity,
+    1,
+    sizeof(struct mip_sensor_delta_velocity),
+};
 
 static const struct mip_parameter parameters_sensor_comp_orientation_matrix[] = {
     {"m", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
      ONE(struct mip_sensor_comp_orientation_matrix, m), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_comp_orientation_matrix = {
-    parameters_sensor_comp_orientation_matrix, 1,
-    sizeof(struct mip_sensor_comp_orientation_matrix)};
+    parameters_sensor_comp_orientation_matrix,
+    1,
+    sizeof(struct mip_sensor_comp_orientation_matrix),
+};
 
 static const struct mip_parameter parameters_sensor_comp_quaternion[] = {
     {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
      ONE(struct mip_sensor_comp_quaternion, q), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_comp_quaternion = {
-    parameters_sensor_comp_quaternion, 1, sizeof(struct mip_sensor_comp_quaternion)};
+    parameters_sensor_comp_quaternion,
+    1,
+    sizeof(struct mip_sensor_comp_quaternion),
+};
 
 static const struct mip_parameter parameters_sensor_comp_orientation_update_matrix[] = {
     {"m", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
      ONE(struct mip_sensor_comp_orientation_update_matrix, m), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_comp_orientation_update_matrix = {
-    parameters_sensor_comp_orientation_update_matrix, 1,
-    sizeof(struct mip_sensor_comp_orientation_update_matrix)};
+    parameters_sensor_comp_orientation_update_matrix,
+    1,
+    sizeof(struct mip_sensor_comp_orientation_update_matrix),
+};
 
 static const struct mip_parameter parameters_sensor_comp_euler_angles[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5006,7 +5710,10 @@ static const struct mip_parameter parameters_sensor_comp_euler_angles[] = {
      ONE(struct mip_sensor_comp_euler_angles, yaw), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_comp_euler_angles = {
-    parameters_sensor_comp_euler_angles, 3, sizeof(struct mip_sensor_comp_euler_angles)};
+    parameters_sensor_comp_euler_angles,
+    3,
+    sizeof(struct mip_sensor_comp_euler_angles),
+};
 
 static const struct mip_parameter parameters_sensor_orientation_raw_temperature[] = {
     {"raw_temperature", "1", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_FIXED, 4, 1, 0, 0, 0,
@@ -5014,15 +5721,20 @@ static const struct mip_parameter parameters_sensor_orientation_raw_temperature[
      NULL, 0},
 };
 static const struct mip_record record_sensor_orientation_raw_temperature = {
-    parameters_sensor_orientation_raw_temperature, 1,
-    sizeof(struct mip_sensor_orientation_raw_temperature)};
+    parameters_sensor_orientation_raw_temperature,
+    1,
+    sizeof(struct mip_sensor_orientation_raw_temperature),
+};
 
 static const struct mip_parameter parameters_sensor_internal_timestamp[] = {
     {"counts", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_sensor_internal_timestamp, counts), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_internal_timestamp = {
-    parameters_sensor_internal_timestamp, 1, sizeof(struct mip_sensor_internal_timestamp)};
+    parameters_sensor_internal_timestamp,
+    1,
+    sizeof(struct mip_sensor_internal_timestamp),
+};
 
 static const struct mip_parameter parameters_sensor_pps_timestamp[] = {
     {"seconds", "s", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5031,33 +5743,48 @@ static const struct mip_parameter parameters_sensor_pps_timestamp[] = {
      ONE(struct mip_sensor_pps_timestamp, useconds), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_pps_timestamp = {
-    parameters_sensor_pps_timestamp, 2, sizeof(struct mip_sensor_pps_timestamp)};
+    parameters_sensor_pps_timestamp,
+    2,
+    sizeof(struct mip_sensor_pps_timestamp),
+};
 
 static const struct mip_parameter parameters_sensor_north_vector[] = {
     {"stabilized_mag", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_north_vector, stabilized_mag), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_north_vector = {
-    parameters_sensor_north_vector, 1, sizeof(struct mip_sensor_north_vector)};
+    parameters_sensor_north_vector,
+    1,
+    sizeof(struct mip_sensor_north_vector),
+};
 
 static const struct mip_parameter parameters_sensor_up_vector[] = {
     {"stabilized_accel", "g", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
      ONE(struct mip_sensor_up_vector, stabilized_accel), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_up_vector = {
-    parameters_sensor_up_vector, 1, sizeof(struct mip_sensor_up_vector)};
+    parameters_sensor_up_vector,
+    1,
+    sizeof(struct mip_sensor_up_vector),
+};
 
+static const struct mip_reading readings_sensor_gps_timestamp_valid_flags[] = {
+    {"3dm-gx5-15", 0, 0, &names_gx5_sensor_gps_timestamp_flags},
+};
 static const struct mip_parameter parameters_sensor_gps_timestamp[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_sensor_gps_timestamp, tow), 0, NULL, NULL, NULL, NULL, 0},
     {"week_number", "week", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_sensor_gps_timestamp, week_number), 0, NULL, NULL, NULL, NULL, 0},
     {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_sensor_gps_timestamp, valid_flags), 0, &names_sensor_gps_timestamp_flags, NULL,
-     NULL, NULL, 0},
+     ONE(struct mip_sensor_gps_timestamp, valid_flags), 0, &names_sensor_gps_timestamp_flags,
+     readings_sensor_gps_timestamp_valid_flags, NULL, NULL, 1},
 };
 static const struct mip_record record_sensor_gps_timestamp = {
-    parameters_sensor_gps_timestamp, 3, sizeof(struct mip_sensor_gps_timestamp)};
+    parameters_sensor_gps_timestamp,
+    3,
+    sizeof(struct mip_sensor_gps_timestamp),
+};
 
 static const struct mip_parameter parameters_sensor_temperature_statistics[] = {
     {"min_temperature", "degC", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5068,21 +5795,30 @@ static const struct mip_parameter parameters_sensor_temperature_statistics[] = {
      ONE(struct mip_sensor_temperature_statistics, mean_temperature), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_temperature_statistics = {
-    parameters_sensor_temperature_statistics, 3, sizeof(struct mip_sensor_temperature_statistics)};
+    parameters_sensor_temperature_statistics,
+    3,
+    sizeof(struct mip_sensor_temperature_statistics),
+};
 
 static const struct mip_parameter parameters_sensor_raw_pressure[] = {
     {"raw_pressure", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_sensor_raw_pressure, raw_pressure), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_raw_pressure = {
-    parameters_sensor_raw_pressure, 1, sizeof(struct mip_sensor_raw_pressure)};
+    parameters_sensor_raw_pressure,
+    1,
+    sizeof(struct mip_sensor_raw_pressure),
+};
 
 static const struct mip_parameter parameters_sensor_scaled_pressure[] = {
     {"scaled_pressure", "mbar", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_sensor_scaled_pressure, scaled_pressure), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_sensor_scaled_pressure = {
-    parameters_sensor_scaled_pressure, 1, sizeof(struct mip_sensor_scaled_pressure)};
+    parameters_sensor_scaled_pressure,
+    1,
+    sizeof(struct mip_sensor_scaled_pressure),
+};
 
 static const struct mip_parameter parameters_sensor_overrange_status[] = {
     {"status", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5090,7 +5826,10 @@ static const struct mip_parameter parameters_sensor_overrange_status[] = {
      NULL, 0},
 };
 static const struct mip_record record_sensor_overrange_status = {
-    parameters_sensor_overrange_status, 1, sizeof(struct mip_sensor_overrange_status)};
+    parameters_sensor_overrange_status,
+    1,
+    sizeof(struct mip_sensor_overrange_status),
+};
 
 static const struct mip_parameter parameters_sensor_odometer[] = {
     {"speed", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5102,7 +5841,10 @@ static const struct mip_parameter parameters_sensor_odometer[] = {
      NULL, 0},
 };
 static const struct mip_record record_sensor_odometer = {
-    parameters_sensor_odometer, 3, sizeof(struct mip_sensor_odometer)};
+    parameters_sensor_odometer,
+    3,
+    sizeof(struct mip_sensor_odometer),
+};
 
 static const struct mip_parameter parameters_filter_data_llh_position[] = {
     {"latitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5116,7 +5858,10 @@ static const struct mip_parameter parameters_filter_data_llh_position[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_llh_position = {
-    parameters_filter_data_llh_position, 4, sizeof(struct mip_filter_data_llh_position)};
+    parameters_filter_data_llh_position,
+    4,
+    sizeof(struct mip_filter_data_llh_position),
+};
 
 static const struct mip_parameter parameters_filter_data_ned_velocity[] = {
     {"north", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5130,7 +5875,10 @@ static const struct mip_parameter parameters_filter_data_ned_velocity[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ned_velocity = {
-    parameters_filter_data_ned_velocity, 4, sizeof(struct mip_filter_data_ned_velocity)};
+    parameters_filter_data_ned_velocity,
+    4,
+    sizeof(struct mip_filter_data_ned_velocity),
+};
 
 static const struct mip_parameter parameters_filter_data_attitude_quaternion[] = {
     {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
@@ -5140,8 +5888,10 @@ static const struct mip_parameter parameters_filter_data_attitude_quaternion[] =
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_attitude_quaternion = {
-    parameters_filter_data_attitude_quaternion, 2,
-    sizeof(struct mip_filter_data_attitude_quaternion)};
+    parameters_filter_data_attitude_quaternion,
+    2,
+    sizeof(struct mip_filter_data_attitude_quaternion),
+};
 
 static const struct mip_parameter parameters_filter_data_attitude_dcm[] = {
     {"dcm", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
@@ -5151,7 +5901,10 @@ static const struct mip_parameter parameters_filter_data_attitude_dcm[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_attitude_dcm = {
-    parameters_filter_data_attitude_dcm, 2, sizeof(struct mip_filter_data_attitude_dcm)};
+    parameters_filter_data_attitude_dcm,
+    2,
+    sizeof(struct mip_filter_data_attitude_dcm),
+};
 
 static const struct mip_parameter parameters_filter_data_euler_angles[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5165,7 +5918,10 @@ static const struct mip_parameter parameters_filter_data_euler_angles[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_euler_angles = {
-    parameters_filter_data_euler_angles, 4, sizeof(struct mip_filter_data_euler_angles)};
+    parameters_filter_data_euler_angles,
+    4,
+    sizeof(struct mip_filter_data_euler_angles),
+};
 
 static const struct mip_parameter parameters_filter_data_gyro_bias[] = {
     {"bias", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5175,7 +5931,10 @@ static const struct mip_parameter parameters_filter_data_gyro_bias[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gyro_bias = {
-    parameters_filter_data_gyro_bias, 2, sizeof(struct mip_filter_data_gyro_bias)};
+    parameters_filter_data_gyro_bias,
+    2,
+    sizeof(struct mip_filter_data_gyro_bias),
+};
 
 static const struct mip_parameter parameters_filter_data_accel_bias[] = {
     {"bias", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5185,7 +5944,10 @@ static const struct mip_parameter parameters_filter_data_accel_bias[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_accel_bias = {
-    parameters_filter_data_accel_bias, 2, sizeof(struct mip_filter_data_accel_bias)};
+    parameters_filter_data_accel_bias,
+    2,
+    sizeof(struct mip_filter_data_accel_bias),
+};
 
 static const struct mip_parameter parameters_filter_data_llh_position_uncertainty[] = {
     {"north", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5199,8 +5961,10 @@ static const struct mip_parameter parameters_filter_data_llh_position_uncertaint
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_llh_position_uncertainty = {
-    parameters_filter_data_llh_position_uncertainty, 4,
-    sizeof(struct mip_filter_data_llh_position_uncertainty)};
+    parameters_filter_data_llh_position_uncertainty,
+    4,
+    sizeof(struct mip_filter_data_llh_position_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_ned_velocity_uncertainty[] = {
     {"north", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5214,8 +5978,10 @@ static const struct mip_parameter parameters_filter_data_ned_velocity_uncertaint
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ned_velocity_uncertainty = {
-    parameters_filter_data_ned_velocity_uncertainty, 4,
-    sizeof(struct mip_filter_data_ned_velocity_uncertainty)};
+    parameters_filter_data_ned_velocity_uncertainty,
+    4,
+    sizeof(struct mip_filter_data_ned_velocity_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_euler_angles_uncertainty[] = {
     {"roll", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5229,8 +5995,10 @@ static const struct mip_parameter parameters_filter_data_euler_angles_uncertaint
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_euler_angles_uncertainty = {
-    parameters_filter_data_euler_angles_uncertainty, 4,
-    sizeof(struct mip_filter_data_euler_angles_uncertainty)};
+    parameters_filter_data_euler_angles_uncertainty,
+    4,
+    sizeof(struct mip_filter_data_euler_angles_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_gyro_bias_uncertainty[] = {
     {"bias_uncertainty", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5241,8 +6009,10 @@ static const struct mip_parameter parameters_filter_data_gyro_bias_uncertainty[]
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gyro_bias_uncertainty = {
-    parameters_filter_data_gyro_bias_uncertainty, 2,
-    sizeof(struct mip_filter_data_gyro_bias_uncertainty)};
+    parameters_filter_data_gyro_bias_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_gyro_bias_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_accel_bias_uncertainty[] = {
     {"bias_uncertainty", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5253,8 +6023,10 @@ static const struct mip_parameter parameters_filter_data_accel_bias_uncertainty[
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_accel_bias_uncertainty = {
-    parameters_filter_data_accel_bias_uncertainty, 2,
-    sizeof(struct mip_filter_data_accel_bias_uncertainty)};
+    parameters_filter_data_accel_bias_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_accel_bias_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_linear_accel[] = {
     {"accel", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5264,7 +6036,10 @@ static const struct mip_parameter parameters_filter_data_linear_accel[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_linear_accel = {
-    parameters_filter_data_linear_accel, 2, sizeof(struct mip_filter_data_linear_accel)};
+    parameters_filter_data_linear_accel,
+    2,
+    sizeof(struct mip_filter_data_linear_accel),
+};
 
 static const struct mip_parameter parameters_filter_data_comp_angular_rate[] = {
     {"gyro", "rad/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5274,7 +6049,10 @@ static const struct mip_parameter parameters_filter_data_comp_angular_rate[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_comp_angular_rate = {
-    parameters_filter_data_comp_angular_rate, 2, sizeof(struct mip_filter_data_comp_angular_rate)};
+    parameters_filter_data_comp_angular_rate,
+    2,
+    sizeof(struct mip_filter_data_comp_angular_rate),
+};
 
 static const struct mip_parameter parameters_filter_data_wgs84_gravity_magnitude[] = {
     {"gravity_magnitude", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5285,20 +6063,22 @@ static const struct mip_parameter parameters_filter_data_wgs84_gravity_magnitude
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_wgs84_gravity_magnitude = {
-    parameters_filter_data_wgs84_gravity_magnitude, 2,
-    sizeof(struct mip_filter_data_wgs84_gravity_magnitude)};
+    parameters_filter_data_wgs84_gravity_magnitude,
+    2,
+    sizeof(struct mip_filter_data_wgs84_gravity_magnitude),
+};
 
 static const struct mip_reading readings_filter_data_status_filter_state[] = {
-    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_filter_state},
     {"3dm-cv7-gnss-ins", 0, 0, &names_filter_data_cv7_filter_state},
+    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_filter_state},
 };
 static const struct mip_reading readings_filter_data_status_dynamics_mode[] = {
-    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_dynamics_mode},
     {"3dm-cv7-gnss-ins", 0, 0, &names_filter_data_cv7_dynamics_mode},
+    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_dynamics_mode},
 };
 static const struct mip_reading readings_filter_data_status_status_flags[] = {
-    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_status_flags},
     {"3dm-cv7-gnss-ins", 0, 0, &names_filter_data_cv7_status_flags},
+    {"3dm-gx5-15", 0, 0, &names_filter_data_gx5_status_flags},
 };
 static const struct mip_parameter parameters_filter_data_status[] = {
     {"filter_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5312,7 +6092,10 @@ static const struct mip_parameter parameters_filter_data_status[] = {
      readings_filter_data_status_status_flags, NULL, NULL, 2},
 };
 static const struct mip_record record_filter_data_status = {
-    parameters_filter_data_status, 3, sizeof(struct mip_filter_data_status)};
+    parameters_filter_data_status,
+    3,
+    sizeof(struct mip_filter_data_status),
+};
 
 static const struct mip_parameter parameters_filter_data_timestamp[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5324,7 +6107,10 @@ static const struct mip_parameter parameters_filter_data_timestamp[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_timestamp = {
-    parameters_filter_data_timestamp, 3, sizeof(struct mip_filter_data_timestamp)};
+    parameters_filter_data_timestamp,
+    3,
+    sizeof(struct mip_filter_data_timestamp),
+};
 
 static const struct mip_parameter parameters_filter_data_quaternion_attitude_uncertainty[] = {
     {"q", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 4, 0, 0, 0,
@@ -5334,8 +6120,10 @@ static const struct mip_parameter parameters_filter_data_quaternion_attitude_unc
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_quaternion_attitude_uncertainty = {
-    parameters_filter_data_quaternion_attitude_uncertainty, 2,
-    sizeof(struct mip_filter_data_quaternion_attitude_uncertainty)};
+    parameters_filter_data_quaternion_attitude_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_quaternion_attitude_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_gravity_vector[] = {
     {"gravity", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5345,7 +6133,10 @@ static const struct mip_parameter parameters_filter_data_gravity_vector[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gravity_vector = {
-    parameters_filter_data_gravity_vector, 2, sizeof(struct mip_filter_data_gravity_vector)};
+    parameters_filter_data_gravity_vector,
+    2,
+    sizeof(struct mip_filter_data_gravity_vector),
+};
 
 static const struct mip_parameter parameters_filter_data_heading_update_state[] = {
     {"heading", "rad", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5361,8 +6152,10 @@ static const struct mip_parameter parameters_filter_data_heading_update_state[] 
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_heading_update_state = {
-    parameters_filter_data_heading_update_state, 4,
-    sizeof(struct mip_filter_data_heading_update_state)};
+    parameters_filter_data_heading_update_state,
+    4,
+    sizeof(struct mip_filter_data_heading_update_state),
+};
 
 static const struct mip_parameter parameters_filter_data_magnetic_model[] = {
     {"intensity_north", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5380,7 +6173,10 @@ static const struct mip_parameter parameters_filter_data_magnetic_model[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_magnetic_model = {
-    parameters_filter_data_magnetic_model, 6, sizeof(struct mip_filter_data_magnetic_model)};
+    parameters_filter_data_magnetic_model,
+    6,
+    sizeof(struct mip_filter_data_magnetic_model),
+};
 
 static const struct mip_parameter parameters_filter_data_gyro_scale_factor[] = {
     {"scale_factor", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5390,7 +6186,10 @@ static const struct mip_parameter parameters_filter_data_gyro_scale_factor[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gyro_scale_factor = {
-    parameters_filter_data_gyro_scale_factor, 2, sizeof(struct mip_filter_data_gyro_scale_factor)};
+    parameters_filter_data_gyro_scale_factor,
+    2,
+    sizeof(struct mip_filter_data_gyro_scale_factor),
+};
 
 static const struct mip_parameter parameters_filter_data_accel_scale_factor[] = {
     {"scale_factor", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5400,8 +6199,10 @@ static const struct mip_parameter parameters_filter_data_accel_scale_factor[] = 
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_accel_scale_factor = {
-    parameters_filter_data_accel_scale_factor, 2,
-    sizeof(struct mip_filter_data_accel_scale_factor)};
+    parameters_filter_data_accel_scale_factor,
+    2,
+    sizeof(struct mip_filter_data_accel_scale_factor),
+};
 
 static const struct mip_parameter parameters_filter_data_gyro_scale_factor_uncertainty[] = {
     {"scale_factor_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
@@ -5412,8 +6213,10 @@ static const struct mip_parameter parameters_filter_data_gyro_scale_factor_uncer
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gyro_scale_factor_uncertainty = {
-    parameters_filter_data_gyro_scale_factor_uncertainty, 2,
-    sizeof(struct mip_filter_data_gyro_scale_factor_uncertainty)};
+    parameters_filter_data_gyro_scale_factor_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_gyro_scale_factor_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_accel_scale_factor_uncertainty[] = {
     {"scale_factor_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
@@ -5424,8 +6227,10 @@ static const struct mip_parameter parameters_filter_data_accel_scale_factor_unce
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_accel_scale_factor_uncertainty = {
-    parameters_filter_data_accel_scale_factor_uncertainty, 2,
-    sizeof(struct mip_filter_data_accel_scale_factor_uncertainty)};
+    parameters_filter_data_accel_scale_factor_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_accel_scale_factor_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_mag_bias[] = {
     {"bias", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5435,7 +6240,10 @@ static const struct mip_parameter parameters_filter_data_mag_bias[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_mag_bias = {
-    parameters_filter_data_mag_bias, 2, sizeof(struct mip_filter_data_mag_bias)};
+    parameters_filter_data_mag_bias,
+    2,
+    sizeof(struct mip_filter_data_mag_bias),
+};
 
 static const struct mip_parameter parameters_filter_data_mag_bias_uncertainty[] = {
     {"bias_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5446,8 +6254,10 @@ static const struct mip_parameter parameters_filter_data_mag_bias_uncertainty[] 
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_mag_bias_uncertainty = {
-    parameters_filter_data_mag_bias_uncertainty, 2,
-    sizeof(struct mip_filter_data_mag_bias_uncertainty)};
+    parameters_filter_data_mag_bias_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_mag_bias_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_comp_accel[] = {
     {"accel", "m/s^2", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5457,7 +6267,10 @@ static const struct mip_parameter parameters_filter_data_comp_accel[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_comp_accel = {
-    parameters_filter_data_comp_accel, 2, sizeof(struct mip_filter_data_comp_accel)};
+    parameters_filter_data_comp_accel,
+    2,
+    sizeof(struct mip_filter_data_comp_accel),
+};
 
 static const struct mip_parameter parameters_filter_data_standard_atmosphere[] = {
     {"geometric_altitude", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5480,8 +6293,10 @@ static const struct mip_parameter parameters_filter_data_standard_atmosphere[] =
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_standard_atmosphere = {
-    parameters_filter_data_standard_atmosphere, 6,
-    sizeof(struct mip_filter_data_standard_atmosphere)};
+    parameters_filter_data_standard_atmosphere,
+    6,
+    sizeof(struct mip_filter_data_standard_atmosphere),
+};
 
 static const struct mip_parameter parameters_filter_data_pressure_altitude[] = {
     {"pressure_altitude", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5492,7 +6307,10 @@ static const struct mip_parameter parameters_filter_data_pressure_altitude[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_pressure_altitude = {
-    parameters_filter_data_pressure_altitude, 2, sizeof(struct mip_filter_data_pressure_altitude)};
+    parameters_filter_data_pressure_altitude,
+    2,
+    sizeof(struct mip_filter_data_pressure_altitude),
+};
 
 static const struct mip_parameter parameters_filter_data_density_altitude[] = {
     {"density_altitude", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5502,7 +6320,10 @@ static const struct mip_parameter parameters_filter_data_density_altitude[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_density_altitude = {
-    parameters_filter_data_density_altitude, 2, sizeof(struct mip_filter_data_density_altitude)};
+    parameters_filter_data_density_altitude,
+    2,
+    sizeof(struct mip_filter_data_density_altitude),
+};
 
 static const struct mip_parameter parameters_filter_data_mag_offset[] = {
     {"hard_iron", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5512,7 +6333,10 @@ static const struct mip_parameter parameters_filter_data_mag_offset[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_mag_offset = {
-    parameters_filter_data_mag_offset, 2, sizeof(struct mip_filter_data_mag_offset)};
+    parameters_filter_data_mag_offset,
+    2,
+    sizeof(struct mip_filter_data_mag_offset),
+};
 
 static const struct mip_parameter parameters_filter_data_mag_matrix[] = {
     {"soft_iron", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
@@ -5522,7 +6346,10 @@ static const struct mip_parameter parameters_filter_data_mag_matrix[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_mag_matrix = {
-    parameters_filter_data_mag_matrix, 2, sizeof(struct mip_filter_data_mag_matrix)};
+    parameters_filter_data_mag_matrix,
+    2,
+    sizeof(struct mip_filter_data_mag_matrix),
+};
 
 static const struct mip_parameter parameters_filter_data_mag_offset_uncertainty[] = {
     {"hard_iron_uncertainty", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0,
@@ -5533,8 +6360,10 @@ static const struct mip_parameter parameters_filter_data_mag_offset_uncertainty[
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_mag_offset_uncertainty = {
-    parameters_filter_data_mag_offset_uncertainty, 2,
-    sizeof(struct mip_filter_data_mag_offset_uncertainty)};
+    parameters_filter_data_mag_offset_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_mag_offset_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_mag_matrix_uncertainty[] = {
     {"soft_iron_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
@@ -5545,8 +6374,10 @@ static const struct mip_parameter parameters_filter_data_mag_matrix_uncertainty[
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_mag_matrix_uncertainty = {
-    parameters_filter_data_mag_matrix_uncertainty, 2,
-    sizeof(struct mip_filter_data_mag_matrix_uncertainty)};
+    parameters_filter_data_mag_matrix_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_mag_matrix_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_mag_covariance_matrix[] = {
     {"covariance", "", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
@@ -5556,8 +6387,10 @@ static const struct mip_parameter parameters_filter_data_mag_covariance_matrix[]
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_mag_covariance_matrix = {
-    parameters_filter_data_mag_covariance_matrix, 2,
-    sizeof(struct mip_filter_data_mag_covariance_matrix)};
+    parameters_filter_data_mag_covariance_matrix,
+    2,
+    sizeof(struct mip_filter_data_mag_covariance_matrix),
+};
 
 static const struct mip_parameter parameters_filter_data_mag_residual_vector[] = {
     {"residual", "gauss", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5567,8 +6400,10 @@ static const struct mip_parameter parameters_filter_data_mag_residual_vector[] =
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_mag_residual_vector = {
-    parameters_filter_data_mag_residual_vector, 2,
-    sizeof(struct mip_filter_data_mag_residual_vector)};
+    parameters_filter_data_mag_residual_vector,
+    2,
+    sizeof(struct mip_filter_data_mag_residual_vector),
+};
 
 static const struct mip_parameter parameters_filter_data_antenna_offset_correction[] = {
     {"offset", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5578,8 +6413,10 @@ static const struct mip_parameter parameters_filter_data_antenna_offset_correcti
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_antenna_offset_correction = {
-    parameters_filter_data_antenna_offset_correction, 2,
-    sizeof(struct mip_filter_data_antenna_offset_correction)};
+    parameters_filter_data_antenna_offset_correction,
+    2,
+    sizeof(struct mip_filter_data_antenna_offset_correction),
+};
 
 static const struct mip_parameter parameters_filter_data_antenna_offset_correction_uncertainty[] = {
     {"offset_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5590,8 +6427,10 @@ static const struct mip_parameter parameters_filter_data_antenna_offset_correcti
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_antenna_offset_correction_uncertainty = {
-    parameters_filter_data_antenna_offset_correction_uncertainty, 2,
-    sizeof(struct mip_filter_data_antenna_offset_correction_uncertainty)};
+    parameters_filter_data_antenna_offset_correction_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_antenna_offset_correction_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_clock_correction[] = {
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5605,7 +6444,10 @@ static const struct mip_parameter parameters_filter_data_clock_correction[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_clock_correction = {
-    parameters_filter_data_clock_correction, 4, sizeof(struct mip_filter_data_clock_correction)};
+    parameters_filter_data_clock_correction,
+    4,
+    sizeof(struct mip_filter_data_clock_correction),
+};
 
 static const struct mip_parameter parameters_filter_data_clock_correction_uncertainty[] = {
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5622,8 +6464,10 @@ static const struct mip_parameter parameters_filter_data_clock_correction_uncert
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_clock_correction_uncertainty = {
-    parameters_filter_data_clock_correction_uncertainty, 4,
-    sizeof(struct mip_filter_data_clock_correction_uncertainty)};
+    parameters_filter_data_clock_correction_uncertainty,
+    4,
+    sizeof(struct mip_filter_data_clock_correction_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_multi_antenna_offset_correction[] = {
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5637,23 +6481,30 @@ static const struct mip_parameter parameters_filter_data_multi_antenna_offset_co
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_multi_antenna_offset_correction = {
-    parameters_filter_data_multi_antenna_offset_correction, 3,
-    sizeof(struct mip_filter_data_multi_antenna_offset_correction)};
+    parameters_filter_data_multi_antenna_offset_correction,
+    3,
+    sizeof(struct mip_filter_data_multi_antenna_offset_correction),
+};
 
-static const struct mip_parameter parameters_filter_data_multi_antenna_offset_correction_uncertainty[] = {
-    {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, receiver_id), 0, NULL,
-     NULL, NULL, NULL, 0},
-    {"offset_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
-     ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, offset_uncertainty), 0,
-     NULL, NULL, NULL, NULL, 0},
-    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+static const struct mip_parameter
+    parameters_filter_data_multi_antenna_offset_correction_uncertainty[] = {
+        {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, receiver_id), 0,
+         NULL, NULL, NULL, NULL, 0},
+        {"offset_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
+         0,
+         ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty,
+             offset_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_data_multi_antenna_offset_correction_uncertainty, valid_flags), 0,
+         &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_multi_antenna_offset_correction_uncertainty = {
-    parameters_filter_data_multi_antenna_offset_correction_uncertainty, 3,
-    sizeof(struct mip_filter_data_multi_antenna_offset_correction_uncertainty)};
+    parameters_filter_data_multi_antenna_offset_correction_uncertainty,
+    3,
+    sizeof(struct mip_filter_data_multi_antenna_offset_correction_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_ecef_position_uncertainty[] = {
     {"position_uncertainty", "m", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5664,8 +6515,10 @@ static const struct mip_parameter parameters_filter_data_ecef_position_uncertain
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ecef_position_uncertainty = {
-    parameters_filter_data_ecef_position_uncertainty, 2,
-    sizeof(struct mip_filter_data_ecef_position_uncertainty)};
+    parameters_filter_data_ecef_position_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_ecef_position_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_ecef_velocity_uncertainty[] = {
     {"velocity_uncertainty", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0,
@@ -5676,8 +6529,10 @@ static const struct mip_parameter parameters_filter_data_ecef_velocity_uncertain
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ecef_velocity_uncertainty = {
-    parameters_filter_data_ecef_velocity_uncertainty, 2,
-    sizeof(struct mip_filter_data_ecef_velocity_uncertainty)};
+    parameters_filter_data_ecef_velocity_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_ecef_velocity_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_ecef_position[] = {
     {"position", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5687,7 +6542,10 @@ static const struct mip_parameter parameters_filter_data_ecef_position[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ecef_position = {
-    parameters_filter_data_ecef_position, 2, sizeof(struct mip_filter_data_ecef_position)};
+    parameters_filter_data_ecef_position,
+    2,
+    sizeof(struct mip_filter_data_ecef_position),
+};
 
 static const struct mip_parameter parameters_filter_data_ecef_velocity[] = {
     {"velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5697,7 +6555,10 @@ static const struct mip_parameter parameters_filter_data_ecef_velocity[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ecef_velocity = {
-    parameters_filter_data_ecef_velocity, 2, sizeof(struct mip_filter_data_ecef_velocity)};
+    parameters_filter_data_ecef_velocity,
+    2,
+    sizeof(struct mip_filter_data_ecef_velocity),
+};
 
 static const struct mip_parameter parameters_filter_data_ned_relative_position[] = {
     {"relative_position", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5708,8 +6569,10 @@ static const struct mip_parameter parameters_filter_data_ned_relative_position[]
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_ned_relative_position = {
-    parameters_filter_data_ned_relative_position, 2,
-    sizeof(struct mip_filter_data_ned_relative_position)};
+    parameters_filter_data_ned_relative_position,
+    2,
+    sizeof(struct mip_filter_data_ned_relative_position),
+};
 
 static const struct mip_parameter parameters_filter_data_gnss_position_aiding_status[] = {
     {"receiver_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5725,8 +6588,10 @@ static const struct mip_parameter parameters_filter_data_gnss_position_aiding_st
      0},
 };
 static const struct mip_record record_filter_data_gnss_position_aiding_status = {
-    parameters_filter_data_gnss_position_aiding_status, 4,
-    sizeof(struct mip_filter_data_gnss_position_aiding_status)};
+    parameters_filter_data_gnss_position_aiding_status,
+    4,
+    sizeof(struct mip_filter_data_gnss_position_aiding_status),
+};
 
 static const struct mip_parameter parameters_filter_data_gnss_attitude_aiding_status[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5739,8 +6604,10 @@ static const struct mip_parameter parameters_filter_data_gnss_attitude_aiding_st
      0},
 };
 static const struct mip_record record_filter_data_gnss_attitude_aiding_status = {
-    parameters_filter_data_gnss_attitude_aiding_status, 3,
-    sizeof(struct mip_filter_data_gnss_attitude_aiding_status)};
+    parameters_filter_data_gnss_attitude_aiding_status,
+    3,
+    sizeof(struct mip_filter_data_gnss_attitude_aiding_status),
+};
 
 static const struct mip_parameter parameters_filter_data_heading_aiding_status[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5752,8 +6619,10 @@ static const struct mip_parameter parameters_filter_data_heading_aiding_status[]
      MANY(struct mip_filter_data_heading_aiding_status, reserved), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_heading_aiding_status = {
-    parameters_filter_data_heading_aiding_status, 3,
-    sizeof(struct mip_filter_data_heading_aiding_status)};
+    parameters_filter_data_heading_aiding_status,
+    3,
+    sizeof(struct mip_filter_data_heading_aiding_status),
+};
 
 static const struct mip_parameter parameters_filter_data_aiding_measurement_summary[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5768,8 +6637,10 @@ static const struct mip_parameter parameters_filter_data_aiding_measurement_summ
      &names_filter_data_aiding_measurement_indicator, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_aiding_measurement_summary = {
-    parameters_filter_data_aiding_measurement_summary, 4,
-    sizeof(struct mip_filter_data_aiding_measurement_summary)};
+    parameters_filter_data_aiding_measurement_summary,
+    4,
+    sizeof(struct mip_filter_data_aiding_measurement_summary),
+};
 
 static const struct mip_parameter parameters_filter_data_odometer_scale_factor_error[] = {
     {"scale_factor_error", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5780,21 +6651,27 @@ static const struct mip_parameter parameters_filter_data_odometer_scale_factor_e
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_odometer_scale_factor_error = {
-    parameters_filter_data_odometer_scale_factor_error, 2,
-    sizeof(struct mip_filter_data_odometer_scale_factor_error)};
+    parameters_filter_data_odometer_scale_factor_error,
+    2,
+    sizeof(struct mip_filter_data_odometer_scale_factor_error),
+};
 
-static const struct mip_parameter parameters_filter_data_odometer_scale_factor_error_uncertainty[] = {
-    {"scale_factor_error_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1,
-     0, 0, 0,
-     ONE(struct mip_filter_data_odometer_scale_factor_error_uncertainty, scale_factor_error_uncertainty),
-     0, NULL, NULL, NULL, NULL, 0},
-    {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_data_odometer_scale_factor_error_uncertainty, valid_flags), 0,
-     &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
+static const struct mip_parameter parameters_filter_data_odometer_scale_factor_error_uncertainty[] =
+    {
+        {"scale_factor_error_uncertainty", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE,
+         1, 1, 0, 0, 0,
+         ONE(struct mip_filter_data_odometer_scale_factor_error_uncertainty,
+             scale_factor_error_uncertainty),
+         0, NULL, NULL, NULL, NULL, 0},
+        {"valid_flags", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+         ONE(struct mip_filter_data_odometer_scale_factor_error_uncertainty, valid_flags), 0,
+         &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_odometer_scale_factor_error_uncertainty = {
-    parameters_filter_data_odometer_scale_factor_error_uncertainty, 2,
-    sizeof(struct mip_filter_data_odometer_scale_factor_error_uncertainty)};
+    parameters_filter_data_odometer_scale_factor_error_uncertainty,
+    2,
+    sizeof(struct mip_filter_data_odometer_scale_factor_error_uncertainty),
+};
 
 static const struct mip_parameter parameters_filter_data_gnss_dual_antenna_status[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5815,8 +6692,10 @@ static const struct mip_parameter parameters_filter_data_gnss_dual_antenna_statu
      &names_filter_data_valid_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_gnss_dual_antenna_status = {
-    parameters_filter_data_gnss_dual_antenna_status, 6,
-    sizeof(struct mip_filter_data_gnss_dual_antenna_status)};
+    parameters_filter_data_gnss_dual_antenna_status,
+    6,
+    sizeof(struct mip_filter_data_gnss_dual_antenna_status),
+};
 
 static const struct mip_parameter parameters_filter_data_aiding_frame_config_error[] = {
     {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5828,8 +6707,10 @@ static const struct mip_parameter parameters_filter_data_aiding_frame_config_err
      ONE(struct mip_filter_data_aiding_frame_config_error, attitude), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_aiding_frame_config_error = {
-    parameters_filter_data_aiding_frame_config_error, 3,
-    sizeof(struct mip_filter_data_aiding_frame_config_error)};
+    parameters_filter_data_aiding_frame_config_error,
+    3,
+    sizeof(struct mip_filter_data_aiding_frame_config_error),
+};
 
 static const struct mip_parameter parameters_filter_data_aiding_frame_config_error_uncertainty[] = {
     {"frame_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5843,8 +6724,10 @@ static const struct mip_parameter parameters_filter_data_aiding_frame_config_err
      NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_data_aiding_frame_config_error_uncertainty = {
-    parameters_filter_data_aiding_frame_config_error_uncertainty, 3,
-    sizeof(struct mip_filter_data_aiding_frame_config_error_uncertainty)};
+    parameters_filter_data_aiding_frame_config_error_uncertainty,
+    3,
+    sizeof(struct mip_filter_data_aiding_frame_config_error_uncertainty),
+};
 
 static const struct mip_parameter parameters_gnss_1_llh_position[] = {
     {"latitude", "deg", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5864,7 +6747,10 @@ static const struct mip_parameter parameters_gnss_1_llh_position[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_llh_position = {
-    parameters_gnss_1_llh_position, 7, sizeof(struct mip_gnss_1_llh_position)};
+    parameters_gnss_1_llh_position,
+    7,
+    sizeof(struct mip_gnss_1_llh_position),
+};
 
 static const struct mip_parameter parameters_gnss_1_ecef_position[] = {
     {"position", "m", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5876,7 +6762,10 @@ static const struct mip_parameter parameters_gnss_1_ecef_position[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_ecef_position = {
-    parameters_gnss_1_ecef_position, 3, sizeof(struct mip_gnss_1_ecef_position)};
+    parameters_gnss_1_ecef_position,
+    3,
+    sizeof(struct mip_gnss_1_ecef_position),
+};
 
 static const struct mip_parameter parameters_gnss_1_ned_velocity[] = {
     {"velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5896,7 +6785,10 @@ static const struct mip_parameter parameters_gnss_1_ned_velocity[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_ned_velocity = {
-    parameters_gnss_1_ned_velocity, 7, sizeof(struct mip_gnss_1_ned_velocity)};
+    parameters_gnss_1_ned_velocity,
+    7,
+    sizeof(struct mip_gnss_1_ned_velocity),
+};
 
 static const struct mip_parameter parameters_gnss_1_ecef_velocity[] = {
     {"velocity", "m/s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 3, 0, 0, 0,
@@ -5908,7 +6800,10 @@ static const struct mip_parameter parameters_gnss_1_ecef_velocity[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_ecef_velocity = {
-    parameters_gnss_1_ecef_velocity, 3, sizeof(struct mip_gnss_1_ecef_velocity)};
+    parameters_gnss_1_ecef_velocity,
+    3,
+    sizeof(struct mip_gnss_1_ecef_velocity),
+};
 
 static const struct mip_parameter parameters_gnss_1_dop[] = {
     {"gdop", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5929,7 +6824,10 @@ static const struct mip_parameter parameters_gnss_1_dop[] = {
      ONE(struct mip_gnss_1_dop, valid_flags), 0, &names_gnss_1_dop_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_dop = {
-    parameters_gnss_1_dop, 8, sizeof(struct mip_gnss_1_dop)};
+    parameters_gnss_1_dop,
+    8,
+    sizeof(struct mip_gnss_1_dop),
+};
 
 static const struct mip_parameter parameters_gnss_1_utc_time[] = {
     {"year", "", MIP_KIND_NUMBER, MIP_SCALAR_U16, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5951,7 +6849,10 @@ static const struct mip_parameter parameters_gnss_1_utc_time[] = {
      NULL, 0},
 };
 static const struct mip_record record_gnss_1_utc_time = {
-    parameters_gnss_1_utc_time, 8, sizeof(struct mip_gnss_1_utc_time)};
+    parameters_gnss_1_utc_time,
+    8,
+    sizeof(struct mip_gnss_1_utc_time),
+};
 
 static const struct mip_parameter parameters_gnss_1_gps_time[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5963,7 +6864,10 @@ static const struct mip_parameter parameters_gnss_1_gps_time[] = {
      NULL, 0},
 };
 static const struct mip_record record_gnss_1_gps_time = {
-    parameters_gnss_1_gps_time, 3, sizeof(struct mip_gnss_1_gps_time)};
+    parameters_gnss_1_gps_time,
+    3,
+    sizeof(struct mip_gnss_1_gps_time),
+};
 
 static const struct mip_parameter parameters_gnss_1_clock_info[] = {
     {"bias", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5977,7 +6881,10 @@ static const struct mip_parameter parameters_gnss_1_clock_info[] = {
      NULL, 0},
 };
 static const struct mip_record record_gnss_1_clock_info = {
-    parameters_gnss_1_clock_info, 4, sizeof(struct mip_gnss_1_clock_info)};
+    parameters_gnss_1_clock_info,
+    4,
+    sizeof(struct mip_gnss_1_clock_info),
+};
 
 static const struct mip_parameter parameters_gnss_1_fix_info[] = {
     {"fix_type", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -5991,7 +6898,10 @@ static const struct mip_parameter parameters_gnss_1_fix_info[] = {
      NULL, 0},
 };
 static const struct mip_record record_gnss_1_fix_info = {
-    parameters_gnss_1_fix_info, 4, sizeof(struct mip_gnss_1_fix_info)};
+    parameters_gnss_1_fix_info,
+    4,
+    sizeof(struct mip_gnss_1_fix_info),
+};
 
 static const struct mip_parameter parameters_gnss_1_sv_info[] = {
     {"channel", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6011,7 +6921,10 @@ static const struct mip_parameter parameters_gnss_1_sv_info[] = {
      0},
 };
 static const struct mip_record record_gnss_1_sv_info = {
-    parameters_gnss_1_sv_info, 7, sizeof(struct mip_gnss_1_sv_info)};
+    parameters_gnss_1_sv_info,
+    7,
+    sizeof(struct mip_gnss_1_sv_info),
+};
 
 static const struct mip_parameter parameters_gnss_1_hardware_status[] = {
     {"receiver_state", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6028,7 +6941,10 @@ static const struct mip_parameter parameters_gnss_1_hardware_status[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_hardware_status = {
-    parameters_gnss_1_hardware_status, 4, sizeof(struct mip_gnss_1_hardware_status)};
+    parameters_gnss_1_hardware_status,
+    4,
+    sizeof(struct mip_gnss_1_hardware_status),
+};
 
 static const struct mip_parameter parameters_gnss_1_dgps_info[] = {
     {"age", "s", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6044,7 +6960,10 @@ static const struct mip_parameter parameters_gnss_1_dgps_info[] = {
      NULL, 0},
 };
 static const struct mip_record record_gnss_1_dgps_info = {
-    parameters_gnss_1_dgps_info, 5, sizeof(struct mip_gnss_1_dgps_info)};
+    parameters_gnss_1_dgps_info,
+    5,
+    sizeof(struct mip_gnss_1_dgps_info),
+};
 
 static const struct mip_parameter parameters_gnss_1_dgps_channel[] = {
     {"satellite_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6060,7 +6979,10 @@ static const struct mip_parameter parameters_gnss_1_dgps_channel[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_dgps_channel = {
-    parameters_gnss_1_dgps_channel, 5, sizeof(struct mip_gnss_1_dgps_channel)};
+    parameters_gnss_1_dgps_channel,
+    5,
+    sizeof(struct mip_gnss_1_dgps_channel),
+};
 
 static const struct mip_parameter parameters_gnss_1_clock_info_2[] = {
     {"bias", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6077,7 +6999,10 @@ static const struct mip_parameter parameters_gnss_1_clock_info_2[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_clock_info_2 = {
-    parameters_gnss_1_clock_info_2, 5, sizeof(struct mip_gnss_1_clock_info_2)};
+    parameters_gnss_1_clock_info_2,
+    5,
+    sizeof(struct mip_gnss_1_clock_info_2),
+};
 
 static const struct mip_parameter parameters_gnss_1_gps_leap_seconds[] = {
     {"leap_seconds", "s", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6087,7 +7012,10 @@ static const struct mip_parameter parameters_gnss_1_gps_leap_seconds[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_gps_leap_seconds = {
-    parameters_gnss_1_gps_leap_seconds, 2, sizeof(struct mip_gnss_1_gps_leap_seconds)};
+    parameters_gnss_1_gps_leap_seconds,
+    2,
+    sizeof(struct mip_gnss_1_gps_leap_seconds),
+};
 
 static const struct mip_parameter parameters_gnss_1_sbas_info[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6109,7 +7037,10 @@ static const struct mip_parameter parameters_gnss_1_sbas_info[] = {
      NULL, 0},
 };
 static const struct mip_record record_gnss_1_sbas_info = {
-    parameters_gnss_1_sbas_info, 7, sizeof(struct mip_gnss_1_sbas_info)};
+    parameters_gnss_1_sbas_info,
+    7,
+    sizeof(struct mip_gnss_1_sbas_info),
+};
 
 static const struct mip_parameter parameters_gnss_1_sbas_correction[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6137,7 +7068,10 @@ static const struct mip_parameter parameters_gnss_1_sbas_correction[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_sbas_correction = {
-    parameters_gnss_1_sbas_correction, 10, sizeof(struct mip_gnss_1_sbas_correction)};
+    parameters_gnss_1_sbas_correction,
+    10,
+    sizeof(struct mip_gnss_1_sbas_correction),
+};
 
 static const struct mip_parameter parameters_gnss_1_rf_error_detection[] = {
     {"rf_band", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6156,7 +7090,10 @@ static const struct mip_parameter parameters_gnss_1_rf_error_detection[] = {
      &names_gnss_1_rf_error_detection_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_rf_error_detection = {
-    parameters_gnss_1_rf_error_detection, 5, sizeof(struct mip_gnss_1_rf_error_detection)};
+    parameters_gnss_1_rf_error_detection,
+    5,
+    sizeof(struct mip_gnss_1_rf_error_detection),
+};
 
 static const struct mip_parameter parameters_gnss_1_satellite_status[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6183,7 +7120,10 @@ static const struct mip_parameter parameters_gnss_1_satellite_status[] = {
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_satellite_status = {
-    parameters_gnss_1_satellite_status, 10, sizeof(struct mip_gnss_1_satellite_status)};
+    parameters_gnss_1_satellite_status,
+    10,
+    sizeof(struct mip_gnss_1_satellite_status),
+};
 
 static const struct mip_parameter parameters_gnss_1_raw[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6226,7 +7166,10 @@ static const struct mip_parameter parameters_gnss_1_raw[] = {
      ONE(struct mip_gnss_1_raw, valid_flags), 0, &names_gnss_1_raw_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_raw = {
-    parameters_gnss_1_raw, 19, sizeof(struct mip_gnss_1_raw)};
+    parameters_gnss_1_raw,
+    19,
+    sizeof(struct mip_gnss_1_raw),
+};
 
 static const struct mip_parameter parameters_gnss_1_base_station_info[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6247,7 +7190,10 @@ static const struct mip_parameter parameters_gnss_1_base_station_info[] = {
      &names_gnss_1_base_station_info_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_base_station_info = {
-    parameters_gnss_1_base_station_info, 7, sizeof(struct mip_gnss_1_base_station_info)};
+    parameters_gnss_1_base_station_info,
+    7,
+    sizeof(struct mip_gnss_1_base_station_info),
+};
 
 static const struct mip_parameter parameters_gnss_1_rtk_corrections_status[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6279,7 +7225,10 @@ static const struct mip_parameter parameters_gnss_1_rtk_corrections_status[] = {
      &names_gnss_1_rtk_corrections_status_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_rtk_corrections_status = {
-    parameters_gnss_1_rtk_corrections_status, 10, sizeof(struct mip_gnss_1_rtk_corrections_status)};
+    parameters_gnss_1_rtk_corrections_status,
+    10,
+    sizeof(struct mip_gnss_1_rtk_corrections_status),
+};
 
 static const struct mip_parameter parameters_gnss_1_gps_ephemeris[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6354,7 +7303,10 @@ static const struct mip_parameter parameters_gnss_1_gps_ephemeris[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_gps_ephemeris = {
-    parameters_gnss_1_gps_ephemeris, 34, sizeof(struct mip_gnss_1_gps_ephemeris)};
+    parameters_gnss_1_gps_ephemeris,
+    34,
+    sizeof(struct mip_gnss_1_gps_ephemeris),
+};
 
 static const struct mip_parameter parameters_gnss_1_glonass_ephemeris[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6411,7 +7363,10 @@ static const struct mip_parameter parameters_gnss_1_glonass_ephemeris[] = {
      &names_gnss_1_glonass_ephemeris_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_glonass_ephemeris = {
-    parameters_gnss_1_glonass_ephemeris, 25, sizeof(struct mip_gnss_1_glonass_ephemeris)};
+    parameters_gnss_1_glonass_ephemeris,
+    25,
+    sizeof(struct mip_gnss_1_glonass_ephemeris),
+};
 
 static const struct mip_parameter parameters_gnss_1_galileo_ephemeris[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6487,7 +7442,10 @@ static const struct mip_parameter parameters_gnss_1_galileo_ephemeris[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_galileo_ephemeris = {
-    parameters_gnss_1_galileo_ephemeris, 34, sizeof(struct mip_gnss_1_galileo_ephemeris)};
+    parameters_gnss_1_galileo_ephemeris,
+    34,
+    sizeof(struct mip_gnss_1_galileo_ephemeris),
+};
 
 static const struct mip_parameter parameters_gnss_1_beidou_ephemeris[] = {
     {"index", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6562,7 +7520,10 @@ static const struct mip_parameter parameters_gnss_1_beidou_ephemeris[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_beidou_ephemeris = {
-    parameters_gnss_1_beidou_ephemeris, 34, sizeof(struct mip_gnss_1_beidou_ephemeris)};
+    parameters_gnss_1_beidou_ephemeris,
+    34,
+    sizeof(struct mip_gnss_1_beidou_ephemeris),
+};
 
 static const struct mip_parameter parameters_gnss_1_gps_iono_correction[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6578,7 +7539,10 @@ static const struct mip_parameter parameters_gnss_1_gps_iono_correction[] = {
      &names_gnss_1_gps_iono_correction_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_gps_iono_correction = {
-    parameters_gnss_1_gps_iono_correction, 5, sizeof(struct mip_gnss_1_gps_iono_correction)};
+    parameters_gnss_1_gps_iono_correction,
+    5,
+    sizeof(struct mip_gnss_1_gps_iono_correction),
+};
 
 static const struct mip_parameter parameters_gnss_1_galileo_iono_correction[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6595,8 +7559,10 @@ static const struct mip_parameter parameters_gnss_1_galileo_iono_correction[] = 
      &names_gnss_1_galileo_iono_correction_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_galileo_iono_correction = {
-    parameters_gnss_1_galileo_iono_correction, 5,
-    sizeof(struct mip_gnss_1_galileo_iono_correction)};
+    parameters_gnss_1_galileo_iono_correction,
+    5,
+    sizeof(struct mip_gnss_1_galileo_iono_correction),
+};
 
 static const struct mip_parameter parameters_gnss_1_beidou_iono_correction[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6615,7 +7581,10 @@ static const struct mip_parameter parameters_gnss_1_beidou_iono_correction[] = {
      &names_gnss_1_beidou_iono_correction_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_gnss_1_beidou_iono_correction = {
-    parameters_gnss_1_beidou_iono_correction, 6, sizeof(struct mip_gnss_1_beidou_iono_correction)};
+    parameters_gnss_1_beidou_iono_correction,
+    6,
+    sizeof(struct mip_gnss_1_beidou_iono_correction),
+};
 
 static const struct mip_reading readings_system_data_built_in_test_result[] = {
     {"3dm-cv7-gnss-ins", 0, 0, &names_cv7_continuous_built_in_test},
@@ -6626,7 +7595,10 @@ static const struct mip_parameter parameters_system_data_built_in_test[] = {
      readings_system_data_built_in_test_result, NULL, NULL, 1},
 };
 static const struct mip_record record_system_data_built_in_test = {
-    parameters_system_data_built_in_test, 1, sizeof(struct mip_system_data_built_in_test)};
+    parameters_system_data_built_in_test,
+    1,
+    sizeof(struct mip_system_data_built_in_test),
+};
 
 static const struct mip_parameter parameters_system_data_time_sync_status[] = {
     {"time_sync", "", MIP_KIND_NUMBER, MIP_SCALAR_BOOL, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6635,7 +7607,10 @@ static const struct mip_parameter parameters_system_data_time_sync_status[] = {
      ONE(struct mip_system_data_time_sync_status, last_pps_received), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_system_data_time_sync_status = {
-    parameters_system_data_time_sync_status, 2, sizeof(struct mip_system_data_time_sync_status)};
+    parameters_system_data_time_sync_status,
+    2,
+    sizeof(struct mip_system_data_time_sync_status),
+};
 
 static const struct mip_parameter parameters_system_data_gpio_state[] = {
     {"states", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6643,7 +7618,10 @@ static const struct mip_parameter parameters_system_data_gpio_state[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_system_data_gpio_state = {
-    parameters_system_data_gpio_state, 1, sizeof(struct mip_system_data_gpio_state)};
+    parameters_system_data_gpio_state,
+    1,
+    sizeof(struct mip_system_data_gpio_state),
+};
 
 static const struct mip_parameter parameters_system_data_gpio_analog_value[] = {
     {"gpio_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6652,28 +7630,40 @@ static const struct mip_parameter parameters_system_data_gpio_analog_value[] = {
      ONE(struct mip_system_data_gpio_analog_value, value), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_system_data_gpio_analog_value = {
-    parameters_system_data_gpio_analog_value, 2, sizeof(struct mip_system_data_gpio_analog_value)};
+    parameters_system_data_gpio_analog_value,
+    2,
+    sizeof(struct mip_system_data_gpio_analog_value),
+};
 
 static const struct mip_parameter parameters_shared_event_source[] = {
     {"trigger_id", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_event_source, trigger_id), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_event_source = {
-    parameters_shared_event_source, 1, sizeof(struct mip_shared_event_source)};
+    parameters_shared_event_source,
+    1,
+    sizeof(struct mip_shared_event_source),
+};
 
 static const struct mip_parameter parameters_shared_ticks[] = {
     {"ticks", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_ticks, ticks), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_ticks = {
-    parameters_shared_ticks, 1, sizeof(struct mip_shared_ticks)};
+    parameters_shared_ticks,
+    1,
+    sizeof(struct mip_shared_ticks),
+};
 
 static const struct mip_parameter parameters_shared_delta_ticks[] = {
     {"ticks", "1", MIP_KIND_NUMBER, MIP_SCALAR_U32, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_delta_ticks, ticks), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_delta_ticks = {
-    parameters_shared_delta_ticks, 1, sizeof(struct mip_shared_delta_ticks)};
+    parameters_shared_delta_ticks,
+    1,
+    sizeof(struct mip_shared_delta_ticks),
+};
 
 static const struct mip_parameter parameters_shared_gps_timestamp[] = {
     {"tow", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6685,28 +7675,40 @@ static const struct mip_parameter parameters_shared_gps_timestamp[] = {
      NULL, NULL, 0},
 };
 static const struct mip_record record_shared_gps_timestamp = {
-    parameters_shared_gps_timestamp, 3, sizeof(struct mip_shared_gps_timestamp)};
+    parameters_shared_gps_timestamp,
+    3,
+    sizeof(struct mip_shared_gps_timestamp),
+};
 
 static const struct mip_parameter parameters_shared_delta_time[] = {
     {"seconds", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_delta_time, seconds), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_delta_time = {
-    parameters_shared_delta_time, 1, sizeof(struct mip_shared_delta_time)};
+    parameters_shared_delta_time,
+    1,
+    sizeof(struct mip_shared_delta_time),
+};
 
 static const struct mip_parameter parameters_shared_reference_timestamp[] = {
     {"nanoseconds", "ns", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_reference_timestamp, nanoseconds), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_reference_timestamp = {
-    parameters_shared_reference_timestamp, 1, sizeof(struct mip_shared_reference_timestamp)};
+    parameters_shared_reference_timestamp,
+    1,
+    sizeof(struct mip_shared_reference_timestamp),
+};
 
 static const struct mip_parameter parameters_shared_reference_time_delta[] = {
     {"dt_nanos", "ns", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_shared_reference_time_delta, dt_nanos), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_reference_time_delta = {
-    parameters_shared_reference_time_delta, 1, sizeof(struct mip_shared_reference_time_delta)};
+    parameters_shared_reference_time_delta,
+    1,
+    sizeof(struct mip_shared_reference_time_delta),
+};
 
 static const struct mip_parameter parameters_shared_external_timestamp[] = {
     {"nanoseconds", "ns", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6716,7 +7718,10 @@ static const struct mip_parameter parameters_shared_external_timestamp[] = {
      &names_shared_external_timestamp_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_external_timestamp = {
-    parameters_shared_external_timestamp, 2, sizeof(struct mip_shared_external_timestamp)};
+    parameters_shared_external_timestamp,
+    2,
+    sizeof(struct mip_shared_external_timestamp),
+};
 
 static const struct mip_parameter parameters_shared_external_time_delta[] = {
     {"dt_nanos", "ns", MIP_KIND_NUMBER, MIP_SCALAR_U64, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -6726,7 +7731,10 @@ static const struct mip_parameter parameters_shared_external_time_delta[] = {
      &names_shared_external_time_delta_flags, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_shared_external_time_delta = {
-    parameters_shared_external_time_delta, 2, sizeof(struct mip_shared_external_time_delta)};
+    parameters_shared_external_time_delta,
+    2,
+    sizeof(struct mip_shared_external_time_delta),
+};
 
 /* --------------------------------------------------------------------------------------- fields */
 

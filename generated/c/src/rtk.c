@@ -3,15 +3,21 @@
 
 #include <string.h>
 
+static const struct mip_response responses_get_status_flags[] = {
+    {&mip_rtk_get_status_flags_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_rtk_get_status_flags_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_STATUS_FLAGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_get_status_flags),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_status_flags,
 };
 
 mip_error mip_rtk_get_status_flags_decode(struct mip_rtk_get_status_flags *value,
@@ -37,13 +43,14 @@ static void write_get_status_flags_response(struct mip_writer *w, const void *va
 }
 
 const struct mip_codec mip_rtk_get_status_flags_response_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_STATUS_FLAGS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_rtk_get_status_flags_response),
-    0,
+    0, /* time-out */
     read_get_status_flags_response,
     write_get_status_flags_response,
+    NULL,
     NULL,
 };
 
@@ -58,15 +65,21 @@ mip_error mip_rtk_get_status_flags_response_encode(
                             write_get_status_flags_response, value);
 }
 
+static const struct mip_response responses_get_imei[] = {
+    {&mip_rtk_get_imei_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_rtk_get_imei_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_IMEI_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_get_imei),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_imei,
 };
 
 mip_error mip_rtk_get_imei_decode(struct mip_rtk_get_imei *value, const struct mip_field *field) {
@@ -89,13 +102,14 @@ static void write_get_imei_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_rtk_get_imei_response_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_IMEI_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_rtk_get_imei_response),
-    0,
+    0, /* time-out */
     read_get_imei_response,
     write_get_imei_response,
+    NULL,
     NULL,
 };
 
@@ -110,15 +124,21 @@ mip_error mip_rtk_get_imei_response_encode(const struct mip_rtk_get_imei_respons
                             write_get_imei_response, value);
 }
 
+static const struct mip_response responses_get_imsi[] = {
+    {&mip_rtk_get_imsi_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_rtk_get_imsi_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_IMSI_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_get_imsi),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_imsi,
 };
 
 mip_error mip_rtk_get_imsi_decode(struct mip_rtk_get_imsi *value, const struct mip_field *field) {
@@ -141,13 +161,14 @@ static void write_get_imsi_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_rtk_get_imsi_response_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_IMSI_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_rtk_get_imsi_response),
-    0,
+    0, /* time-out */
     read_get_imsi_response,
     write_get_imsi_response,
+    NULL,
     NULL,
 };
 
@@ -162,15 +183,21 @@ mip_error mip_rtk_get_imsi_response_encode(const struct mip_rtk_get_imsi_respons
                             write_get_imsi_response, value);
 }
 
+static const struct mip_response responses_get_iccid[] = {
+    {&mip_rtk_get_iccid_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_rtk_get_iccid_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_ICCID_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_get_iccid),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_iccid,
 };
 
 mip_error mip_rtk_get_iccid_decode(struct mip_rtk_get_iccid *value, const struct mip_field *field) {
@@ -193,13 +220,14 @@ static void write_get_iccid_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_rtk_get_iccid_response_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_ICCID_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_rtk_get_iccid_response),
-    0,
+    0, /* time-out */
     read_get_iccid_response,
     write_get_iccid_response,
+    NULL,
     NULL,
 };
 
@@ -214,15 +242,21 @@ mip_error mip_rtk_get_iccid_response_encode(const struct mip_rtk_get_iccid_respo
                             write_get_iccid_response, value);
 }
 
+static const struct mip_response responses_get_rssi[] = {
+    {&mip_rtk_get_rssi_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_rtk_get_rssi_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_RSSI_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_get_rssi),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_rssi,
 };
 
 mip_error mip_rtk_get_rssi_decode(struct mip_rtk_get_rssi *value, const struct mip_field *field) {
@@ -249,13 +283,14 @@ static void write_get_rssi_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_rtk_get_rssi_response_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_RSSI_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_rtk_get_rssi_response),
-    0,
+    0, /* time-out */
     read_get_rssi_response,
     write_get_rssi_response,
+    NULL,
     NULL,
 };
 
@@ -293,15 +328,28 @@ static void write_connected_device_type(struct mip_writer *w, const void *value)
     mip_write_u8(w, &v->device_type, 1);
 }
 
+static bool asked_connected_device_type_1(const void *value) {
+    const struct mip_rtk_connected_device_type *v =
+        (const struct mip_rtk_connected_device_type *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_connected_device_type[] = {
+    {&mip_rtk_connected_device_type_response_codec, asked_connected_device_type_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_rtk_connected_device_type_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_CONNECTED_DEVICE_TYPE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_connected_device_type),
-    0,
+    0, /* time-out */
     read_connected_device_type,
     write_connected_device_type,
     NULL,
+    responses_connected_device_type,
 };
 
 mip_error mip_rtk_connected_device_type_decode(struct mip_rtk_connected_device_type *value,
@@ -315,8 +363,8 @@ mip_error mip_rtk_connected_device_type_encode(const struct mip_rtk_connected_de
                             write_connected_device_type, value);
 }
 
-struct mip_rtk_connected_device_type mip_rtk_connected_device_type_write(
-    mip_rtk_connected_device device_type) {
+struct mip_rtk_connected_device_type
+mip_rtk_connected_device_type_write(mip_rtk_connected_device device_type) {
     struct mip_rtk_connected_device_type v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -365,13 +413,14 @@ static void write_connected_device_type_response(struct mip_writer *w, const voi
 }
 
 const struct mip_codec mip_rtk_connected_device_type_response_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_CONNECTED_DEVICE_TYPE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_rtk_connected_device_type_response),
-    0,
+    0, /* time-out */
     read_connected_device_type_response,
     write_connected_device_type_response,
+    NULL,
     NULL,
 };
 
@@ -387,15 +436,21 @@ mip_error mip_rtk_connected_device_type_response_encode(
                             write_connected_device_type_response, value);
 }
 
+static const struct mip_response responses_get_activation_code[] = {
+    {&mip_rtk_get_activation_code_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_rtk_get_activation_code_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_ACTIVATION_CODE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_get_activation_code),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_activation_code,
 };
 
 mip_error mip_rtk_get_activation_code_decode(struct mip_rtk_get_activation_code *value,
@@ -422,13 +477,14 @@ static void write_get_activation_code_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_rtk_get_activation_code_response_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_ACTIVATION_CODE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_rtk_get_activation_code_response),
-    0,
+    0, /* time-out */
     read_get_activation_code_response,
     write_get_activation_code_response,
+    NULL,
     NULL,
 };
 
@@ -443,15 +499,21 @@ mip_error mip_rtk_get_activation_code_response_encode(
                             write_get_activation_code_response, value);
 }
 
+static const struct mip_response responses_get_modem_firmware_version[] = {
+    {&mip_rtk_get_modem_firmware_version_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_rtk_get_modem_firmware_version_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_MODEM_FIRMWARE_VERSION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_get_modem_firmware_version),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_modem_firmware_version,
 };
 
 mip_error mip_rtk_get_modem_firmware_version_decode(
@@ -478,13 +540,14 @@ static void write_get_modem_firmware_version_response(struct mip_writer *w, cons
 }
 
 const struct mip_codec mip_rtk_get_modem_firmware_version_response_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_GET_MODEM_FIRMWARE_VERSION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_rtk_get_modem_firmware_version_response),
-    0,
+    0, /* time-out */
     read_get_modem_firmware_version_response,
     write_get_modem_firmware_version_response,
+    NULL,
     NULL,
 };
 
@@ -512,15 +575,21 @@ static void write_service_status(struct mip_writer *w, const void *value) {
     mip_write_u32(w, &v->reserved2, 1);
 }
 
+static const struct mip_response responses_service_status[] = {
+    {&mip_rtk_service_status_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_rtk_service_status_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_SERVICE_STATUS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_service_status),
-    0,
+    0, /* time-out */
     read_service_status,
     write_service_status,
     NULL,
+    responses_service_status,
 };
 
 mip_error mip_rtk_service_status_decode(struct mip_rtk_service_status *value,
@@ -552,13 +621,14 @@ static void write_service_status_response(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_rtk_service_status_response_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_SERVICE_STATUS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_rtk_service_status_response),
-    0,
+    0, /* time-out */
     read_service_status_response,
     write_service_status_response,
+    NULL,
     NULL,
 };
 
@@ -584,13 +654,14 @@ static void write_erase_storage(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_rtk_erase_storage_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_ERASE_STORAGE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_erase_storage),
-    0,
+    0, /* time-out */
     read_erase_storage,
     write_erase_storage,
+    NULL,
     NULL,
 };
 
@@ -629,13 +700,14 @@ static void write_led_control(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_rtk_led_control_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_LED_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_led_control),
-    0,
+    0, /* time-out */
     read_led_control,
     write_led_control,
+    NULL,
     NULL,
 };
 
@@ -663,13 +735,14 @@ struct mip_rtk_led_control mip_rtk_led_control_make(const uint8_t primary_color[
 }
 
 const struct mip_codec mip_rtk_modem_hard_reset_codec = {
-    0x0F,
+    0x0F, /* descriptor set */
     MIP_RTK_MODEM_HARD_RESET_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_rtk_modem_hard_reset),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 

@@ -14,13 +14,14 @@ static void write_raw_accel(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_raw_accel_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_RAW_ACCEL_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_raw_accel),
-    0,
+    0, /* time-out */
     read_raw_accel,
     write_raw_accel,
+    NULL,
     NULL,
 };
 
@@ -45,13 +46,14 @@ static void write_raw_gyro(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_raw_gyro_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_RAW_GYRO_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_raw_gyro),
-    0,
+    0, /* time-out */
     read_raw_gyro,
     write_raw_gyro,
+    NULL,
     NULL,
 };
 
@@ -76,13 +78,14 @@ static void write_raw_mag(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_raw_mag_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_RAW_MAG_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_raw_mag),
-    0,
+    0, /* time-out */
     read_raw_mag,
     write_raw_mag,
+    NULL,
     NULL,
 };
 
@@ -107,13 +110,14 @@ static void write_scaled_accel(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_scaled_accel_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_scaled_accel),
-    0,
+    0, /* time-out */
     read_scaled_accel,
     write_scaled_accel,
+    NULL,
     NULL,
 };
 
@@ -139,13 +143,14 @@ static void write_scaled_gyro(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_scaled_gyro_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_SCALED_GYRO_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_scaled_gyro),
-    0,
+    0, /* time-out */
     read_scaled_gyro,
     write_scaled_gyro,
+    NULL,
     NULL,
 };
 
@@ -171,13 +176,14 @@ static void write_scaled_mag(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_scaled_mag_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_SCALED_MAG_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_scaled_mag),
-    0,
+    0, /* time-out */
     read_scaled_mag,
     write_scaled_mag,
+    NULL,
     NULL,
 };
 
@@ -203,13 +209,14 @@ static void write_delta_theta(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_delta_theta_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_DELTA_THETA_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_delta_theta),
-    0,
+    0, /* time-out */
     read_delta_theta,
     write_delta_theta,
+    NULL,
     NULL,
 };
 
@@ -235,13 +242,14 @@ static void write_delta_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_delta_velocity_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_DELTA_VELOCITY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_delta_velocity),
-    0,
+    0, /* time-out */
     read_delta_velocity,
     write_delta_velocity,
+    NULL,
     NULL,
 };
 
@@ -269,13 +277,14 @@ static void write_comp_orientation_matrix(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_sensor_comp_orientation_matrix_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMP_ORIENTATION_MATRIX_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_comp_orientation_matrix),
-    0,
+    0, /* time-out */
     read_comp_orientation_matrix,
     write_comp_orientation_matrix,
+    NULL,
     NULL,
 };
 
@@ -301,13 +310,14 @@ static void write_comp_quaternion(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_comp_quaternion_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMP_QUATERNION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_comp_quaternion),
-    0,
+    0, /* time-out */
     read_comp_quaternion,
     write_comp_quaternion,
+    NULL,
     NULL,
 };
 
@@ -335,13 +345,14 @@ static void write_comp_orientation_update_matrix(struct mip_writer *w, const voi
 }
 
 const struct mip_codec mip_sensor_comp_orientation_update_matrix_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_comp_orientation_update_matrix),
-    0,
+    0, /* time-out */
     read_comp_orientation_update_matrix,
     write_comp_orientation_update_matrix,
+    NULL,
     NULL,
 };
 
@@ -373,13 +384,14 @@ static void write_comp_euler_angles(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_comp_euler_angles_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMP_EULER_ANGLES_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_comp_euler_angles),
-    0,
+    0, /* time-out */
     read_comp_euler_angles,
     write_comp_euler_angles,
+    NULL,
     NULL,
 };
 
@@ -407,13 +419,14 @@ static void write_orientation_raw_temperature(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_sensor_orientation_raw_temperature_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_ORIENTATION_RAW_TEMPERATURE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_orientation_raw_temperature),
-    0,
+    0, /* time-out */
     read_orientation_raw_temperature,
     write_orientation_raw_temperature,
+    NULL,
     NULL,
 };
 
@@ -440,13 +453,14 @@ static void write_internal_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_internal_timestamp_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_INTERNAL_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_internal_timestamp),
-    0,
+    0, /* time-out */
     read_internal_timestamp,
     write_internal_timestamp,
+    NULL,
     NULL,
 };
 
@@ -474,13 +488,14 @@ static void write_pps_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_pps_timestamp_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_PPS_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_pps_timestamp),
-    0,
+    0, /* time-out */
     read_pps_timestamp,
     write_pps_timestamp,
+    NULL,
     NULL,
 };
 
@@ -506,13 +521,14 @@ static void write_north_vector(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_north_vector_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_NORTH_VECTOR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_north_vector),
-    0,
+    0, /* time-out */
     read_north_vector,
     write_north_vector,
+    NULL,
     NULL,
 };
 
@@ -538,13 +554,14 @@ static void write_up_vector(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_up_vector_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_UP_VECTOR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_up_vector),
-    0,
+    0, /* time-out */
     read_up_vector,
     write_up_vector,
+    NULL,
     NULL,
 };
 
@@ -573,13 +590,14 @@ static void write_gps_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_gps_timestamp_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_GPS_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_gps_timestamp),
-    0,
+    0, /* time-out */
     read_gps_timestamp,
     write_gps_timestamp,
+    NULL,
     NULL,
 };
 
@@ -610,13 +628,14 @@ static void write_temperature_statistics(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_sensor_temperature_statistics_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_TEMPERATURE_STATISTICS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_temperature_statistics),
-    0,
+    0, /* time-out */
     read_temperature_statistics,
     write_temperature_statistics,
+    NULL,
     NULL,
 };
 
@@ -642,13 +661,14 @@ static void write_raw_pressure(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_raw_pressure_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_RAW_PRESSURE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_raw_pressure),
-    0,
+    0, /* time-out */
     read_raw_pressure,
     write_raw_pressure,
+    NULL,
     NULL,
 };
 
@@ -674,13 +694,14 @@ static void write_scaled_pressure(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_scaled_pressure_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_SCALED_PRESSURE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_scaled_pressure),
-    0,
+    0, /* time-out */
     read_scaled_pressure,
     write_scaled_pressure,
+    NULL,
     NULL,
 };
 
@@ -706,13 +727,14 @@ static void write_overrange_status(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_overrange_status_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_OVERRANGE_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_overrange_status),
-    0,
+    0, /* time-out */
     read_overrange_status,
     write_overrange_status,
+    NULL,
     NULL,
 };
 
@@ -742,13 +764,14 @@ static void write_odometer(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_odometer_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_ODOMETER_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_odometer),
-    0,
+    0, /* time-out */
     read_odometer,
     write_odometer,
+    NULL,
     NULL,
 };
 

@@ -14,13 +14,14 @@ static void write_event_source(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_event_source_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_EVENT_SOURCE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_event_source),
-    0,
+    0, /* time-out */
     read_event_source,
     write_event_source,
+    NULL,
     NULL,
 };
 
@@ -46,13 +47,14 @@ static void write_ticks(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_ticks_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_TICKS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_ticks),
-    0,
+    0, /* time-out */
     read_ticks,
     write_ticks,
+    NULL,
     NULL,
 };
 
@@ -76,13 +78,14 @@ static void write_delta_ticks(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_delta_ticks_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_DELTA_TICKS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_delta_ticks),
-    0,
+    0, /* time-out */
     read_delta_ticks,
     write_delta_ticks,
+    NULL,
     NULL,
 };
 
@@ -112,13 +115,14 @@ static void write_gps_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_gps_timestamp_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_GPS_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_gps_timestamp),
-    0,
+    0, /* time-out */
     read_gps_timestamp,
     write_gps_timestamp,
+    NULL,
     NULL,
 };
 
@@ -144,13 +148,14 @@ static void write_delta_time(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_delta_time_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_DELTA_TIME_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_delta_time),
-    0,
+    0, /* time-out */
     read_delta_time,
     write_delta_time,
+    NULL,
     NULL,
 };
 
@@ -177,13 +182,14 @@ static void write_reference_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_reference_timestamp_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_REFERENCE_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_reference_timestamp),
-    0,
+    0, /* time-out */
     read_reference_timestamp,
     write_reference_timestamp,
+    NULL,
     NULL,
 };
 
@@ -210,13 +216,14 @@ static void write_reference_time_delta(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_shared_reference_time_delta_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_REFERENCE_TIME_DELTA_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_reference_time_delta),
-    0,
+    0, /* time-out */
     read_reference_time_delta,
     write_reference_time_delta,
+    NULL,
     NULL,
 };
 
@@ -245,13 +252,14 @@ static void write_external_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_external_timestamp_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_EXTERNAL_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_external_timestamp),
-    0,
+    0, /* time-out */
     read_external_timestamp,
     write_external_timestamp,
+    NULL,
     NULL,
 };
 
@@ -280,13 +288,14 @@ static void write_external_time_delta(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_shared_external_time_delta_codec = {
-    0xFF,
+    0xFF, /* descriptor set */
     MIP_SHARED_EXTERNAL_TIME_DELTA_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_shared_external_time_delta),
-    0,
+    0, /* time-out */
     read_external_time_delta,
     write_external_time_delta,
+    NULL,
     NULL,
 };
 

@@ -34,15 +34,28 @@ static void write_interface_control(struct mip_writer *w, const void *value) {
     mip_write_u32(w, &v->protocols_outgoing, 1);
 }
 
+static bool asked_interface_control_1(const void *value) {
+    const struct mip_system_interface_control *v =
+        (const struct mip_system_interface_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_interface_control[] = {
+    {&mip_system_interface_control_response_codec, asked_interface_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_system_interface_control_codec = {
-    0x7F,
+    0x7F, /* descriptor set */
     MIP_SYSTEM_INTERFACE_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_system_interface_control),
-    0,
+    0, /* time-out */
     read_interface_control,
     write_interface_control,
     NULL,
+    responses_interface_control,
 };
 
 mip_error mip_system_interface_control_decode(struct mip_system_interface_control *value,
@@ -68,8 +81,8 @@ struct mip_system_interface_control mip_system_interface_control_write(
     return v;
 }
 
-struct mip_system_interface_control mip_system_interface_control_read(
-    mip_system_comm_interface port) {
+struct mip_system_interface_control
+mip_system_interface_control_read(mip_system_comm_interface port) {
     struct mip_system_interface_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -77,8 +90,8 @@ struct mip_system_interface_control mip_system_interface_control_read(
     return v;
 }
 
-struct mip_system_interface_control mip_system_interface_control_save(
-    mip_system_comm_interface port) {
+struct mip_system_interface_control
+mip_system_interface_control_save(mip_system_comm_interface port) {
     struct mip_system_interface_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -86,8 +99,8 @@ struct mip_system_interface_control mip_system_interface_control_save(
     return v;
 }
 
-struct mip_system_interface_control mip_system_interface_control_load(
-    mip_system_comm_interface port) {
+struct mip_system_interface_control
+mip_system_interface_control_load(mip_system_comm_interface port) {
     struct mip_system_interface_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
@@ -95,8 +108,8 @@ struct mip_system_interface_control mip_system_interface_control_load(
     return v;
 }
 
-struct mip_system_interface_control mip_system_interface_control_default(
-    mip_system_comm_interface port) {
+struct mip_system_interface_control
+mip_system_interface_control_default(mip_system_comm_interface port) {
     struct mip_system_interface_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -121,13 +134,14 @@ static void write_interface_control_response(struct mip_writer *w, const void *v
 }
 
 const struct mip_codec mip_system_interface_control_response_codec = {
-    0x7F,
+    0x7F, /* descriptor set */
     MIP_SYSTEM_INTERFACE_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_system_interface_control_response),
-    0,
+    0, /* time-out */
     read_interface_control_response,
     write_interface_control_response,
+    NULL,
     NULL,
 };
 
@@ -162,15 +176,27 @@ static void write_comm_mode(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->mode, 1);
 }
 
+static bool asked_comm_mode_1(const void *value) {
+    const struct mip_system_comm_mode *v = (const struct mip_system_comm_mode *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_comm_mode[] = {
+    {&mip_system_comm_mode_response_codec, asked_comm_mode_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_system_comm_mode_codec = {
-    0x7F,
+    0x7F, /* descriptor set */
     MIP_SYSTEM_COMM_MODE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_system_comm_mode),
-    0,
+    0, /* time-out */
     read_comm_mode,
     write_comm_mode,
     NULL,
+    responses_comm_mode,
 };
 
 mip_error mip_system_comm_mode_decode(struct mip_system_comm_mode *value,
@@ -231,13 +257,14 @@ static void write_comm_mode_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_system_comm_mode_response_codec = {
-    0x7F,
+    0x7F, /* descriptor set */
     MIP_SYSTEM_COMM_MODE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_system_comm_mode_response),
-    0,
+    0, /* time-out */
     read_comm_mode_response,
     write_comm_mode_response,
+    NULL,
     NULL,
 };
 

@@ -1,6 +1,9 @@
 """Filter commands (0x0D).
 
 Commands that set up, start and aid the navigation filter.
+
+- 3dm-gx5-15: 4.3 Estimation Filter Commands
+- 3dm-cv7-gnss-ins: Filter (0x0D)
 """
 
 from __future__ import annotations
@@ -10,12 +13,17 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response
+from .field import Command, Field, Response, ResponseClass
 from .protocol import FunctionSelector
 
 
 class DynamicsMode(codec.OpenEnum):
-    """Kind of vehicle that the filter is tuned for."""
+    """Kind of vehicle that the filter is tuned for. Uncertain: The SDK names the modes only; the
+    descriptions follow from the names. Uncertain: The filter status `filter_data.Status`
+    (0x82,0x10) reports a mode too, but is known to have the values 1 to 3 only.
+
+    - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+    """
 
     PORTABLE = 1
     """Carried by hand."""
@@ -32,7 +40,7 @@ class EstimatedStates(IntFlag):
     """States that the filter estimates."""
 
     GYRO_BIAS = 1 << 0
-    """Estimate the gyroscope bias (recommended)."""
+    """Estimate the gyroscope bias (recommended). Bit 0."""
 
 
 class GnssAidingSource(codec.OpenEnum):
@@ -71,11 +79,11 @@ class TareAxes(IntFlag):
     """Axes to tare; 0 resets all axes."""
 
     ROLL = 1 << 0
-    """Tare roll."""
+    """Tare roll. Bit 0."""
     PITCH = 1 << 1
-    """Tare pitch."""
+    """Tare pitch. Bit 1."""
     YAW = 1 << 2
-    """Tare yaw."""
+    """Tare yaw. Bit 2."""
 
 
 @codec.open_flag(16)
@@ -83,16 +91,16 @@ class MeasurementFlags(IntFlag):
     """Measurements that the filter uses."""
 
     ACCEL = 1 << 0
-    """Accelerometer measurements."""
+    """Accelerometer measurements. Bit 0."""
     MAG = 1 << 1
-    """Magnetometer measurements, on models that have a magnetometer."""
+    """Magnetometer measurements, on models that have a magnetometer. Bit 1."""
 
 
 class MagParameterSource(codec.OpenEnum):
     """Where the declination, the inclination or the magnitude of the magnetic field comes from."""
 
     NONE = 1
-    """No source."""
+    """No source. Uncertain: What the device does without a source."""
     WMM = 2
     """The World Magnetic Model, at the estimated position."""
     MANUAL = 3
@@ -111,7 +119,10 @@ class AdaptiveMeasurementSelector(codec.OpenEnum):
 
 
 class AltitudeAidingSource(codec.OpenEnum):
-    """What aids the altitude."""
+    """What aids the altitude.
+
+    - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+    """
 
     NONE = 0
     """No aiding."""
@@ -154,7 +165,10 @@ class AidingSource(codec.OpenEnum):
 
 
 class AccelConstraint(codec.OpenEnum):
-    """What the filter assumes about the acceleration."""
+    """What the filter assumes about the acceleration.
+
+    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    """
 
     NONE = 0
     """Nothing."""
@@ -163,7 +177,10 @@ class AccelConstraint(codec.OpenEnum):
 
 
 class VelocityConstraint(codec.OpenEnum):
-    """What the filter assumes about the velocity."""
+    """What the filter assumes about the velocity.
+
+    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    """
 
     NONE = 0
     """Nothing."""
@@ -174,7 +191,10 @@ class VelocityConstraint(codec.OpenEnum):
 
 
 class AngularConstraint(codec.OpenEnum):
-    """What the filter assumes about the angular rate."""
+    """What the filter assumes about the angular rate.
+
+    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    """
 
     NONE = 0
     """Nothing."""
@@ -200,13 +220,13 @@ class HeadingAlignment(IntFlag):
     """Ways in which the device may find its initial heading."""
 
     DUAL_ANTENNA = 1 << 0
-    """From the baseline between two GNSS antennas."""
+    """From the baseline between two GNSS antennas. Bit 0."""
     KINEMATIC = 1 << 1
-    """From the GNSS velocity; assumes motion along the positive x axis of the vehicle."""
+    """From the GNSS velocity; assumes motion along the positive x axis of the vehicle. Bit 1."""
     MAG = 1 << 2
-    """From the built-in magnetometer."""
+    """From the built-in magnetometer. Bit 2."""
     EXTERNAL = 1 << 3
-    """From the heading that the user sends."""
+    """From the heading that the user sends. Bit 3."""
 
 
 class ReferenceFrame(codec.OpenEnum):
@@ -254,7 +274,7 @@ _VEHICLE_DYNAMICS_MODE_RESPONSE_0 = codec.Block("B", "mode")
 class VehicleDynamicsModeResponse(Response):
     """Vehicle dynamics mode response (0x0D,0x80).
 
-    Answers Vehicle dynamics mode (0x0D,0x10).
+    Answers `VehicleDynamicsMode`.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -286,8 +306,7 @@ _SENSOR_TO_VEHICLE_ROTATION_EULER_RESPONSE_0 = codec.Block("fff", "roll", "pitch
 class SensorToVehicleRotationEulerResponse(Response):
     """Sensor to vehicle frame transformation response (0x0D,0x81).
 
-    Answers Sensor to vehicle frame transformation (0x0D,0x11).
-    Supported by 3DM-GX5-15.
+    Answers `SensorToVehicleRotationEuler`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -298,11 +317,11 @@ class SensorToVehicleRotationEulerResponse(Response):
     ROLE = "response"
 
     roll: float
-    """Roll angle. [rad]"""
+    """Roll angle. Unit: rad."""
     pitch: float
-    """Pitch angle. [rad]"""
+    """Pitch angle. Unit: rad."""
     yaw: float
-    """Yaw angle. [rad]"""
+    """Yaw angle. Unit: rad."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationEulerResponse, int]:
@@ -318,14 +337,14 @@ class SensorToVehicleRotationEulerResponse(Response):
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0 = codec.Block("fff", "offset", "offset", "offset")
+_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
 @dataclass(slots=True)
 class SensorToVehicleOffsetResponse(Response):
     """Sensor to vehicle offset response (0x0D,0x82).
 
-    Answers Sensor to vehicle offset (0x0D,0x12).
+    Answers `SensorToVehicleOffset`.
 
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
@@ -336,7 +355,9 @@ class SensorToVehicleOffsetResponse(Response):
     ROLE = "response"
 
     offset: types.Vector3f
-    """From the sensor to the origin of the vehicle frame. [m] Frame: sensor. Range: -10 to 10."""
+    """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+    sensor. Range: -10 to 10.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffsetResponse, int]:
@@ -350,15 +371,14 @@ class SensorToVehicleOffsetResponse(Response):
         return codec.finished(out)
 
 
-_ANTENNA_OFFSET_RESPONSE_0 = codec.Block("fff", "offset", "offset", "offset")
+_ANTENNA_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
 @dataclass(slots=True)
 class AntennaOffsetResponse(Response):
     """GNSS antenna offset response (0x0D,0x83).
 
-    Answers GNSS antenna offset (0x0D,0x13).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `AntennaOffset`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -369,7 +389,9 @@ class AntennaOffsetResponse(Response):
     ROLE = "response"
 
     offset: types.Vector3f
-    """From the sensor origin to the centre of the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
+    vehicle. Range: -10 to 10.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetResponse, int]:
@@ -390,8 +412,7 @@ _ESTIMATION_CONTROL_RESPONSE_0 = codec.Block("H", "flags")
 class EstimationControlResponse(Response):
     """Estimation control flags response (0x0D,0x84).
 
-    Answers Estimation control flags (0x0D,0x14).
-    Supported by 3DM-GX5-15.
+    Answers `EstimationControl`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -423,8 +444,7 @@ _GNSS_SOURCE_RESPONSE_0 = codec.Block("B", "source")
 class GnssSourceResponse(Response):
     """GNSS aiding source response (0x0D,0x86).
 
-    Answers GNSS aiding source (0x0D,0x15).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GnssSource`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
@@ -456,8 +476,7 @@ _HEADING_SOURCE_RESPONSE_0 = codec.Block("B", "source")
 class HeadingSourceResponse(Response):
     """Heading update control response (0x0D,0x87).
 
-    Answers Heading update control (0x0D,0x18).
-    Supported by 3DM-GX5-15.
+    Answers `HeadingSource`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -489,8 +508,8 @@ _AUTO_INITIALIZATION_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class AutoInitializationControlResponse(Response):
     """Automatic initialization response (0x0D,0x88).
 
-    Answers Automatic initialization (0x0D,0x19).
-    Supported by 3DM-GX5-15.
+    Also called `auto_init_control_response`. Answers `AutoInitializationControl`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -515,15 +534,14 @@ class AutoInitializationControlResponse(Response):
         return codec.finished(out)
 
 
-_ACCEL_NOISE_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_ACCEL_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class AccelNoiseResponse(Response):
     """Accelerometer noise response (0x0D,0x89).
 
-    Answers Accelerometer noise (0x0D,0x1A).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `AccelNoise`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -535,7 +553,7 @@ class AccelNoiseResponse(Response):
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [m/s^2]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelNoiseResponse, int]:
@@ -549,15 +567,14 @@ class AccelNoiseResponse(Response):
         return codec.finished(out)
 
 
-_GYRO_NOISE_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_GYRO_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class GyroNoiseResponse(Response):
     """Gyroscope noise response (0x0D,0x8A).
 
-    Answers Gyroscope noise (0x0D,0x1B).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GyroNoise`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -569,7 +586,7 @@ class GyroNoiseResponse(Response):
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [rad/s]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroNoiseResponse, int]:
@@ -583,17 +600,14 @@ class GyroNoiseResponse(Response):
         return codec.finished(out)
 
 
-_ACCEL_BIAS_MODEL_RESPONSE_0 = codec.Block(
-    "ffffff", "beta", "beta", "beta", "noise", "noise", "noise"
-)
+_ACCEL_BIAS_MODEL_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class AccelBiasModelResponse(Response):
     """Accelerometer bias model response (0x0D,0x8B).
 
-    Answers Accelerometer bias model (0x0D,0x1C).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `AccelBiasModel`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -604,9 +618,11 @@ class AccelBiasModelResponse(Response):
     ROLE = "response"
 
     beta: types.Vector3f
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s."""
     noise: types.Vector3f
-    """Standard deviation of the noise per axis. [m/s^2]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than
+    0.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasModelResponse, int]:
@@ -623,17 +639,14 @@ class AccelBiasModelResponse(Response):
         return codec.finished(out)
 
 
-_GYRO_BIAS_MODEL_RESPONSE_0 = codec.Block(
-    "ffffff", "beta", "beta", "beta", "noise", "noise", "noise"
-)
+_GYRO_BIAS_MODEL_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class GyroBiasModelResponse(Response):
     """Gyroscope bias model response (0x0D,0x8C).
 
-    Answers Gyroscope bias model (0x0D,0x1D).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GyroBiasModel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -645,9 +658,11 @@ class GyroBiasModelResponse(Response):
     ROLE = "response"
 
     beta: types.Vector3f
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s."""
     noise: types.Vector3f
-    """Standard deviation of the noise per axis. [rad/s]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater than
+    0.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasModelResponse, int]:
@@ -671,7 +686,7 @@ _AUTO_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 class AutoZuptResponse(Response):
     """Automatic zero velocity update response (0x0D,0x8D).
 
-    Answers Automatic zero velocity update (0x0D,0x1E).
+    Answers `AutoZupt`.
 
     - mip-sdk-4: Auto Zupt (0x0D,0x1E)
     """
@@ -684,7 +699,7 @@ class AutoZuptResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     threshold: float
-    """Largest speed that is taken as zero. [m/s] Range: 0 to …."""
+    """Largest speed that is taken as zero. Unit: m/s. Range: at least 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoZuptResponse, int]:
@@ -706,8 +721,7 @@ _AUTO_ANGULAR_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 class AutoAngularZuptResponse(Response):
     """Zero angular rate update response (0x0D,0x8E).
 
-    Answers Zero angular rate update (0x0D,0x20).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `AutoAngularZupt`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -721,7 +735,7 @@ class AutoAngularZuptResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     threshold: float
-    """Largest angular rate that is taken as zero. [rad/s] Range: 0 to …."""
+    """Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoAngularZuptResponse, int]:
@@ -743,8 +757,7 @@ _REFERENCE_POSITION_RESPONSE_0 = codec.Block("Bddd", "enable", "latitude", "long
 class ReferencePositionResponse(Response):
     """Set reference position response (0x0D,0x90).
 
-    Answers Set reference position (0x0D,0x26).
-    Supported by 3DM-GX5-15.
+    Answers `ReferencePosition`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -757,11 +770,11 @@ class ReferencePositionResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     latitude: float
-    """Latitude. [deg] Frame: llh."""
+    """Latitude. Unit: deg. Frame: llh."""
     longitude: float
-    """Longitude. [deg] Frame: llh."""
+    """Longitude. Unit: deg. Frame: llh."""
     altitude: float
-    """Altitude. [m] Frame: llh."""
+    """Altitude. Unit: m. Frame: llh."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePositionResponse, int]:
@@ -780,15 +793,14 @@ class ReferencePositionResponse(Response):
         return codec.finished(out)
 
 
-_GRAVITY_NOISE_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_GRAVITY_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class GravityNoiseResponse(Response):
     """Gravity noise response (0x0D,0x93).
 
-    Answers Gravity noise (0x0D,0x28).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GravityNoise`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -800,7 +812,7 @@ class GravityNoiseResponse(Response):
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [g]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GravityNoiseResponse, int]:
@@ -821,7 +833,7 @@ _PRESSURE_ALTITUDE_NOISE_RESPONSE_0 = codec.Block("f", "noise")
 class PressureAltitudeNoiseResponse(Response):
     """Pressure altitude noise response (0x0D,0x94).
 
-    Answers Pressure altitude noise (0x0D,0x29).
+    Answers `PressureAltitudeNoise`.
 
     - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
     """
@@ -832,7 +844,7 @@ class PressureAltitudeNoiseResponse(Response):
     ROLE = "response"
 
     noise: float
-    """Standard deviation. [m]"""
+    """Standard deviation. Unit: m. Range: greater than 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoiseResponse, int]:
@@ -846,14 +858,14 @@ class PressureAltitudeNoiseResponse(Response):
         return codec.finished(out)
 
 
-_HARD_IRON_OFFSET_NOISE_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_HARD_IRON_OFFSET_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class HardIronOffsetNoiseResponse(Response):
     """Hard iron offset noise response (0x0D,0x96).
 
-    Answers Hard iron offset noise (0x0D,0x2B).
+    Answers `HardIronOffsetNoise`.
 
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
@@ -864,7 +876,7 @@ class HardIronOffsetNoiseResponse(Response):
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [gauss]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoiseResponse, int]:
@@ -878,16 +890,14 @@ class HardIronOffsetNoiseResponse(Response):
         return codec.finished(out)
 
 
-_SOFT_IRON_MATRIX_NOISE_RESPONSE_0 = codec.Block(
-    "fffffffff", "noise", "noise", "noise", "noise", "noise", "noise", "noise", "noise", "noise"
-)
+_SOFT_IRON_MATRIX_NOISE_RESPONSE_0 = codec.Block("fffffffff", *["noise"] * 9)
 
 
 @dataclass(slots=True)
 class SoftIronMatrixNoiseResponse(Response):
     """Soft iron matrix noise response (0x0D,0x97).
 
-    Answers Soft iron matrix noise (0x0D,0x2C).
+    Answers `SoftIronMatrixNoise`.
 
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
@@ -898,7 +908,9 @@ class SoftIronMatrixNoiseResponse(Response):
     ROLE = "response"
 
     noise: types.Matrix3f
-    """Standard deviation per element. [1]"""
+    """Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+    1. Range: greater than 0.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoiseResponse, int]:
@@ -919,8 +931,8 @@ _TARE_ORIENTATION_RESPONSE_0 = codec.Block("B", "axes")
 class TareOrientationResponse(Response):
     """Tare orientation response (0x0D,0xA1).
 
-    Answers Tare orientation (0x0D,0x21).
-    Supported by 3DM-GX5-15.
+    Answers `TareOrientation`. Uncertain: Which devices send it. The SDK reads the setting back; the
+    manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the response.
 
     - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
     - mip-sdk-4: Tare Orientation (0x0D,0x21)
@@ -953,8 +965,7 @@ _ENABLE_MEASUREMENTS_RESPONSE_0 = codec.Block("H", "control")
 class EnableMeasurementsResponse(Response):
     """Enable or disable measurements response (0x0D,0xB0).
 
-    Answers Enable or disable measurements (0x0D,0x41).
-    Supported by 3DM-GX5-15.
+    Answers `EnableMeasurements`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -979,14 +990,14 @@ class EnableMeasurementsResponse(Response):
         return codec.finished(out)
 
 
-_MAG_NOISE_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_MAG_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class MagNoiseResponse(Response):
     """Magnetometer noise response (0x0D,0xB1).
 
-    Answers Magnetometer noise (0x0D,0x42).
+    Answers `MagNoise`.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -997,7 +1008,7 @@ class MagNoiseResponse(Response):
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [gauss]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagNoiseResponse, int]:
@@ -1018,8 +1029,7 @@ _MAGNETIC_DECLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "declinati
 class MagneticDeclinationSourceResponse(Response):
     """Magnetic declination source response (0x0D,0xB2).
 
-    Answers Magnetic declination source (0x0D,0x43).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `MagneticDeclinationSource`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     """
@@ -1032,7 +1042,7 @@ class MagneticDeclinationSourceResponse(Response):
     source: MagParameterSource
     """Source of the declination."""
     declination: float
-    """Declination; used only if `source` is manual. [rad]"""
+    """Declination; used only if `source` is manual. Unit: rad."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticDeclinationSourceResponse, int]:
@@ -1063,8 +1073,7 @@ _ACCEL_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Gravity magnitude error adaptive measurement response (0x0D,0xB3).
 
-    Answers Gravity magnitude error adaptive measurement (0x0D,0x44).
-    Supported by 3DM-GX5-15.
+    Answers `AccelMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -1077,17 +1086,17 @@ class AccelMagnitudeErrorAdaptiveMeasurementResponse(Response):
     adaptive_measurement: AdaptiveMeasurementSelector
     """Kind of adaptation."""
     frequency: float
-    """Cut-off frequency of the low-pass filter. [Hz]"""
+    """Cut-off frequency of the low-pass filter. Unit: Hz."""
     low_limit: float
-    """Lower limit of the error. [m/s^2]"""
+    """Lower limit of the error. Unit: m/s^2."""
     high_limit: float
-    """Upper limit of the error. [m/s^2]"""
+    """Upper limit of the error. Unit: m/s^2."""
     low_limit_uncertainty: float
-    """Standard deviation at the lower limit. [m/s^2]"""
+    """Standard deviation at the lower limit. Unit: m/s^2."""
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. [m/s^2]"""
+    """Standard deviation at the upper limit. Unit: m/s^2."""
     minimum_uncertainty: float
-    """Smallest standard deviation. [m/s^2]"""
+    """Smallest standard deviation. Unit: m/s^2."""
 
     @classmethod
     def _read(
@@ -1141,7 +1150,7 @@ _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
 
-    Answers Magnetometer magnitude error adaptive measurement (0x0D,0x45).
+    Answers `MagMagnitudeErrorAdaptiveMeasurement`.
 
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
     """
@@ -1154,17 +1163,27 @@ class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     adaptive_measurement: AdaptiveMeasurementSelector
     """Kind of adaptation."""
     frequency: float
-    """Cut-off frequency of the low-pass filter. [Hz]"""
+    """Cut-off frequency of the low-pass filter. Unit: Hz."""
     low_limit: float
-    """Lower limit of the error. [gauss]"""
+    """Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of
+    the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
     high_limit: float
-    """Upper limit of the error. [gauss]"""
+    """Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of
+    the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
     low_limit_uncertainty: float
-    """Standard deviation at the lower limit. [gauss]"""
+    """Standard deviation at the lower limit. Unit: gauss. Uncertain: The unit. The SDK prints
+    m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. [gauss]"""
+    """Standard deviation at the upper limit. Unit: gauss. Uncertain: The unit. The SDK prints
+    m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
     minimum_uncertainty: float
-    """Smallest standard deviation. [gauss]"""
+    """Smallest standard deviation. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual
+    of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurementResponse, int]:
@@ -1209,7 +1228,7 @@ _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
 
-    Answers Magnetometer dip angle error adaptive measurement (0x0D,0x46).
+    Answers `MagDipAngleErrorAdaptiveMeasurement`.
 
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
@@ -1222,13 +1241,19 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     enable: bool
     """Whether the adaptation is on."""
     frequency: float
-    """Cut-off frequency of the low-pass filter. [Hz]"""
+    """Cut-off frequency of the low-pass filter. Unit: Hz."""
     high_limit: float
-    """Upper limit of the error. [rad]"""
+    """Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
+    inferred from the quantity.
+    """
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. [rad]"""
+    """Standard deviation at the upper limit. Unit: rad. Uncertain: The unit. The SDK prints m/s^2;
+    rad is inferred from the quantity.
+    """
     minimum_uncertainty: float
-    """Smallest standard deviation. [rad]"""
+    """Smallest standard deviation. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
+    inferred from the quantity.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurementResponse, int]:
@@ -1259,7 +1284,7 @@ _ALTITUDE_AIDING_RESPONSE_0 = codec.Block("B", "selector")
 class AltitudeAidingResponse(Response):
     """Altitude aiding response (0x0D,0xB7).
 
-    Answers Altitude aiding (0x0D,0x47).
+    Answers `AltitudeAiding`.
 
     - mip-sdk-4: Altitude Aiding (0x0D,0x47)
     """
@@ -1291,8 +1316,7 @@ _PITCH_ROLL_AIDING_RESPONSE_0 = codec.Block("B", "aiding")
 class PitchRollAidingResponse(Response):
     """Pitch and roll aiding response (0x0D,0xBB).
 
-    Answers Pitch and roll aiding (0x0D,0x4B).
-    Supported by 3DM-GX5-15.
+    Answers `PitchRollAiding`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -1324,7 +1348,7 @@ _MAGNETIC_INCLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "inclinati
 class MagneticInclinationSourceResponse(Response):
     """Magnetic inclination source response (0x0D,0xBC).
 
-    Answers Magnetic inclination source (0x0D,0x4C).
+    Also called `inclination_source_response`. Answers `MagneticInclinationSource`.
 
     - mip-sdk-4: Inclination Source (0x0D,0x4C)
     """
@@ -1337,7 +1361,9 @@ class MagneticInclinationSourceResponse(Response):
     source: MagParameterSource
     """Source of the inclination."""
     inclination: float
-    """Inclination; used only if `source` is manual. [rad]"""
+    """Inclination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
+    out if `source` is not manual. The SDK sends it always.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticInclinationSourceResponse, int]:
@@ -1359,7 +1385,7 @@ _MAGNETIC_MAGNITUDE_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "magnitude")
 class MagneticMagnitudeSourceResponse(Response):
     """Magnetic field magnitude source response (0x0D,0xBD).
 
-    Answers Magnetic field magnitude source (0x0D,0x4D).
+    Also called `mag_field_magnitude_source_response`. Answers `MagneticMagnitudeSource`.
 
     - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
     """
@@ -1372,7 +1398,9 @@ class MagneticMagnitudeSourceResponse(Response):
     source: MagParameterSource
     """Source of the magnitude."""
     magnitude: float
-    """Magnitude; used only if `source` is manual. [gauss]"""
+    """Magnitude; used only if `source` is manual. Unit: gauss. Uncertain: Whether it may be left
+    out if `source` is not manual. The SDK sends it always.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticMagnitudeSourceResponse, int]:
@@ -1387,16 +1415,14 @@ class MagneticMagnitudeSourceResponse(Response):
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0 = codec.Block(
-    "fffffffff", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm"
-)
+_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0 = codec.Block("fffffffff", *["dcm"] * 9)
 
 
 @dataclass(slots=True)
 class SensorToVehicleRotationDcmResponse(Response):
     """Sensor to vehicle rotation, matrix response (0x0D,0xBE).
 
-    Answers Sensor to vehicle rotation, matrix (0x0D,0x4E).
+    Answers `SensorToVehicleRotationDcm`.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
     """
@@ -1407,7 +1433,9 @@ class SensorToVehicleRotationDcmResponse(Response):
     ROLE = "response"
 
     dcm: types.Matrix3f
-    """Rotation matrix in row-major order. [1]"""
+    """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcmResponse, int]:
@@ -1421,14 +1449,14 @@ class SensorToVehicleRotationDcmResponse(Response):
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0 = codec.Block("ffff", "q", "q", "q", "q")
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["q"] * 4)
 
 
 @dataclass(slots=True)
 class SensorToVehicleRotationQuaternionResponse(Response):
     """Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
 
-    Answers Sensor to vehicle rotation, quaternion (0x0D,0x4F).
+    Answers `SensorToVehicleRotationQuaternion`.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
@@ -1439,7 +1467,7 @@ class SensorToVehicleRotationQuaternionResponse(Response):
     ROLE = "response"
 
     q: types.Quatf
-    """Unit quaternion, scalar part first. [1]"""
+    """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternionResponse, int]:
@@ -1462,8 +1490,7 @@ _AIDING_MEASUREMENT_ENABLE_RESPONSE_0 = codec.Block("HB", "aiding_source", "enab
 class AidingMeasurementEnableResponse(Response):
     """Aiding measurement control response (0x0D,0xD0).
 
-    Answers Aiding measurement control (0x0D,0x50).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `AidingMeasurementEnable`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -1500,7 +1527,7 @@ _KINEMATIC_CONSTRAINT_RESPONSE_0 = codec.Block(
 class KinematicConstraintResponse(Response):
     """Kinematic constraint response (0x0D,0xD1).
 
-    Answers Kinematic constraint (0x0D,0x51).
+    Answers `KinematicConstraint`.
 
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
@@ -1511,11 +1538,11 @@ class KinematicConstraintResponse(Response):
     ROLE = "response"
 
     accel_constraint: AccelConstraint
-    """Assumption about the acceleration. Factory default: none."""
+    """Assumption about the acceleration. Default: `AccelConstraint.NONE`."""
     velocity_constraint: VelocityConstraint
-    """Assumption about the velocity. Factory default: none."""
+    """Assumption about the velocity. Default: `VelocityConstraint.NONE`."""
     angular_constraint: AngularConstraint
-    """Assumption about the angular rate. Factory default: none."""
+    """Assumption about the angular rate. Default: `AngularConstraint.NONE`."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraintResponse, int]:
@@ -1541,12 +1568,8 @@ _INITIALIZATION_CONFIG_RESPONSE_0 = codec.Block(
     "initial_heading",
     "initial_pitch",
     "initial_roll",
-    "initial_position",
-    "initial_position",
-    "initial_position",
-    "initial_velocity",
-    "initial_velocity",
-    "initial_velocity",
+    *["initial_position"] * 3,
+    *["initial_velocity"] * 3,
     "reference_frame_selector",
 )
 
@@ -1555,8 +1578,8 @@ _INITIALIZATION_CONFIG_RESPONSE_0 = codec.Block(
 class InitializationConfigResponse(Response):
     """Navigation filter initialization response (0x0D,0xD2).
 
-    Answers Navigation filter initialization (0x0D,0x52).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `initialization_configuration_response`. Answers `InitializationConfig`. Supported
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
@@ -1573,18 +1596,22 @@ class InitializationConfigResponse(Response):
     auto_heading_alignment_selector: HeadingAlignment
     """Ways in which the initial heading may be found."""
     initial_heading: float
-    """Given heading. [deg]"""
+    """Given heading. Unit: deg."""
     initial_pitch: float
-    """Given pitch. [deg]"""
+    """Given pitch. Unit: deg."""
     initial_roll: float
-    """Given roll. [deg]"""
+    """Given roll. Unit: deg."""
     initial_position: types.Vector3f
-    """Given position. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Given position. Elements: x, y, z.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
     initial_velocity: types.Vector3f
-    """Given velocity. [m/s] If reference_frame_selector is ecef: frame ecef. If
-    reference_frame_selector is llh: frame ned.
+    """Given velocity. Elements: x, y, z. Unit: m/s.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: frame ned.
     """
     reference_frame_selector: ReferenceFrame
     """Frame of the given position and velocity."""
@@ -1636,8 +1663,7 @@ _ADAPTIVE_FILTER_OPTIONS_RESPONSE_0 = codec.Block("BH", "level", "time_limit")
 class AdaptiveFilterOptionsResponse(Response):
     """Adaptive filter control response (0x0D,0xD3).
 
-    Answers Adaptive filter control (0x0D,0x53).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `AdaptiveFilterOptions`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -1648,9 +1674,9 @@ class AdaptiveFilterOptionsResponse(Response):
     ROLE = "response"
 
     level: AdaptiveLevel
-    """Strength of the adaptation. Factory default: 2."""
+    """Strength of the adaptation. Default: 2."""
     time_limit: int
-    """Longest time for which measurements are rejected before the filter recovers. [ms]"""
+    """Longest time for which measurements are rejected before the filter recovers. Unit: ms."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterOptionsResponse, int]:
@@ -1665,17 +1691,14 @@ class AdaptiveFilterOptionsResponse(Response):
         return codec.finished(out)
 
 
-_MULTI_ANTENNA_OFFSET_RESPONSE_0 = codec.Block(
-    "Bfff", "receiver_id", "antenna_offset", "antenna_offset", "antenna_offset"
-)
+_MULTI_ANTENNA_OFFSET_RESPONSE_0 = codec.Block("Bfff", "receiver_id", *["antenna_offset"] * 3)
 
 
 @dataclass(slots=True)
 class MultiAntennaOffsetResponse(Response):
     """GNSS multi-antenna offset response (0x0D,0xD4).
 
-    Answers GNSS multi-antenna offset (0x0D,0x54).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `MultiAntennaOffset`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -1686,9 +1709,10 @@ class MultiAntennaOffsetResponse(Response):
     ROLE = "response"
 
     receiver_id: int
-    """Number of the receiver, from 1. Range: 1 to …."""
+    """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f
-    """From the sensor to the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffsetResponse, int]:
@@ -1706,12 +1730,7 @@ class MultiAntennaOffsetResponse(Response):
 
 
 _RELATIVE_POSITION_CONFIG_RESPONSE_0 = codec.Block(
-    "BBddd",
-    "source",
-    "reference_frame_selector",
-    "reference_coordinates",
-    "reference_coordinates",
-    "reference_coordinates",
+    "BBddd", "source", "reference_frame_selector", *["reference_coordinates"] * 3
 )
 
 
@@ -1719,8 +1738,8 @@ _RELATIVE_POSITION_CONFIG_RESPONSE_0 = codec.Block(
 class RelativePositionConfigResponse(Response):
     """Relative position configuration response (0x0D,0xD5).
 
-    Answers Relative position configuration (0x0D,0x55).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `rel_pos_configuration_response`. Answers `RelativePositionConfig`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -1735,8 +1754,10 @@ class RelativePositionConfigResponse(Response):
     reference_frame_selector: ReferenceFrame
     """Frame of the coordinates."""
     reference_coordinates: types.Vector3d
-    """Reference point. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Reference point. Elements: x, y, z.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
 
     @classmethod
@@ -1758,7 +1779,7 @@ class RelativePositionConfigResponse(Response):
 
 
 _REFERENCE_POINT_LEVER_ARM_RESPONSE_0 = codec.Block(
-    "Bfff", "reference_point", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
+    "Bfff", "reference_point", *["lever_arm_offset"] * 3
 )
 
 
@@ -1766,8 +1787,8 @@ _REFERENCE_POINT_LEVER_ARM_RESPONSE_0 = codec.Block(
 class ReferencePointLeverArmResponse(Response):
     """Reference point lever arm response (0x0D,0xD6).
 
-    Answers Reference point lever arm (0x0D,0x56).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `ref_point_lever_arm_response`. Answers `ReferencePointLeverArm`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -1780,7 +1801,8 @@ class ReferencePointLeverArmResponse(Response):
     reference_point: ReferencePoint
     """Point to move; it must be 1."""
     lever_arm_offset: types.Vector3f
-    """From the sensor to the point. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArmResponse, int]:
@@ -1797,17 +1819,14 @@ class ReferencePointLeverArmResponse(Response):
         return codec.finished(out)
 
 
-_SPEED_LEVER_ARM_RESPONSE_0 = codec.Block(
-    "Bfff", "source", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
-)
+_SPEED_LEVER_ARM_RESPONSE_0 = codec.Block("Bfff", "source", *["lever_arm_offset"] * 3)
 
 
 @dataclass(slots=True)
 class SpeedLeverArmResponse(Response):
     """Speed measurement lever arm response (0x0D,0xE1).
 
-    Answers Speed measurement lever arm (0x0D,0x61).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `SpeedLeverArm`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
@@ -1818,9 +1837,9 @@ class SpeedLeverArmResponse(Response):
     ROLE = "response"
 
     source: int = field(default=1, kw_only=True)
-    """Send 1."""
+    """Reserved."""
     lever_arm_offset: types.Vector3f
-    """From the sensor to the point of measurement. [m] Frame: vehicle."""
+    """From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SpeedLeverArmResponse, int]:
@@ -1844,7 +1863,7 @@ _VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class VerticalGyroConstraintControlResponse(Response):
     """Vertical gyro constraint response (0x0D,0xE2).
 
-    Answers Vertical gyro constraint (0x0D,0x62).
+    Answers `VerticalGyroConstraintControl`.
 
     - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
     """
@@ -1876,8 +1895,7 @@ _WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class WheeledVehicleConstraintControlResponse(Response):
     """Wheeled vehicle constraint response (0x0D,0xE3).
 
-    Answers Wheeled vehicle constraint (0x0D,0x63).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
@@ -1909,7 +1927,7 @@ _GNSS_ANTENNA_CALIBRATION_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable", "max_
 class GnssAntennaCalibrationControlResponse(Response):
     """GNSS antenna offset calibration response (0x0D,0xE4).
 
-    Answers GNSS antenna offset calibration (0x0D,0x64).
+    Also called `gnss_antenna_cal_control_response`. Answers `GnssAntennaCalibrationControl`.
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
@@ -1924,8 +1942,8 @@ class GnssAntennaCalibrationControlResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     max_offset: float
-    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. [m] Frame:
-    vehicle. Range: 0 to 0.5. Factory default: 0.1.
+    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
+    vehicle. Range: 0 to 0.5. Default: 0.1.
     """
 
     @classmethod
@@ -1946,10 +1964,12 @@ class Reset(Command):
     """Reset navigation filter (0x0D,0x01).
 
     Puts the filter back into its initialization state.
-    If automatic initialization is off, the attitude or heading must be set before the filter runs
-    again.
-    3DM-CV7: send it after a large jump of the system time, for example when the PPS is first found.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    If automatic initialization is off, the attitude or heading must be set before the filter runs
+    again. 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
+    found.
 
     - 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01)
     - 3dm-gx5-15: 4.3.1 Reset Filter (0x0D, 0x01)
@@ -1976,8 +1996,10 @@ class SetInitialAttitude(Command):
     """Set initial attitude (0x0D,0x02).
 
     Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
-    Accepted only in the initialization state.
+
     Supported by 3DM-GX5-15.
+
+    Accepted only in the initialization state.
 
     - 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02)
     """
@@ -1988,11 +2010,12 @@ class SetInitialAttitude(Command):
     ROLE = "command"
 
     roll: float
-    """Roll angle. [rad] Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
     pitch: float
-    """Pitch angle. [rad] Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."""
+    """Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."""
     heading: float
-    """Heading (yaw) angle. [rad] Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetInitialAttitude, int]:
@@ -2016,10 +2039,11 @@ class SetInitialHeading(Command):
     """Set initial heading (0x0D,0x03).
 
     Gives the filter its initial heading; pitch and roll come from the accelerometers.
-    3DM-GX5: accepted only in the initialization state.
-    3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
-    ignored.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if
+    magnetometer aiding is on, the given heading is ignored.
 
     - 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03)
     - 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
@@ -2031,7 +2055,7 @@ class SetInitialHeading(Command):
     ROLE = "command"
 
     heading: float
-    """Initial heading. [rad] Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetInitialHeading, int]:
@@ -2050,9 +2074,11 @@ class Run(Command):
     """Run navigation filter (0x0D,0x05).
 
     Starts a filter that was set up to wait for this command.
+
+    Supported by 3DM-CV7-GNSS/INS.
+
     The filter waits in its initialization state if `wait_for_run_command` of
     `initialization_config` is set.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
     """
@@ -2081,6 +2107,9 @@ class VehicleDynamicsMode(Command):
 
     Kind of vehicle that the filter is tuned for.
 
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `VehicleDynamicsModeResponse`.
+
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
 
@@ -2094,7 +2123,7 @@ class VehicleDynamicsMode(Command):
     function: FunctionSelector
     """What to do with the setting."""
     mode: DynamicsMode | None = None
-    """Kind of vehicle."""
+    """Kind of vehicle. Required for `write`."""
 
     @classmethod
     def write(cls, mode: DynamicsMode) -> VehicleDynamicsMode:
@@ -2120,6 +2149,12 @@ class VehicleDynamicsMode(Command):
     def default(cls) -> VehicleDynamicsMode:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return VehicleDynamicsModeResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[VehicleDynamicsMode, int]:
@@ -2167,11 +2202,14 @@ class SensorToVehicleRotationEuler(Command):
     """Sensor to vehicle frame transformation (0x0D,0x11).
 
     Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleRotationEulerResponse`. Supported by 3DM-GX5-15.
+
     It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
     velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
-    vector of the filter.
-    The 3DM-CV7 takes the inverse instead: `3dm.sensor_to_vehicle_transform_euler`.
-    Supported by 3DM-GX5-15.
+    vector of the filter. The 3DM-CV7 takes the inverse instead:
+    `mip_3dm.SensorToVehicleTransformEuler`.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -2186,11 +2224,11 @@ class SensorToVehicleRotationEuler(Command):
     function: FunctionSelector
     """What to do with the setting."""
     roll: float | None = None
-    """Roll angle. [rad]"""
+    """Roll angle. Unit: rad. Required for `write`."""
     pitch: float | None = None
-    """Pitch angle. [rad]"""
+    """Pitch angle. Unit: rad. Required for `write`."""
     yaw: float | None = None
-    """Yaw angle. [rad]"""
+    """Yaw angle. Unit: rad. Required for `write`."""
 
     @classmethod
     def write(cls, roll: float, pitch: float, yaw: float) -> SensorToVehicleRotationEuler:
@@ -2216,6 +2254,12 @@ class SensorToVehicleRotationEuler(Command):
     def default(cls) -> SensorToVehicleRotationEuler:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleRotationEulerResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationEuler, int]:
@@ -2266,7 +2310,7 @@ class SensorToVehicleRotationEuler(Command):
 
 
 _SENSOR_TO_VEHICLE_OFFSET_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_OFFSET_1 = codec.Block("fff", "offset", "offset", "offset")
+_SENSOR_TO_VEHICLE_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
 _SENSOR_TO_VEHICLE_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
@@ -2275,9 +2319,14 @@ class SensorToVehicleOffset(Command):
     """Sensor to vehicle offset (0x0D,0x12).
 
     Origin of the vehicle frame, as seen from the sensor.
-    It shifts the estimated position (0x82,0x01) and nothing else.
-    The shift is constant. It does not follow the attitude, as a lever arm would.
-    The magnitude of the vector is limited to 10 m.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleOffsetResponse`. Uncertain: The direction, from the sensor to the origin of the
+    vehicle frame, is inferred from the name.
+
+    It shifts the estimated position `filter_data.LlhPosition` (0x82,0x01) and nothing else. The
+    shift is constant. It does not follow the attitude, as a lever arm would. The magnitude of the
+    vector is limited to 10 m.
 
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
@@ -2292,7 +2341,9 @@ class SensorToVehicleOffset(Command):
     function: FunctionSelector
     """What to do with the setting."""
     offset: types.Vector3f | None = None
-    """From the sensor to the origin of the vehicle frame. [m] Frame: sensor. Range: -10 to 10."""
+    """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+    sensor. Range: -10 to 10. Required for `write`.
+    """
 
     @classmethod
     def write(cls, offset: types.Vector3f) -> SensorToVehicleOffset:
@@ -2318,6 +2369,12 @@ class SensorToVehicleOffset(Command):
     def default(cls) -> SensorToVehicleOffset:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleOffsetResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffset, int]:
@@ -2350,7 +2407,7 @@ class SensorToVehicleOffset(Command):
 
 
 _ANTENNA_OFFSET_0 = codec.Block("B", "function")
-_ANTENNA_OFFSET_1 = codec.Block("fff", "offset", "offset", "offset")
+_ANTENNA_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
 _ANTENNA_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
@@ -2359,11 +2416,13 @@ class AntennaOffset(Command):
     """GNSS antenna offset (0x0D,0x13).
 
     Position of the GNSS antenna relative to the origin of the sensor.
-    The magnitude of the vector is limited to 10.
-    7-series devices expect the vehicle frame, 5-series devices the sensor frame.
-    On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding commands use
-    `aiding.frame_config`.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AntennaOffsetResponse`.
     Supported by 3DM-CV7-GNSS/INS.
+
+    The magnitude of the vector is limited to 10. 7-series devices expect the vehicle frame,
+    5-series devices the sensor frame. On the 3DM-CV7 it is for GNSS data that come as NMEA; data
+    that come by the aiding commands use `aiding.FrameConfig`.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -2378,7 +2437,9 @@ class AntennaOffset(Command):
     function: FunctionSelector
     """What to do with the setting."""
     offset: types.Vector3f | None = None
-    """From the sensor origin to the centre of the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
+    vehicle. Range: -10 to 10. Required for `write`.
+    """
 
     @classmethod
     def write(cls, offset: types.Vector3f) -> AntennaOffset:
@@ -2404,6 +2465,12 @@ class AntennaOffset(Command):
     def default(cls) -> AntennaOffset:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AntennaOffsetResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffset, int]:
@@ -2445,7 +2512,9 @@ class EstimationControl(Command):
     """Estimation control flags (0x0D,0x14).
 
     Which states the filter estimates.
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `EstimationControlResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -2460,7 +2529,7 @@ class EstimationControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     flags: EstimatedStates | None = None
-    """States to estimate."""
+    """States to estimate. Required for `write`."""
 
     @classmethod
     def write(cls, flags: EstimatedStates) -> EstimationControl:
@@ -2486,6 +2555,12 @@ class EstimationControl(Command):
     def default(cls) -> EstimationControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return EstimationControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EstimationControl, int]:
@@ -2527,9 +2602,12 @@ class GnssSource(Command):
     """GNSS aiding source (0x0D,0x15).
 
     Which GNSS receiver aids the filter.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssSourceResponse`.
+    Supported by 3DM-CV7-GNSS/INS.
+
     A change while the filter runs may put it back into initialization until the new source gives
     data.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
@@ -2544,7 +2622,7 @@ class GnssSource(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: GnssAidingSource | None = None
-    """Source of the GNSS data."""
+    """Source of the GNSS data. Required for `write`."""
 
     @classmethod
     def write(cls, source: GnssAidingSource) -> GnssSource:
@@ -2570,6 +2648,12 @@ class GnssSource(Command):
     def default(cls) -> GnssSource:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssSourceResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssSource, int]:
@@ -2608,15 +2692,9 @@ _EXTERNAL_GNSS_UPDATE_0 = codec.Block(
     "latitude",
     "longitude",
     "height",
-    "velocity",
-    "velocity",
-    "velocity",
-    "position_uncertainty",
-    "position_uncertainty",
-    "position_uncertainty",
-    "velocity_uncertainty",
-    "velocity_uncertainty",
-    "velocity_uncertainty",
+    *["velocity"] * 3,
+    *["position_uncertainty"] * 3,
+    *["velocity_uncertainty"] * 3,
 )
 
 
@@ -2625,8 +2703,9 @@ class ExternalGnssUpdate(Command):
     """External GNSS update (0x0D,0x16).
 
     Gives the filter one position and velocity of a GNSS receiver that the user provides.
-    Refused unless the GNSS aiding source (0x0D,0x15) is the external one.
-    The highest rate depends on the device.
+
+    Refused unless the GNSS aiding source `GnssSource` (0x0D,0x15) is the external one. The highest
+    rate depends on the device.
 
     - mip-sdk-4: External Gnss Update (0x0D,0x16)
     """
@@ -2637,21 +2716,21 @@ class ExternalGnssUpdate(Command):
     ROLE = "command"
 
     tow: float
-    """GPS time of week. [s]"""
+    """GPS time of week. Unit: s."""
     week_number: int
-    """GPS week, counted without rollover. [week]"""
+    """GPS week, counted without rollover. Unit: week."""
     latitude: float
-    """Latitude. [deg] Frame: llh."""
+    """Latitude. Unit: deg. Frame: llh."""
     longitude: float
-    """Longitude. [deg] Frame: llh."""
+    """Longitude. Unit: deg. Frame: llh."""
     height: float
-    """Height above the ellipsoid. [m] Frame: llh."""
+    """Height above the ellipsoid. Unit: m. Frame: llh."""
     velocity: types.Vector3f
-    """Velocity. [m/s] Frame: ned."""
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned."""
     position_uncertainty: types.Vector3f
-    """Standard deviation of the position. [m] Frame: ned."""
+    """Standard deviation of the position. Elements: x, y, z. Unit: m. Frame: ned."""
     velocity_uncertainty: types.Vector3f
-    """Standard deviation of the velocity. [m/s] Frame: ned."""
+    """Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ExternalGnssUpdate, int]:
@@ -2698,12 +2777,13 @@ class ExternalHeadingUpdate(Command):
     """External heading update (0x0D,0x17).
 
     Gives the filter one measurement of the heading of the sensor frame in the NED frame.
+
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5 and by
-    `aiding_measurement_enable` on the 3DM-CV7.
-    The 3DM-GX5-15 takes at most 20 updates per second.
+    `aiding_measurement_enable` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per second.
     If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
     ones.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17)
     - 3dm-gx5-15: 4.3.7 External Heading Update (0x0D, 0x17)
@@ -2715,11 +2795,13 @@ class ExternalHeadingUpdate(Command):
     ROLE = "command"
 
     heading: float
-    """Heading relative to the north that `type` names. [rad] Frame: ned. Range:
+    """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
     -3.141592653589793 to 3.141592653589793.
     """
     heading_uncertainty: float
-    """Standard deviation; the device refuses a value out of bounds. [rad]"""
+    """Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
+    0.
+    """
     type: HeadingType
     """North that the heading refers to."""
 
@@ -2747,6 +2829,8 @@ class HeadingSource(Command):
     """Heading update control (0x0D,0x18).
 
     Source of the heading that aids the filter.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `HeadingSourceResponse`.
     Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
@@ -2762,7 +2846,7 @@ class HeadingSource(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: HeadingUpdateSource | None = None
-    """Source of the heading."""
+    """Source of the heading. Required for `write`."""
 
     @classmethod
     def write(cls, source: HeadingUpdateSource) -> HeadingSource:
@@ -2788,6 +2872,12 @@ class HeadingSource(Command):
     def default(cls) -> HeadingSource:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return HeadingSourceResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HeadingSource, int]:
@@ -2829,8 +2919,11 @@ class AutoInitializationControl(Command):
     """Automatic initialization (0x0D,0x19).
 
     Whether the filter initializes by itself when the device starts.
+
+    Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `AutoInitializationControlResponse`. Supported by 3DM-GX5-15.
+
     It needs a valid heading source.
-    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -2845,7 +2938,7 @@ class AutoInitializationControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
 
     @classmethod
     def write(cls, enable: int) -> AutoInitializationControl:
@@ -2871,6 +2964,12 @@ class AutoInitializationControl(Command):
     def default(cls) -> AutoInitializationControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AutoInitializationControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoInitializationControl, int]:
@@ -2903,7 +3002,7 @@ class AutoInitializationControl(Command):
 
 
 _ACCEL_NOISE_0 = codec.Block("B", "function")
-_ACCEL_NOISE_1 = codec.Block("fff", "noise", "noise", "noise")
+_ACCEL_NOISE_1 = codec.Block("fff", *["noise"] * 3)
 _ACCEL_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
@@ -2912,8 +3011,11 @@ class AccelNoise(Command):
     """Accelerometer noise (0x0D,0x1A).
 
     Standard deviation of the accelerometer noise that the filter assumes (process noise).
-    The factory values suit most laboratory conditions.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelNoiseResponse`.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The factory values suit most laboratory conditions.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -2929,7 +3031,9 @@ class AccelNoise(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [m/s^2]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0. Required
+    for `write`.
+    """
 
     @classmethod
     def write(cls, noise: types.Vector3f) -> AccelNoise:
@@ -2955,6 +3059,12 @@ class AccelNoise(Command):
     def default(cls) -> AccelNoise:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AccelNoiseResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelNoise, int]:
@@ -2987,7 +3097,7 @@ class AccelNoise(Command):
 
 
 _GYRO_NOISE_0 = codec.Block("B", "function")
-_GYRO_NOISE_1 = codec.Block("fff", "noise", "noise", "noise")
+_GYRO_NOISE_1 = codec.Block("fff", *["noise"] * 3)
 _GYRO_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
@@ -2996,8 +3106,11 @@ class GyroNoise(Command):
     """Gyroscope noise (0x0D,0x1B).
 
     Standard deviation of the gyroscope noise that the filter assumes (process noise).
-    The factory values suit most laboratory conditions.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroNoiseResponse`.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The factory values suit most laboratory conditions.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -3013,7 +3126,9 @@ class GyroNoise(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [rad/s]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0. Required
+    for `write`.
+    """
 
     @classmethod
     def write(cls, noise: types.Vector3f) -> GyroNoise:
@@ -3039,6 +3154,12 @@ class GyroNoise(Command):
     def default(cls) -> GyroNoise:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GyroNoiseResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroNoise, int]:
@@ -3071,8 +3192,8 @@ class GyroNoise(Command):
 
 
 _ACCEL_BIAS_MODEL_0 = codec.Block("B", "function")
-_ACCEL_BIAS_MODEL_1 = codec.Block("fff", "beta", "beta", "beta")
-_ACCEL_BIAS_MODEL_2 = codec.Block("fff", "noise", "noise", "noise")
+_ACCEL_BIAS_MODEL_1 = codec.Block("fff", *["beta"] * 3)
+_ACCEL_BIAS_MODEL_2 = codec.Block("fff", *["noise"] * 3)
 _ACCEL_BIAS_MODEL_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 
 
@@ -3081,6 +3202,8 @@ class AccelBiasModel(Command):
     """Accelerometer bias model (0x0D,0x1C).
 
     Parameters of the model by which the accelerometer bias drifts.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AccelBiasModelResponse`.
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
@@ -3096,9 +3219,13 @@ class AccelBiasModel(Command):
     function: FunctionSelector
     """What to do with the setting."""
     beta: types.Vector3f | None = None
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+    `write`.
+    """
     noise: types.Vector3f | None = None
-    """Standard deviation of the noise per axis. [m/s^2]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than
+    0. Required for `write`.
+    """
 
     @classmethod
     def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> AccelBiasModel:
@@ -3124,6 +3251,12 @@ class AccelBiasModel(Command):
     def default(cls) -> AccelBiasModel:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AccelBiasModelResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasModel, int]:
@@ -3165,8 +3298,8 @@ class AccelBiasModel(Command):
 
 
 _GYRO_BIAS_MODEL_0 = codec.Block("B", "function")
-_GYRO_BIAS_MODEL_1 = codec.Block("fff", "beta", "beta", "beta")
-_GYRO_BIAS_MODEL_2 = codec.Block("fff", "noise", "noise", "noise")
+_GYRO_BIAS_MODEL_1 = codec.Block("fff", *["beta"] * 3)
+_GYRO_BIAS_MODEL_2 = codec.Block("fff", *["noise"] * 3)
 _GYRO_BIAS_MODEL_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 
 
@@ -3175,6 +3308,8 @@ class GyroBiasModel(Command):
     """Gyroscope bias model (0x0D,0x1D).
 
     Parameters of the model by which the gyroscope bias drifts.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GyroBiasModelResponse`.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
@@ -3191,9 +3326,13 @@ class GyroBiasModel(Command):
     function: FunctionSelector
     """What to do with the setting."""
     beta: types.Vector3f | None = None
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+    `write`.
+    """
     noise: types.Vector3f | None = None
-    """Standard deviation of the noise per axis. [rad/s]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater than
+    0. Required for `write`.
+    """
 
     @classmethod
     def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> GyroBiasModel:
@@ -3219,6 +3358,12 @@ class GyroBiasModel(Command):
     def default(cls) -> GyroBiasModel:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GyroBiasModelResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasModel, int]:
@@ -3270,6 +3415,9 @@ class AutoZupt(Command):
     """Automatic zero velocity update (0x0D,0x1E).
 
     Lets the filter take the device as standing still while its GNSS speed is small.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`.
+
     The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
     The device refuses a negative threshold.
 
@@ -3286,9 +3434,9 @@ class AutoZupt(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     threshold: float | None = None
-    """Largest speed that is taken as zero. [m/s] Range: 0 to …."""
+    """Largest speed that is taken as zero. Unit: m/s. Range: at least 0. Required for `write`."""
 
     @classmethod
     def write(cls, enable: int, threshold: float) -> AutoZupt:
@@ -3314,6 +3462,12 @@ class AutoZupt(Command):
     def default(cls) -> AutoZupt:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AutoZuptResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoZupt, int]:
@@ -3364,14 +3518,14 @@ class ExternalHeadingUpdateWithTime(Command):
     """External heading update with time (0x0D,0x1F).
 
     Gives the filter one measurement of the heading of the sensor frame with its GPS time.
-    Better than `external_heading_update` where the heading changes quickly; the time must be
-    accurate.
-    Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5 and by
-    `aiding_measurement_enable` on the 3DM-CV7.
-    The 3DM-GX5-15 takes at most 20 updates per second.
-    If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
-    ones.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Better than `external_heading_update` where the heading changes quickly; the time must be
+    accurate. Refused unless external heading updates are enabled, by `heading_source` on the
+    3DM-GX5 and by `aiding_measurement_enable` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20
+    updates per second. If the declination source is not valid, -25 models refuse true headings and
+    -45 models magnetic ones.
 
     - 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
     - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
@@ -3383,15 +3537,17 @@ class ExternalHeadingUpdateWithTime(Command):
     ROLE = "command"
 
     tow: float
-    """GPS time of week of the measurement. [s]"""
+    """GPS time of week of the measurement. Unit: s."""
     week_number: int
-    """GPS week, counted without rollover. [week]"""
+    """GPS week, counted without rollover. Unit: week."""
     heading: float
-    """Heading relative to the north that `type` names. [rad] Frame: ned. Range:
+    """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
     -3.141592653589793 to 3.141592653589793.
     """
     heading_uncertainty: float
-    """Standard deviation; the device refuses a value out of bounds. [rad]"""
+    """Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
+    0.
+    """
     type: HeadingType
     """North that the heading refers to."""
 
@@ -3424,8 +3580,11 @@ class AutoAngularZupt(Command):
     """Zero angular rate update (0x0D,0x20).
 
     Lets the filter take the device as not rotating while its angular rate is small.
-    The update applies while the magnitude of the angular rate vector is at or below the threshold.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoAngularZuptResponse`.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The update applies while the magnitude of the angular rate vector is at or below the threshold.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -3441,9 +3600,11 @@ class AutoAngularZupt(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     threshold: float | None = None
-    """Largest angular rate that is taken as zero. [rad/s] Range: 0 to …."""
+    """Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. Required for
+    `write`.
+    """
 
     @classmethod
     def write(cls, enable: int, threshold: float) -> AutoAngularZupt:
@@ -3469,6 +3630,12 @@ class AutoAngularZupt(Command):
     def default(cls) -> AutoAngularZupt:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AutoAngularZuptResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoAngularZupt, int]:
@@ -3519,8 +3686,11 @@ class TareOrientation(Command):
     """Tare orientation (0x0D,0x21).
 
     Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `TareOrientationResponse`.
+    Supported by 3DM-GX5-15. On the 3DM-GX5-15: `write`, `save`, `load` and `default` only.
+
     Refused while the filter has no valid attitude.
-    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
     - mip-sdk-4: Tare Orientation (0x0D,0x21)
@@ -3536,7 +3706,7 @@ class TareOrientation(Command):
     function: FunctionSelector
     """What to do with the setting."""
     axes: TareAxes | None = None
-    """Axes to tare; 0 resets all axes."""
+    """Axes to tare; 0 resets all axes. Required for `write`."""
 
     @classmethod
     def write(cls, axes: TareAxes) -> TareOrientation:
@@ -3562,6 +3732,12 @@ class TareOrientation(Command):
     def default(cls) -> TareOrientation:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return TareOrientationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[TareOrientation, int]:
@@ -3598,6 +3774,7 @@ class CommandedZupt(Command):
     """Commanded zero velocity update (0x0D,0x22).
 
     Tells the filter once that the device stands still.
+
     The highest rate depends on the device.
 
     - mip-sdk-4: Commanded Zupt (0x0D,0x22)
@@ -3621,8 +3798,10 @@ class CommandedAngularZupt(Command):
     """Commanded zero angular rate update (0x0D,0x23).
 
     Tells the filter once that the device is not rotating.
-    At most 10 per second.
+
     Supported by 3DM-GX5-15.
+
+    At most 10 per second.
 
     - 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23)
     """
@@ -3658,7 +3837,9 @@ class ReferencePosition(Command):
     """Set reference position (0x0D,0x26).
 
     Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ReferencePositionResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -3673,13 +3854,13 @@ class ReferencePosition(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     latitude: float | None = None
-    """Latitude. [deg] Frame: llh."""
+    """Latitude. Unit: deg. Frame: llh. Required for `write`."""
     longitude: float | None = None
-    """Longitude. [deg] Frame: llh."""
+    """Longitude. Unit: deg. Frame: llh. Required for `write`."""
     altitude: float | None = None
-    """Altitude. [m] Frame: llh."""
+    """Altitude. Unit: m. Frame: llh. Required for `write`."""
 
     @classmethod
     def write(
@@ -3713,6 +3894,12 @@ class ReferencePosition(Command):
     def default(cls) -> ReferencePosition:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ReferencePositionResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePosition, int]:
@@ -3779,9 +3966,12 @@ class MagCaptureAutoCalibration(Command):
     """Capture automatic magnetometer calibration (0x0D,0x27).
 
     Makes the automatic magnetometer calibration part of the fixed one.
-    A write combines the automatic calibration with the hard iron offset (0x0C,0x3A) and the soft
-    iron matrix (0x0C,0x3B), and resets it.
-    A save does the same as the save of both of these commands.
+
+    Also called `mag_capture_auto_cal`. Functions: `write` and `save`.
+
+    A write combines the automatic calibration with the hard iron offset `mip_3dm.MagHardIronOffset`
+    (0x0C,0x3A) and the soft iron matrix `mip_3dm.MagSoftIronMatrix` (0x0C,0x3B), and resets it. A
+    save does the same as the save of both of these commands.
 
     - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
     """
@@ -3818,7 +4008,7 @@ class MagCaptureAutoCalibration(Command):
 
 
 _GRAVITY_NOISE_0 = codec.Block("B", "function")
-_GRAVITY_NOISE_1 = codec.Block("fff", "noise", "noise", "noise")
+_GRAVITY_NOISE_1 = codec.Block("fff", *["noise"] * 3)
 _GRAVITY_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
@@ -3827,8 +4017,11 @@ class GravityNoise(Command):
     """Gravity noise (0x0D,0x28).
 
     Standard deviation of the gravity noise that the filter assumes (process noise).
-    The factory values suit most laboratory conditions.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GravityNoiseResponse`.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The factory values suit most laboratory conditions.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -3844,7 +4037,9 @@ class GravityNoise(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [g]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. Required for
+    `write`.
+    """
 
     @classmethod
     def write(cls, noise: types.Vector3f) -> GravityNoise:
@@ -3870,6 +4065,12 @@ class GravityNoise(Command):
     def default(cls) -> GravityNoise:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GravityNoiseResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GravityNoise, int]:
@@ -3911,6 +4112,10 @@ class PressureAltitudeNoise(Command):
     """Pressure altitude noise (0x0D,0x29).
 
     Standard deviation of the noise of the pressure altitude model that the filter assumes.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `PressureAltitudeNoiseResponse`.
+
     A small value follows the pressure faster, and takes weather and draughts for changes of height.
 
     - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
@@ -3926,7 +4131,7 @@ class PressureAltitudeNoise(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: float | None = None
-    """Standard deviation. [m]"""
+    """Standard deviation. Unit: m. Range: greater than 0. Required for `write`."""
 
     @classmethod
     def write(cls, noise: float) -> PressureAltitudeNoise:
@@ -3952,6 +4157,12 @@ class PressureAltitudeNoise(Command):
     def default(cls) -> PressureAltitudeNoise:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return PressureAltitudeNoiseResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoise, int]:
@@ -3984,7 +4195,7 @@ class PressureAltitudeNoise(Command):
 
 
 _HARD_IRON_OFFSET_NOISE_0 = codec.Block("B", "function")
-_HARD_IRON_OFFSET_NOISE_1 = codec.Block("fff", "noise", "noise", "noise")
+_HARD_IRON_OFFSET_NOISE_1 = codec.Block("fff", *["noise"] * 3)
 _HARD_IRON_OFFSET_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
@@ -3993,6 +4204,9 @@ class HardIronOffsetNoise(Command):
     """Hard iron offset noise (0x0D,0x2B).
 
     Standard deviation of the noise of the estimated hard iron offset (process noise).
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `HardIronOffsetNoiseResponse`.
 
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
@@ -4007,7 +4221,9 @@ class HardIronOffsetNoise(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [gauss]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
+    for `write`.
+    """
 
     @classmethod
     def write(cls, noise: types.Vector3f) -> HardIronOffsetNoise:
@@ -4033,6 +4249,12 @@ class HardIronOffsetNoise(Command):
     def default(cls) -> HardIronOffsetNoise:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return HardIronOffsetNoiseResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoise, int]:
@@ -4065,9 +4287,7 @@ class HardIronOffsetNoise(Command):
 
 
 _SOFT_IRON_MATRIX_NOISE_0 = codec.Block("B", "function")
-_SOFT_IRON_MATRIX_NOISE_1 = codec.Block(
-    "fffffffff", "noise", "noise", "noise", "noise", "noise", "noise", "noise", "noise", "noise"
-)
+_SOFT_IRON_MATRIX_NOISE_1 = codec.Block("fffffffff", *["noise"] * 9)
 _SOFT_IRON_MATRIX_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
@@ -4076,6 +4296,9 @@ class SoftIronMatrixNoise(Command):
     """Soft iron matrix noise (0x0D,0x2C).
 
     Standard deviation of the noise of the estimated soft iron matrix (process noise).
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SoftIronMatrixNoiseResponse`.
 
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
@@ -4090,7 +4313,9 @@ class SoftIronMatrixNoise(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Matrix3f | None = None
-    """Standard deviation per element. [1]"""
+    """Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+    1. Range: greater than 0. Required for `write`.
+    """
 
     @classmethod
     def write(cls, noise: types.Matrix3f) -> SoftIronMatrixNoise:
@@ -4116,6 +4341,12 @@ class SoftIronMatrixNoise(Command):
     def default(cls) -> SoftIronMatrixNoise:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SoftIronMatrixNoiseResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoise, int]:
@@ -4157,7 +4388,9 @@ class EnableMeasurements(Command):
     """Enable or disable measurements (0x0D,0x41).
 
     Which inertial measurements the filter uses.
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `EnableMeasurementsResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -4172,7 +4405,7 @@ class EnableMeasurements(Command):
     function: FunctionSelector
     """What to do with the setting."""
     control: MeasurementFlags | None = None
-    """Measurements to use."""
+    """Measurements to use. Required for `write`."""
 
     @classmethod
     def write(cls, control: MeasurementFlags) -> EnableMeasurements:
@@ -4198,6 +4431,12 @@ class EnableMeasurements(Command):
     def default(cls) -> EnableMeasurements:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return EnableMeasurementsResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EnableMeasurements, int]:
@@ -4230,7 +4469,7 @@ class EnableMeasurements(Command):
 
 
 _MAG_NOISE_0 = codec.Block("B", "function")
-_MAG_NOISE_1 = codec.Block("fff", "noise", "noise", "noise")
+_MAG_NOISE_1 = codec.Block("fff", *["noise"] * 3)
 _MAG_NOISE_GROUPS = ((1, ("noise",), False),)
 
 
@@ -4239,6 +4478,9 @@ class MagNoise(Command):
     """Magnetometer noise (0x0D,0x42).
 
     Standard deviation of the magnetometer noise that the filter assumes.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`.
+    Uncertain: The SDK calls it process noise, although the noise is that of a measurement.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -4253,7 +4495,9 @@ class MagNoise(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [gauss]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
+    for `write`.
+    """
 
     @classmethod
     def write(cls, noise: types.Vector3f) -> MagNoise:
@@ -4279,6 +4523,12 @@ class MagNoise(Command):
     def default(cls) -> MagNoise:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagNoiseResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagNoise, int]:
@@ -4321,8 +4571,11 @@ class MagneticDeclinationSource(Command):
     """Magnetic declination source (0x0D,0x43).
 
     Source of the local declination of the magnetic field.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagneticDeclinationSourceResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     Without a good declination source, keep automatic magnetometer calibration off.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     """
@@ -4337,9 +4590,9 @@ class MagneticDeclinationSource(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: MagParameterSource | None = None
-    """Source of the declination."""
+    """Source of the declination. Required for `write`."""
     declination: float | None = None
-    """Declination; used only if `source` is manual. [rad]"""
+    """Declination; used only if `source` is manual. Unit: rad. Required for `write`."""
 
     @classmethod
     def write(cls, source: MagParameterSource, declination: float) -> MagneticDeclinationSource:
@@ -4365,6 +4618,12 @@ class MagneticDeclinationSource(Command):
     def default(cls) -> MagneticDeclinationSource:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagneticDeclinationSourceResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticDeclinationSource, int]:
@@ -4429,12 +4688,14 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command):
     """Gravity magnitude error adaptive measurement (0x0D,0x44).
 
     How far the filter trusts gravity measurements whose magnitude is not that of gravity.
-    Also called accelerometer magnitude error adaptive measurement.
-    All parameters after the selector keep their values if they are left out.
-    Filter and limits take effect only with `fixed`.
-    Raise the limits where vibration is strong, lower them where it is weak. High limits cost pitch
-    and roll accuracy under linear acceleration, low limits cost heading accuracy.
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AccelMagnitudeErrorAdaptiveMeasurementResponse`. Supported by 3DM-GX5-15.
+
+    Also called accelerometer magnitude error adaptive measurement. All parameters after the
+    selector keep their values if they are left out. Filter and limits take effect only with
+    `fixed`. Raise the limits where vibration is strong, lower them where it is weak. High limits
+    cost pitch and roll accuracy under linear acceleration, low limits cost heading accuracy.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -4449,19 +4710,19 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command):
     function: FunctionSelector
     """What to do with the setting."""
     adaptive_measurement: AdaptiveMeasurementSelector | None = None
-    """Kind of adaptation."""
+    """Kind of adaptation. Required for `write`."""
     frequency: float | None = None
-    """Cut-off frequency of the low-pass filter. [Hz]"""
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Optional."""
     low_limit: float | None = None
-    """Lower limit of the error. [m/s^2]"""
+    """Lower limit of the error. Unit: m/s^2. Optional."""
     high_limit: float | None = None
-    """Upper limit of the error. [m/s^2]"""
+    """Upper limit of the error. Unit: m/s^2. Optional."""
     low_limit_uncertainty: float | None = None
-    """Standard deviation at the lower limit. [m/s^2]"""
+    """Standard deviation at the lower limit. Unit: m/s^2. Optional."""
     high_limit_uncertainty: float | None = None
-    """Standard deviation at the upper limit. [m/s^2]"""
+    """Standard deviation at the upper limit. Unit: m/s^2. Optional."""
     minimum_uncertainty: float | None = None
-    """Smallest standard deviation. [m/s^2]"""
+    """Smallest standard deviation. Unit: m/s^2. Optional."""
 
     @classmethod
     def write(
@@ -4505,6 +4766,12 @@ class AccelMagnitudeErrorAdaptiveMeasurement(Command):
     def default(cls) -> AccelMagnitudeErrorAdaptiveMeasurement:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AccelMagnitudeErrorAdaptiveMeasurementResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelMagnitudeErrorAdaptiveMeasurement, int]:
@@ -4623,10 +4890,15 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
     """Magnetometer magnitude error adaptive measurement (0x0D,0x45).
 
     How far the filter trusts a magnetic field whose magnitude is not as expected.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagMagnitudeErrorAdaptiveMeasurementResponse`. Uncertain: Whether the parameters behind the
+    selector may be left out on write, as those of `AccelMagnitudeErrorAdaptiveMeasurement`
+    (0x0D,0x44) may.
+
     The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
-    limits.
-    High limits suit high dynamics but let disturbances of the field through; low limits can spoil
-    the heading.
+    limits. High limits suit high dynamics but let disturbances of the field through; low limits can
+    spoil the heading.
 
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
     """
@@ -4641,19 +4913,31 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
     function: FunctionSelector
     """What to do with the setting."""
     adaptive_measurement: AdaptiveMeasurementSelector | None = None
-    """Kind of adaptation."""
+    """Kind of adaptation. Required for `write`."""
     frequency: float | None = None
-    """Cut-off frequency of the low-pass filter. [Hz]"""
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Required for `write`."""
     low_limit: float | None = None
-    """Lower limit of the error. [gauss]"""
+    """Lower limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
     high_limit: float | None = None
-    """Upper limit of the error. [gauss]"""
+    """Upper limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
     low_limit_uncertainty: float | None = None
-    """Standard deviation at the lower limit. [gauss]"""
+    """Standard deviation at the lower limit. Unit: gauss. Required for `write`. Uncertain: The
+    unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in
+    the response.
+    """
     high_limit_uncertainty: float | None = None
-    """Standard deviation at the upper limit. [gauss]"""
+    """Standard deviation at the upper limit. Unit: gauss. Required for `write`. Uncertain: The
+    unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in
+    the response.
+    """
     minimum_uncertainty: float | None = None
-    """Smallest standard deviation. [gauss]"""
+    """Smallest standard deviation. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
 
     @classmethod
     def write(
@@ -4697,6 +4981,12 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
     def default(cls) -> MagMagnitudeErrorAdaptiveMeasurement:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagMagnitudeErrorAdaptiveMeasurementResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurement, int]:
@@ -4811,9 +5101,13 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
     """Magnetometer dip angle error adaptive measurement (0x0D,0x46).
 
     How far the filter trusts a magnetic field whose dip angle is not as expected.
-    It has no effect while (0x0D,0x44) or (0x0D,0x45) is set to `auto`.
-    High limits suit high dynamics but let disturbances of the field through; low limits can spoil
-    the heading.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagDipAngleErrorAdaptiveMeasurementResponse`.
+
+    It has no effect while `AccelMagnitudeErrorAdaptiveMeasurement` (0x0D,0x44) or
+    `MagMagnitudeErrorAdaptiveMeasurement` (0x0D,0x45) is set to `auto`. High limits suit high
+    dynamics but let disturbances of the field through; low limits can spoil the heading.
 
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
@@ -4828,15 +5122,21 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: bool | None = None
-    """Whether the adaptation is on."""
+    """Whether the adaptation is on. Required for `write`."""
     frequency: float | None = None
-    """Cut-off frequency of the low-pass filter. [Hz]"""
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Required for `write`."""
     high_limit: float | None = None
-    """Upper limit of the error. [rad]"""
+    """Upper limit of the error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; rad is inferred from the quantity.
+    """
     high_limit_uncertainty: float | None = None
-    """Standard deviation at the upper limit. [rad]"""
+    """Standard deviation at the upper limit. Unit: rad. Required for `write`. Uncertain: The unit.
+    The SDK prints m/s^2; rad is inferred from the quantity.
+    """
     minimum_uncertainty: float | None = None
-    """Smallest standard deviation. [rad]"""
+    """Smallest standard deviation. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; rad is inferred from the quantity.
+    """
 
     @classmethod
     def write(
@@ -4876,6 +5176,12 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
     def default(cls) -> MagDipAngleErrorAdaptiveMeasurement:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagDipAngleErrorAdaptiveMeasurementResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurement, int]:
@@ -4955,8 +5261,11 @@ class AltitudeAiding(Command):
     """Altitude aiding (0x0D,0x47).
 
     What aids the altitude beside GNSS.
-    GNSS stays the main source of altitude; the aid improves it and bridges outages.
-    Weather and place shift the pressure altitude, at times by more than 40 m.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`.
+
+    GNSS stays the main source of altitude; the aid improves it and bridges outages. Weather and
+    place shift the pressure altitude, at times by more than 40 m.
 
     - mip-sdk-4: Altitude Aiding (0x0D,0x47)
     """
@@ -4971,7 +5280,7 @@ class AltitudeAiding(Command):
     function: FunctionSelector
     """What to do with the setting."""
     selector: AltitudeAidingSource | None = None
-    """Source of the aiding."""
+    """Source of the aiding. Required for `write`."""
 
     @classmethod
     def write(cls, selector: AltitudeAidingSource) -> AltitudeAiding:
@@ -4997,6 +5306,12 @@ class AltitudeAiding(Command):
     def default(cls) -> AltitudeAiding:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AltitudeAidingResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAiding, int]:
@@ -5038,6 +5353,8 @@ class PitchRollAiding(Command):
     """Pitch and roll aiding (0x0D,0x4B).
 
     What aids pitch and roll while the motion is gentle.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `PitchRollAidingResponse`.
     Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
@@ -5053,7 +5370,7 @@ class PitchRollAiding(Command):
     function: FunctionSelector
     """What to do with the setting."""
     aiding: PitchRollAidingSource | None = None
-    """Source of the aiding."""
+    """Source of the aiding. Required for `write`."""
 
     @classmethod
     def write(cls, aiding: PitchRollAidingSource) -> PitchRollAiding:
@@ -5079,6 +5396,12 @@ class PitchRollAiding(Command):
     def default(cls) -> PitchRollAiding:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return PitchRollAidingResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAiding, int]:
@@ -5121,6 +5444,10 @@ class MagneticInclinationSource(Command):
     """Magnetic inclination source (0x0D,0x4C).
 
     Source of the local inclination (dip angle) of the magnetic field.
+
+    Also called `inclination_source`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `MagneticInclinationSourceResponse`.
+
     Without a good inclination source, keep automatic magnetometer calibration off.
 
     - mip-sdk-4: Inclination Source (0x0D,0x4C)
@@ -5136,9 +5463,11 @@ class MagneticInclinationSource(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: MagParameterSource | None = None
-    """Source of the inclination."""
+    """Source of the inclination. Required for `write`."""
     inclination: float | None = None
-    """Inclination; used only if `source` is manual. [rad]"""
+    """Inclination; used only if `source` is manual. Unit: rad. Required for `write`. Uncertain:
+    Whether it may be left out if `source` is not manual. The SDK sends it always.
+    """
 
     @classmethod
     def write(cls, source: MagParameterSource, inclination: float) -> MagneticInclinationSource:
@@ -5164,6 +5493,12 @@ class MagneticInclinationSource(Command):
     def default(cls) -> MagneticInclinationSource:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagneticInclinationSourceResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticInclinationSource, int]:
@@ -5215,8 +5550,12 @@ class MagneticMagnitudeSource(Command):
     """Magnetic field magnitude source (0x0D,0x4D).
 
     Source of the local magnitude of the magnetic field.
-    Without a good magnitude source, keep automatic magnetometer calibration off.
-    The adaptive measurement (0x0D,0x45) relies on it too.
+
+    Also called `mag_field_magnitude_source`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `MagneticMagnitudeSourceResponse`.
+
+    Without a good magnitude source, keep automatic magnetometer calibration off. The adaptive
+    measurement `MagMagnitudeErrorAdaptiveMeasurement` (0x0D,0x45) relies on it too.
 
     - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
     """
@@ -5231,9 +5570,11 @@ class MagneticMagnitudeSource(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: MagParameterSource | None = None
-    """Source of the magnitude."""
+    """Source of the magnitude. Required for `write`."""
     magnitude: float | None = None
-    """Magnitude; used only if `source` is manual. [gauss]"""
+    """Magnitude; used only if `source` is manual. Unit: gauss. Required for `write`. Uncertain:
+    Whether it may be left out if `source` is not manual. The SDK sends it always.
+    """
 
     @classmethod
     def write(cls, source: MagParameterSource, magnitude: float) -> MagneticMagnitudeSource:
@@ -5259,6 +5600,12 @@ class MagneticMagnitudeSource(Command):
     def default(cls) -> MagneticMagnitudeSource:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagneticMagnitudeSourceResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticMagnitudeSource, int]:
@@ -5300,9 +5647,7 @@ class MagneticMagnitudeSource(Command):
 
 
 _SENSOR_TO_VEHICLE_ROTATION_DCM_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_ROTATION_DCM_1 = codec.Block(
-    "fffffffff", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm"
-)
+_SENSOR_TO_VEHICLE_ROTATION_DCM_1 = codec.Block("fffffffff", *["dcm"] * 9)
 _SENSOR_TO_VEHICLE_ROTATION_DCM_GROUPS = ((1, ("dcm",), False),)
 
 
@@ -5311,12 +5656,15 @@ class SensorToVehicleRotationDcm(Command):
     """Sensor to vehicle rotation, matrix (0x0D,0x4E).
 
     Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
-    It is the inverse of the matrix that (0x0C,0x33) takes.
-    It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
-    velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
-    filter.
-    The device refuses a matrix that is not orthonormal to 0.001.
-    The device keeps a quaternion, so the elements read back may differ a little from those written.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleRotationDcmResponse`.
+
+    It is the inverse of the matrix that `mip_3dm.SensorToVehicleTransformDcm` (0x0C,0x33) takes. It
+    turns the scaled acceleration, angular rate and magnetic field, delta theta and delta velocity,
+    and the orientation, linear acceleration, angular rate and gravity vector of the filter. The
+    device refuses a matrix that is not orthonormal to 0.001. The device keeps a quaternion, so the
+    elements read back may differ a little from those written.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
     """
@@ -5331,7 +5679,9 @@ class SensorToVehicleRotationDcm(Command):
     function: FunctionSelector
     """What to do with the setting."""
     dcm: types.Matrix3f | None = None
-    """Rotation matrix in row-major order. [1]"""
+    """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1. Required for `write`.
+    """
 
     @classmethod
     def write(cls, dcm: types.Matrix3f) -> SensorToVehicleRotationDcm:
@@ -5357,6 +5707,12 @@ class SensorToVehicleRotationDcm(Command):
     def default(cls) -> SensorToVehicleRotationDcm:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleRotationDcmResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcm, int]:
@@ -5389,7 +5745,7 @@ class SensorToVehicleRotationDcm(Command):
 
 
 _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1 = codec.Block("ffff", "q", "q", "q", "q")
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1 = codec.Block("ffff", *["q"] * 4)
 _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS = ((1, ("q",), False),)
 
 
@@ -5398,12 +5754,15 @@ class SensorToVehicleRotationQuaternion(Command):
     """Sensor to vehicle rotation, quaternion (0x0D,0x4F).
 
     Rotation from the sensor frame to the vehicle frame as a quaternion.
-    It is the inverse of the quaternion that (0x0C,0x32) takes.
-    It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
-    velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
-    filter.
-    The device refuses a quaternion whose length is not 1 to 0.001.
-    The device normalizes it, so the elements read back may differ a little from those written.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleRotationQuaternionResponse`.
+
+    It is the inverse of the quaternion that `mip_3dm.SensorToVehicleTransformQuaternion`
+    (0x0C,0x32) takes. It turns the scaled acceleration, angular rate and magnetic field, delta
+    theta and delta velocity, and the orientation, linear acceleration, angular rate and gravity
+    vector of the filter. The device refuses a quaternion whose length is not 1 to 0.001. The device
+    normalizes it, so the elements read back may differ a little from those written.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
@@ -5418,7 +5777,7 @@ class SensorToVehicleRotationQuaternion(Command):
     function: FunctionSelector
     """What to do with the setting."""
     q: types.Quatf | None = None
-    """Unit quaternion, scalar part first. [1]"""
+    """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Required for `write`."""
 
     @classmethod
     def write(cls, q: types.Quatf) -> SensorToVehicleRotationQuaternion:
@@ -5444,6 +5803,12 @@ class SensorToVehicleRotationQuaternion(Command):
     def default(cls) -> SensorToVehicleRotationQuaternion:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleRotationQuaternionResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternion, int]:
@@ -5486,7 +5851,9 @@ class AidingMeasurementEnable(Command):
     """Aiding measurement control (0x0D,0x50).
 
     Enables or disables one source of aiding measurements.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AidingMeasurementEnableResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -5503,7 +5870,7 @@ class AidingMeasurementEnable(Command):
     aiding_source: AidingSource | None = None
     """The source; `all` is for save, load and default."""
     enable: bool | None = None
-    """Whether the filter uses the source."""
+    """Whether the filter uses the source. Required for `write`."""
 
     @classmethod
     def write(cls, aiding_source: AidingSource, enable: bool) -> AidingMeasurementEnable:
@@ -5529,6 +5896,12 @@ class AidingMeasurementEnable(Command):
     def default(cls, aiding_source: AidingSource) -> AidingMeasurementEnable:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, aiding_source=aiding_source)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AidingMeasurementEnableResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementEnable, int]:
@@ -5586,6 +5959,10 @@ class KinematicConstraint(Command):
 
     Assumptions about the motion that the filter uses as measurements.
 
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `KinematicConstraintResponse`. Uncertain: Whether there are further values. The SDK has plain
+    numbers and gives the values in remarks.
+
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
 
@@ -5599,11 +5976,12 @@ class KinematicConstraint(Command):
     function: FunctionSelector
     """What to do with the setting."""
     accel_constraint: AccelConstraint | None = None
-    """Assumption about the acceleration. Factory default: none."""
+    """Assumption about the acceleration. Default: `AccelConstraint.NONE`. Required for `write`."""
     velocity_constraint: VelocityConstraint | None = None
-    """Assumption about the velocity. Factory default: none."""
+    """Assumption about the velocity. Default: `VelocityConstraint.NONE`. Required for `write`."""
     angular_constraint: AngularConstraint | None = None
-    """Assumption about the angular rate. Factory default: none."""
+    """Assumption about the angular rate. Default: `AngularConstraint.NONE`. Required for `write`.
+    """
 
     @classmethod
     def write(
@@ -5639,6 +6017,12 @@ class KinematicConstraint(Command):
     def default(cls) -> KinematicConstraint:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return KinematicConstraintResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraint, int]:
@@ -5695,12 +6079,8 @@ _INITIALIZATION_CONFIG_3 = codec.Block("B", "auto_heading_alignment_selector")
 _INITIALIZATION_CONFIG_4 = codec.Block("f", "initial_heading")
 _INITIALIZATION_CONFIG_5 = codec.Block("f", "initial_pitch")
 _INITIALIZATION_CONFIG_6 = codec.Block("f", "initial_roll")
-_INITIALIZATION_CONFIG_7 = codec.Block(
-    "fff", "initial_position", "initial_position", "initial_position"
-)
-_INITIALIZATION_CONFIG_8 = codec.Block(
-    "fff", "initial_velocity", "initial_velocity", "initial_velocity"
-)
+_INITIALIZATION_CONFIG_7 = codec.Block("fff", *["initial_position"] * 3)
+_INITIALIZATION_CONFIG_8 = codec.Block("fff", *["initial_velocity"] * 3)
 _INITIALIZATION_CONFIG_9 = codec.Block("B", "reference_frame_selector")
 _INITIALIZATION_CONFIG_GROUPS = (
     (1, ("wait_for_run_command",), False),
@@ -5720,11 +6100,13 @@ class InitializationConfig(Command):
     """Navigation filter initialization (0x0D,0x52).
 
     Sources and values of the initial attitude, position and velocity of the filter.
+
+    Also called `initialization_configuration`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `InitializationConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     Single precision resolves the latitude and longitude of the initial position to about a metre
-    only.
-    Kinematic alignment sets the heading once the speed reaches 2 m/s.
-    External alignment needs a heading at least every 5 seconds.
-    Supported by 3DM-CV7-GNSS/INS.
+    only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment
+    needs a heading at least every 5 seconds.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
@@ -5739,27 +6121,33 @@ class InitializationConfig(Command):
     function: FunctionSelector
     """What to do with the setting."""
     wait_for_run_command: int | None = None
-    """1: the filter starts only after `run`; 0: as soon as it can. Range: 0 to 1."""
+    """1: the filter starts only after `run`; 0: as soon as it can. Range: 0 to 1. Required for
+    `write`.
+    """
     initial_condition_source: InitialConditionSource | None = None
-    """Which initial conditions are found and which are given."""
+    """Which initial conditions are found and which are given. Required for `write`."""
     auto_heading_alignment_selector: HeadingAlignment | None = None
-    """Ways in which the initial heading may be found."""
+    """Ways in which the initial heading may be found. Required for `write`."""
     initial_heading: float | None = None
-    """Given heading. [deg]"""
+    """Given heading. Unit: deg. Required for `write`."""
     initial_pitch: float | None = None
-    """Given pitch. [deg]"""
+    """Given pitch. Unit: deg. Required for `write`."""
     initial_roll: float | None = None
-    """Given roll. [deg]"""
+    """Given roll. Unit: deg. Required for `write`."""
     initial_position: types.Vector3f | None = None
-    """Given position. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Given position. Elements: x, y, z. Required for `write`.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
     initial_velocity: types.Vector3f | None = None
-    """Given velocity. [m/s] If reference_frame_selector is ecef: frame ecef. If
-    reference_frame_selector is llh: frame ned.
+    """Given velocity. Elements: x, y, z. Unit: m/s. Required for `write`.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: frame ned.
     """
     reference_frame_selector: ReferenceFrame | None = None
-    """Frame of the given position and velocity."""
+    """Frame of the given position and velocity. Required for `write`."""
 
     @classmethod
     def write(
@@ -5807,6 +6195,12 @@ class InitializationConfig(Command):
     def default(cls) -> InitializationConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return InitializationConfigResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[InitializationConfig, int]:
@@ -5936,7 +6330,9 @@ class AdaptiveFilterOptions(Command):
     """Adaptive filter control (0x0D,0x53).
 
     How the filter adapts to measurements that do not fit its model.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AdaptiveFilterOptionsResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -5951,9 +6347,11 @@ class AdaptiveFilterOptions(Command):
     function: FunctionSelector
     """What to do with the setting."""
     level: AdaptiveLevel | None = None
-    """Strength of the adaptation. Factory default: 2."""
+    """Strength of the adaptation. Default: 2. Required for `write`."""
     time_limit: int | None = None
-    """Longest time for which measurements are rejected before the filter recovers. [ms]"""
+    """Longest time for which measurements are rejected before the filter recovers. Unit: ms.
+    Required for `write`.
+    """
 
     @classmethod
     def write(cls, level: AdaptiveLevel, time_limit: int) -> AdaptiveFilterOptions:
@@ -5979,6 +6377,12 @@ class AdaptiveFilterOptions(Command):
     def default(cls) -> AdaptiveFilterOptions:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AdaptiveFilterOptionsResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterOptions, int]:
@@ -6021,7 +6425,7 @@ class AdaptiveFilterOptions(Command):
 
 _MULTI_ANTENNA_OFFSET_0 = codec.Block("B", "function")
 _MULTI_ANTENNA_OFFSET_1 = codec.Block("B", "receiver_id")
-_MULTI_ANTENNA_OFFSET_2 = codec.Block("fff", "antenna_offset", "antenna_offset", "antenna_offset")
+_MULTI_ANTENNA_OFFSET_2 = codec.Block("fff", *["antenna_offset"] * 3)
 _MULTI_ANTENNA_OFFSET_GROUPS = ((1, ("receiver_id",), False), (2, ("antenna_offset",), False))
 
 
@@ -6030,8 +6434,11 @@ class MultiAntennaOffset(Command):
     """GNSS multi-antenna offset (0x0D,0x54).
 
     Position of the antenna of one receiver on devices with several antennas.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MultiAntennaOffsetResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The magnitude of the vector is limited to 10.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -6046,9 +6453,11 @@ class MultiAntennaOffset(Command):
     function: FunctionSelector
     """What to do with the setting."""
     receiver_id: int | None = None
-    """Number of the receiver, from 1. Range: 1 to …."""
+    """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f | None = None
-    """From the sensor to the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    Required for `write`.
+    """
 
     @classmethod
     def write(cls, receiver_id: int, antenna_offset: types.Vector3f) -> MultiAntennaOffset:
@@ -6074,6 +6483,12 @@ class MultiAntennaOffset(Command):
     def default(cls, receiver_id: int) -> MultiAntennaOffset:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, receiver_id=receiver_id)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MultiAntennaOffsetResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MultiAntennaOffset, int]:
@@ -6119,9 +6534,7 @@ class MultiAntennaOffset(Command):
 _RELATIVE_POSITION_CONFIG_0 = codec.Block("B", "function")
 _RELATIVE_POSITION_CONFIG_1 = codec.Block("B", "source")
 _RELATIVE_POSITION_CONFIG_2 = codec.Block("B", "reference_frame_selector")
-_RELATIVE_POSITION_CONFIG_3 = codec.Block(
-    "ddd", "reference_coordinates", "reference_coordinates", "reference_coordinates"
-)
+_RELATIVE_POSITION_CONFIG_3 = codec.Block("ddd", *["reference_coordinates"] * 3)
 _RELATIVE_POSITION_CONFIG_GROUPS = (
     (1, ("source",), False),
     (2, ("reference_frame_selector",), False),
@@ -6134,7 +6547,9 @@ class RelativePositionConfig(Command):
     """Relative position configuration (0x0D,0x55).
 
     Reference point of the relative position that the filter reports.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `rel_pos_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `RelativePositionConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -6149,12 +6564,14 @@ class RelativePositionConfig(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: RelativePositionSource | None = None
-    """Source of the reference point."""
+    """Source of the reference point. Required for `write`."""
     reference_frame_selector: ReferenceFrame | None = None
-    """Frame of the coordinates."""
+    """Frame of the coordinates. Required for `write`."""
     reference_coordinates: types.Vector3d | None = None
-    """Reference point. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Reference point. Elements: x, y, z. Required for `write`.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
 
     @classmethod
@@ -6191,6 +6608,12 @@ class RelativePositionConfig(Command):
     def default(cls) -> RelativePositionConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return RelativePositionConfigResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfig, int]:
@@ -6244,9 +6667,7 @@ class RelativePositionConfig(Command):
 
 _REFERENCE_POINT_LEVER_ARM_0 = codec.Block("B", "function")
 _REFERENCE_POINT_LEVER_ARM_1 = codec.Block("B", "reference_point")
-_REFERENCE_POINT_LEVER_ARM_2 = codec.Block(
-    "fff", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
-)
+_REFERENCE_POINT_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
 _REFERENCE_POINT_LEVER_ARM_GROUPS = (
     (1, ("reference_point",), False),
     (2, ("lever_arm_offset",), False),
@@ -6258,11 +6679,13 @@ class ReferencePointLeverArm(Command):
     """Reference point lever arm (0x0D,0x56).
 
     Moves the point to which the position and the velocity of the filter refer.
+
+    Also called `ref_point_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `ReferencePointLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     It shifts `llh_position`, `ned_velocity`, `ecef_position`, `ecef_velocity` and
     `ned_relative_position` of set `filter_data`, depending on the attitude and, for velocities, on
-    the angular rate.
-    The magnitude of the vector is limited to 10.
-    Supported by 3DM-CV7-GNSS/INS.
+    the angular rate. The magnitude of the vector is limited to 10.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -6277,9 +6700,11 @@ class ReferencePointLeverArm(Command):
     function: FunctionSelector
     """What to do with the setting."""
     reference_point: ReferencePoint | None = None
-    """Point to move; it must be 1."""
+    """Point to move; it must be 1. Required for `write`."""
     lever_arm_offset: types.Vector3f | None = None
-    """From the sensor to the point. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    Required for `write`.
+    """
 
     @classmethod
     def write(
@@ -6311,6 +6736,12 @@ class ReferencePointLeverArm(Command):
     def default(cls) -> ReferencePointLeverArm:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ReferencePointLeverArmResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArm, int]:
@@ -6361,8 +6792,11 @@ class SpeedMeasurement(Command):
     """Speed measurement (0x0D,0x60).
 
     Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
-    It must not be used together with the odometer of the device.
-    Single precision resolves the time of week to 0.0625 s at the end of the week.
+
+    Uncertain: The SDK names a response (0x0D,0xE0) but has no layout of it.
+
+    It must not be used together with the odometer of the device. Single precision resolves the time
+    of week to 0.0625 s at the end of the week.
 
     - mip-sdk-4: Speed Measurement (0x0D,0x60)
     """
@@ -6373,13 +6807,13 @@ class SpeedMeasurement(Command):
     ROLE = "command"
 
     source: int = field(default=1, kw_only=True)
-    """Send 1."""
+    """Send 1. Reserved: send 1."""
     tow: float
-    """GPS time of week of the measurement. [s]"""
+    """GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK prints none."""
     speed: float
-    """Speed, negative in reverse. [m/s] Frame: vehicle."""
+    """Speed, negative in reverse. Unit: m/s. Frame: vehicle."""
     speed_uncertainty: float
-    """Standard deviation of the speed. [m/s]"""
+    """Standard deviation of the speed. Unit: m/s."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SpeedMeasurement, int]:
@@ -6398,7 +6832,7 @@ class SpeedMeasurement(Command):
 
 _SPEED_LEVER_ARM_0 = codec.Block("B", "function")
 _SPEED_LEVER_ARM_1 = codec.Block("B", "source")
-_SPEED_LEVER_ARM_2 = codec.Block("fff", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset")
+_SPEED_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
 _SPEED_LEVER_ARM_GROUPS = ((1, ("source",), False), (2, ("lever_arm_offset",), False))
 
 
@@ -6407,8 +6841,11 @@ class SpeedLeverArm(Command):
     """Speed measurement lever arm (0x0D,0x61).
 
     Position of the point whose speed is measured, such as the wheel that an odometer is on.
-    It corrects for the speed that such a point has only because the vehicle turns.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SpeedLeverArmResponse`.
     Supported by 3DM-CV7-GNSS/INS.
+
+    It corrects for the speed that such a point has only because the vehicle turns.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
@@ -6423,9 +6860,11 @@ class SpeedLeverArm(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: int | None = None
-    """Send 1."""
+    """Reserved: send 1."""
     lever_arm_offset: types.Vector3f | None = None
-    """From the sensor to the point of measurement. [m] Frame: vehicle."""
+    """From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle.
+    Required for `write`.
+    """
 
     @classmethod
     def write(cls, lever_arm_offset: types.Vector3f) -> SpeedLeverArm:
@@ -6451,6 +6890,12 @@ class SpeedLeverArm(Command):
     def default(cls) -> SpeedLeverArm:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, source=1)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SpeedLeverArmResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SpeedLeverArm, int]:
@@ -6503,6 +6948,10 @@ class VerticalGyroConstraintControl(Command):
     """Vertical gyro constraint (0x0D,0x62).
 
     Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `VerticalGyroConstraintControlResponse`.
+
     It takes the linear acceleration as zero.
 
     - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
@@ -6518,7 +6967,7 @@ class VerticalGyroConstraintControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
 
     @classmethod
     def write(cls, enable: int) -> VerticalGyroConstraintControl:
@@ -6544,6 +6993,12 @@ class VerticalGyroConstraintControl(Command):
     def default(cls) -> VerticalGyroConstraintControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return VerticalGyroConstraintControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[VerticalGyroConstraintControl, int]:
@@ -6585,9 +7040,12 @@ class WheeledVehicleConstraintControl(Command):
     """Wheeled vehicle constraint (0x0D,0x63).
 
     Lets the filter assume that the vehicle moves only along its x axis.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `WheeledVehicleConstraintControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     It improves the heading of cars and the like, above all when GNSS comes and goes. It is wrong
     for vehicles that move sideways, such as aircraft.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
@@ -6602,7 +7060,7 @@ class WheeledVehicleConstraintControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
 
     @classmethod
     def write(cls, enable: int) -> WheeledVehicleConstraintControl:
@@ -6628,6 +7086,12 @@ class WheeledVehicleConstraintControl(Command):
     def default(cls) -> WheeledVehicleConstraintControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return WheeledVehicleConstraintControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[WheeledVehicleConstraintControl, int]:
@@ -6670,7 +7134,9 @@ class GnssAntennaCalibrationControl(Command):
     """GNSS antenna offset calibration (0x0D,0x64).
 
     Lets the filter track the error of the antenna offset.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `gnss_antenna_cal_control`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `GnssAntennaCalibrationControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
@@ -6686,10 +7152,10 @@ class GnssAntennaCalibrationControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     max_offset: float | None = None
-    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. [m] Frame:
-    vehicle. Range: 0 to 0.5. Factory default: 0.1.
+    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
+    vehicle. Range: 0 to 0.5. Default: 0.1. Required for `write`.
     """
 
     @classmethod
@@ -6716,6 +7182,12 @@ class GnssAntennaCalibrationControl(Command):
     def default(cls) -> GnssAntennaCalibrationControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssAntennaCalibrationControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaCalibrationControl, int]:
@@ -6799,7 +7271,6 @@ SpeedLeverArmResponse.COMMANDS = (SpeedLeverArm,)
 VerticalGyroConstraintControlResponse.COMMANDS = (VerticalGyroConstraintControl,)
 WheeledVehicleConstraintControlResponse.COMMANDS = (WheeledVehicleConstraintControl,)
 GnssAntennaCalibrationControlResponse.COMMANDS = (GnssAntennaCalibrationControl,)
-
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {

@@ -1,6 +1,8 @@
 """GNSS commands (0x0E).
 
 Commands that describe and set up the internal GNSS receivers.
+
+- 3dm-cv7-gnss-ins: GNSS (0x0E)
 """
 
 from __future__ import annotations
@@ -10,7 +12,7 @@ from enum import IntFlag
 
 from . import codec
 from .errors import Truncated
-from .field import Command, Field, Response, Structure
+from .field import Command, Field, Response, ResponseClass, Structure
 from .protocol import FunctionSelector
 
 _RECEIVER_INFO_ENTRY_0 = codec.Block("BB", "receiver_id", "mip_data_descriptor_set")
@@ -18,10 +20,13 @@ _RECEIVER_INFO_ENTRY_0 = codec.Block("BB", "receiver_id", "mip_data_descriptor_s
 
 @dataclass(slots=True)
 class ReceiverInfoEntry(Structure):
-    """One GNSS receiver."""
+    """One GNSS receiver.
+
+    - 3dm-cv7-gnss-ins: Info
+    """
 
     receiver_id: int
-    """Receiver, counted from 1. Range: 1 to …."""
+    """Receiver, counted from 1. Range: at least 1."""
     mip_data_descriptor_set: int
     """Descriptor set of the data of this receiver. Range: 128 to 254."""
     description: str
@@ -49,11 +54,11 @@ class GpsSignals(IntFlag):
     """GPS signals that are enabled."""
 
     L1CA = 1 << 0
-    """L1 C/A."""
+    """L1 C/A. Bit 0."""
     L2C = 1 << 1
-    """L2C."""
+    """L2C. Bit 1."""
     L5 = 1 << 2
-    """L5."""
+    """L5. Bit 2."""
 
 
 @codec.open_flag(8)
@@ -61,9 +66,9 @@ class GlonassSignals(IntFlag):
     """GLONASS signals that are enabled."""
 
     L1OF = 1 << 0
-    """L1OF."""
+    """L1OF. Bit 0."""
     L2OF = 1 << 1
-    """L2OF."""
+    """L2OF. Bit 1."""
 
 
 @codec.open_flag(8)
@@ -71,11 +76,11 @@ class GalileoSignals(IntFlag):
     """Galileo signals that are enabled."""
 
     E1 = 1 << 0
-    """E1."""
+    """E1. Bit 0."""
     E5B = 1 << 1
-    """E5b."""
+    """E5b. Bit 1."""
     E5A = 1 << 2
-    """E5a."""
+    """E5a. Bit 2."""
 
 
 @codec.open_flag(8)
@@ -83,11 +88,11 @@ class BeidouSignals(IntFlag):
     """BeiDou signals that are enabled."""
 
     B1 = 1 << 0
-    """B1."""
+    """B1. Bit 0."""
     B2 = 1 << 1
-    """B2."""
+    """B2. Bit 1."""
     B2A = 1 << 2
-    """B2a."""
+    """B2a. Bit 2."""
 
 
 class SpartnConnection(codec.OpenEnum):
@@ -108,8 +113,7 @@ _RECEIVER_INFO_RESPONSE_0 = codec.Block("B", "num_receivers")
 class ReceiverInfoResponse(Response):
     """Receiver info response (0x0E,0x81).
 
-    Answers Receiver info (0x0E,0x01).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `ReceiverInfo`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
     """
@@ -119,6 +123,8 @@ class ReceiverInfoResponse(Response):
     NAME = "gnss.receiver_info_response"
     ROLE = "response"
 
+    # On the wire: num_receivers. Number of physical receivers. The number of elements of
+    # `receiver_info`.
     receiver_info: tuple[ReceiverInfoEntry, ...]
     """The receivers."""
 
@@ -127,7 +133,7 @@ class ReceiverInfoResponse(Response):
         v = _RECEIVER_INFO_RESPONSE_0.read(raw, at)
         at += 1
         num_receivers = v[0]
-        n = codec.counted(raw, at, num_receivers, 34)
+        n = codec.counted(raw, at, num_receivers, 34, 7)
         receiver_info, at = codec.read_structures(ReceiverInfoEntry, raw, at, n)
         return cls(receiver_info), at
 
@@ -142,15 +148,7 @@ class ReceiverInfoResponse(Response):
 
 
 _SIGNAL_CONFIG_RESPONSE_0 = codec.Block(
-    "BBBBBBBB",
-    "gps_enable",
-    "glonass_enable",
-    "galileo_enable",
-    "beidou_enable",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
+    "BBBBBBBB", "gps_enable", "glonass_enable", "galileo_enable", "beidou_enable", *["reserved"] * 4
 )
 
 
@@ -158,8 +156,8 @@ _SIGNAL_CONFIG_RESPONSE_0 = codec.Block(
 class SignalConfigResponse(Response):
     """Signal configuration response (0x0E,0x82).
 
-    Answers Signal configuration (0x0E,0x02).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `signal_configuration_response`. Answers `SignalConfig`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
     - 3dm-cv7-gnss-ins: GNSS
@@ -178,7 +176,8 @@ class SignalConfigResponse(Response):
     """Galileo signals."""
     beidou_enable: BeidouSignals
     """BeiDou signals."""
-    reserved: tuple[int, int, int, int] = (0,) * 4
+    reserved: tuple[int, int, int, int] = (0, 0, 0, 0)
+    """Reserved."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SignalConfigResponse, int]:
@@ -202,14 +201,14 @@ class SignalConfigResponse(Response):
         return codec.finished(out)
 
 
-_RTK_DONGLE_CONFIG_RESPONSE_0 = codec.Block("BBBB", "enable", "reserved", "reserved", "reserved")
+_RTK_DONGLE_CONFIG_RESPONSE_0 = codec.Block("BBBB", "enable", *["reserved"] * 3)
 
 
 @dataclass(slots=True)
 class RtkDongleConfigResponse(Response):
     """RTK dongle configuration response (0x0E,0x90).
 
-    Answers RTK dongle configuration (0x0E,0x10).
+    Also called `rtk_dongle_configuration_response`. Answers `RtkDongleConfig`.
 
     - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
     """
@@ -221,7 +220,8 @@ class RtkDongleConfigResponse(Response):
 
     enable: int
     """1 enables the dongle, 0 disables it. Range: 0 to 1."""
-    reserved: tuple[int, int, int] = (0,) * 3
+    reserved: tuple[int, int, int] = (0, 0, 0)
+    """Reserved. Uncertain: What to send; 0 is assumed."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfigResponse, int]:
@@ -244,72 +244,10 @@ _SPARTN_CONFIG_RESPONSE_0 = codec.Block(
     "type",
     "current_key_tow",
     "current_key_week",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
+    *["current_key"] * 32,
     "next_key_tow",
     "next_key_week",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
+    *["next_key"] * 32,
 )
 
 
@@ -317,8 +255,8 @@ _SPARTN_CONFIG_RESPONSE_0 = codec.Block(
 class SpartnConfigResponse(Response):
     """SPARTN configuration response (0x0E,0xA0).
 
-    Answers SPARTN configuration (0x0E,0x20).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `spartn_configuration_response`. Answers `SpartnConfig`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
     - 3dm-cv7-gnss-ins: SPARTN Corrections
@@ -335,15 +273,15 @@ class SpartnConfigResponse(Response):
     type: SpartnConnection
     """How the corrections come."""
     current_key_tow: int
-    """GPS time of week until which the current key is valid. [s]"""
+    """GPS time of week until which the current key is valid. Unit: s."""
     current_key_week: int
-    """GPS week number until which the current key is valid. [week]"""
+    """GPS week number until which the current key is valid. Unit: week."""
     current_key: tuple[int, ...]
     """Current key in ASCII digits."""
     next_key_tow: int
-    """GPS time of week until which the next key is valid. [s]"""
+    """GPS time of week until which the next key is valid. Unit: s."""
     next_key_week: int
-    """GPS week number until which the next key is valid. [week]"""
+    """GPS week number until which the next key is valid. Unit: week."""
     next_key: tuple[int, ...]
     """Next key in ASCII digits."""
 
@@ -389,7 +327,8 @@ class ReceiverInfo(Command):
     """Receiver info (0x0E,0x01).
 
     Asks which GNSS receivers the device has.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Answered by `ReceiverInfoResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Receiver Info (0x0E,0x01)
     """
@@ -413,7 +352,7 @@ _SIGNAL_CONFIG_1 = codec.Block("B", "gps_enable")
 _SIGNAL_CONFIG_2 = codec.Block("B", "glonass_enable")
 _SIGNAL_CONFIG_3 = codec.Block("B", "galileo_enable")
 _SIGNAL_CONFIG_4 = codec.Block("B", "beidou_enable")
-_SIGNAL_CONFIG_5 = codec.Block("BBBB", "reserved", "reserved", "reserved", "reserved")
+_SIGNAL_CONFIG_5 = codec.Block("BBBB", *["reserved"] * 4)
 _SIGNAL_CONFIG_GROUPS = (
     (1, ("gps_enable",), False),
     (2, ("glonass_enable",), False),
@@ -428,10 +367,13 @@ class SignalConfig(Command):
     """Signal configuration (0x0E,0x02).
 
     GNSS signals that the device uses.
-    A device takes certain combinations only.
-    The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou L1 alone. It takes for
-    GPS and BeiDou none, L1, or L1 and L5; for Galileo none, or L1 and L5; for GLONASS none or L1.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `signal_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `SignalConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    A device takes certain combinations only. The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses
+    GPS L1 with BeiDou L1 alone. It takes for GPS and BeiDou none, L1, or L1 and L5; for Galileo
+    none, or L1 and L5; for GLONASS none or L1.
 
     - 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02)
     - 3dm-cv7-gnss-ins: GNSS
@@ -447,14 +389,15 @@ class SignalConfig(Command):
     function: FunctionSelector
     """What to do with the setting."""
     gps_enable: GpsSignals | None = None
-    """GPS signals."""
+    """GPS signals. Required for `write`."""
     glonass_enable: GlonassSignals | None = None
-    """GLONASS signals."""
+    """GLONASS signals. Required for `write`."""
     galileo_enable: GalileoSignals | None = None
-    """Galileo signals."""
+    """Galileo signals. Required for `write`."""
     beidou_enable: BeidouSignals | None = None
-    """BeiDou signals."""
+    """BeiDou signals. Required for `write`."""
     reserved: tuple[int, int, int, int] | None = None
+    """Reserved: send 0. Required for `write`."""
 
     @classmethod
     def write(
@@ -471,7 +414,7 @@ class SignalConfig(Command):
             glonass_enable=glonass_enable,
             galileo_enable=galileo_enable,
             beidou_enable=beidou_enable,
-            reserved=(0,) * 4,
+            reserved=(0, 0, 0, 0),
         )
 
     @classmethod
@@ -493,6 +436,12 @@ class SignalConfig(Command):
     def default(cls) -> SignalConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SignalConfigResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SignalConfig, int]:
@@ -564,7 +513,7 @@ class SignalConfig(Command):
 
 _RTK_DONGLE_CONFIG_0 = codec.Block("B", "function")
 _RTK_DONGLE_CONFIG_1 = codec.Block("B", "enable")
-_RTK_DONGLE_CONFIG_2 = codec.Block("BBB", "reserved", "reserved", "reserved")
+_RTK_DONGLE_CONFIG_2 = codec.Block("BBB", *["reserved"] * 3)
 _RTK_DONGLE_CONFIG_GROUPS = ((1, ("enable",), False), (2, ("reserved",), False))
 
 
@@ -573,6 +522,9 @@ class RtkDongleConfig(Command):
     """RTK dongle configuration (0x0E,0x10).
 
     Whether the device talks to the RTK dongle that is connected to it.
+
+    Also called `rtk_dongle_configuration`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `RtkDongleConfigResponse`.
 
     - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
     """
@@ -587,13 +539,14 @@ class RtkDongleConfig(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """1 enables the dongle, 0 disables it. Range: 0 to 1."""
+    """1 enables the dongle, 0 disables it. Range: 0 to 1. Required for `write`."""
     reserved: tuple[int, int, int] | None = None
+    """Reserved: send 0. Required for `write`. Uncertain: What to send; 0 is assumed."""
 
     @classmethod
     def write(cls, enable: int) -> RtkDongleConfig:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, enable=enable, reserved=(0,) * 3)
+        return cls(FunctionSelector.WRITE, enable=enable, reserved=(0, 0, 0))
 
     @classmethod
     def read(cls) -> RtkDongleConfig:
@@ -614,6 +567,12 @@ class RtkDongleConfig(Command):
     def default(cls) -> RtkDongleConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return RtkDongleConfigResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RtkDongleConfig, int]:
@@ -659,78 +618,10 @@ _SPARTN_CONFIG_1 = codec.Block("B", "enable")
 _SPARTN_CONFIG_2 = codec.Block("B", "type")
 _SPARTN_CONFIG_3 = codec.Block("I", "current_key_tow")
 _SPARTN_CONFIG_4 = codec.Block("H", "current_key_week")
-_SPARTN_CONFIG_5 = codec.Block(
-    "BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-    "current_key",
-)
+_SPARTN_CONFIG_5 = codec.Block("BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB", *["current_key"] * 32)
 _SPARTN_CONFIG_6 = codec.Block("I", "next_key_tow")
 _SPARTN_CONFIG_7 = codec.Block("H", "next_key_week")
-_SPARTN_CONFIG_8 = codec.Block(
-    "BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-    "next_key",
-)
+_SPARTN_CONFIG_8 = codec.Block("BBBBBBBBBBBBBBBBBBBBBBBBBBBBBBBB", *["next_key"] * 32)
 _SPARTN_CONFIG_GROUPS = (
     (1, ("enable",), False),
     (2, ("type",), False),
@@ -748,11 +639,13 @@ class SpartnConfig(Command):
     """SPARTN configuration (0x0E,0x20).
 
     Source and keys of SPARTN corrections.
+
+    Also called `spartn_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `SpartnConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     A change of enable or type has an effect after a power cycle only; keys can be changed while
-    running.
-    While SPARTN corrections are enabled, RTCM corrections are blocked.
-    A key of 16 bytes, none of them 0, is sent as 32 ASCII digits 0-9 and A-F, two for each byte.
-    Supported by 3DM-CV7-GNSS/INS.
+    running. While SPARTN corrections are enabled, RTCM corrections are blocked. A key of 16 bytes,
+    none of them 0, is sent as 32 ASCII digits 0-9 and A-F, two for each byte.
 
     - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
     - 3dm-cv7-gnss-ins: SPARTN Corrections
@@ -769,21 +662,21 @@ class SpartnConfig(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """1 enables SPARTN corrections, 0 disables them. Range: 0 to 1."""
+    """1 enables SPARTN corrections, 0 disables them. Range: 0 to 1. Required for `write`."""
     type: SpartnConnection | None = None
-    """How the corrections come."""
+    """How the corrections come. Required for `write`."""
     current_key_tow: int | None = None
-    """GPS time of week until which the current key is valid. [s]"""
+    """GPS time of week until which the current key is valid. Unit: s. Required for `write`."""
     current_key_week: int | None = None
-    """GPS week number until which the current key is valid. [week]"""
+    """GPS week number until which the current key is valid. Unit: week. Required for `write`."""
     current_key: tuple[int, ...] | None = None
-    """Current key in ASCII digits."""
+    """Current key in ASCII digits. Required for `write`."""
     next_key_tow: int | None = None
-    """GPS time of week until which the next key is valid. [s]"""
+    """GPS time of week until which the next key is valid. Unit: s. Required for `write`."""
     next_key_week: int | None = None
-    """GPS week number until which the next key is valid. [week]"""
+    """GPS week number until which the next key is valid. Unit: week. Required for `write`."""
     next_key: tuple[int, ...] | None = None
-    """Next key in ASCII digits."""
+    """Next key in ASCII digits. Required for `write`."""
 
     @classmethod
     def write(
@@ -829,6 +722,12 @@ class SpartnConfig(Command):
     def default(cls) -> SpartnConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SpartnConfigResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SpartnConfig, int]:
@@ -937,7 +836,6 @@ ReceiverInfoResponse.COMMANDS = (ReceiverInfo,)
 SignalConfigResponse.COMMANDS = (SignalConfig,)
 RtkDongleConfigResponse.COMMANDS = (RtkDongleConfig,)
 SpartnConfigResponse.COMMANDS = (SpartnConfig,)
-
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {

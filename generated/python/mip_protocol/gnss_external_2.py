@@ -1,6 +1,8 @@
 """External GNSS data 2 (0x95).
 
 What a second external GNSS receiver tells the device.
+
+- mip-sdk-4: Gnss5 Data (0x95)
 """
 
 from __future__ import annotations
@@ -12,7 +14,9 @@ from .field import Field
 class LlhPosition(gnss_1.LlhPosition):
     """GNSS LLH position (0x95,0x03).
 
-    Has the values of gnss_1.LlhPosition.
+    GNSS position as latitude, longitude and height.
+
+    Has the layout of `gnss_1.LlhPosition`. Also called `pos_llh`.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -26,7 +30,9 @@ class LlhPosition(gnss_1.LlhPosition):
 class EcefPosition(gnss_1.EcefPosition):
     """GNSS ECEF position (0x95,0x04).
 
-    Has the values of gnss_1.EcefPosition.
+    GNSS position in Earth-fixed coordinates.
+
+    Has the layout of `gnss_1.EcefPosition`. Also called `pos_ecef`.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -40,7 +46,9 @@ class EcefPosition(gnss_1.EcefPosition):
 class NedVelocity(gnss_1.NedVelocity):
     """NED velocity (0x95,0x05).
 
-    Has the values of gnss_1.NedVelocity.
+    GNSS velocity in the local level frame.
+
+    Has the layout of `gnss_1.NedVelocity`. Also called `vel_ned`.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -54,7 +62,9 @@ class NedVelocity(gnss_1.NedVelocity):
 class EcefVelocity(gnss_1.EcefVelocity):
     """GNSS ECEF velocity (0x95,0x06).
 
-    Has the values of gnss_1.EcefVelocity.
+    GNSS velocity in Earth-fixed coordinates.
+
+    Has the layout of `gnss_1.EcefVelocity`. Also called `vel_ecef`.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -68,7 +78,9 @@ class EcefVelocity(gnss_1.EcefVelocity):
 class Dop(gnss_1.Dop):
     """DOP (0x95,0x07).
 
-    Has the values of gnss_1.Dop.
+    Dilution of precision of the satellite geometry.
+
+    Has the layout of `gnss_1.Dop`.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -82,7 +94,9 @@ class Dop(gnss_1.Dop):
 class UtcTime(gnss_1.UtcTime):
     """UTC time (0x95,0x08).
 
-    Has the values of gnss_1.UtcTime.
+    Coordinated universal time as the receiver knows it.
+
+    Has the layout of `gnss_1.UtcTime`.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -96,7 +110,9 @@ class UtcTime(gnss_1.UtcTime):
 class GpsTime(gnss_1.GpsTime):
     """GPS time (0x95,0x09).
 
-    Has the values of gnss_1.GpsTime.
+    GPS time as the receiver knows it.
+
+    Has the layout of `gnss_1.GpsTime`.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -110,7 +126,11 @@ class GpsTime(gnss_1.GpsTime):
 class ClockInfo(gnss_1.ClockInfo):
     """Clock info (0x95,0x0A).
 
-    Has the values of gnss_1.ClockInfo.
+    Bias and drift of the receiver clock.
+
+    Has the layout of `gnss_1.ClockInfo`.
+
+    Clock info 2 replaces it and tells more.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -124,7 +144,9 @@ class ClockInfo(gnss_1.ClockInfo):
 class FixInfo(gnss_1.FixInfo):
     """Fix info (0x95,0x0B).
 
-    Has the values of gnss_1.FixInfo.
+    Type of the position fix and what it is made of.
+
+    Has the layout of `gnss_1.FixInfo`.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -138,7 +160,12 @@ class FixInfo(gnss_1.FixInfo):
 class SvInfo(gnss_1.SvInfo):
     """Satellite info (0x95,0x0C).
 
-    Has the values of gnss_1.SvInfo.
+    One satellite that is tracked.
+
+    Has the layout of `gnss_1.SvInfo`. Uncertain: Whether a packet holds one of these fields or
+    several.
+
+    The satellites come as one field each, in packets apart from other GNSS data.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -152,7 +179,9 @@ class SvInfo(gnss_1.SvInfo):
 class HardwareStatus(gnss_1.HardwareStatus):
     """GNSS hardware status (0x95,0x0D).
 
-    Has the values of gnss_1.HardwareStatus.
+    State of the receiver and of its antenna.
+
+    Has the layout of `gnss_1.HardwareStatus`. Also called `hw_status`.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -166,7 +195,12 @@ class HardwareStatus(gnss_1.HardwareStatus):
 class DgpsInfo(gnss_1.DgpsInfo):
     """DGPS info (0x95,0x0E).
 
-    Has the values of gnss_1.DgpsInfo.
+    State of the differential corrections.
+
+    Has the layout of `gnss_1.DgpsInfo`. Uncertain: The layout is that of a manual of the 3DM-GX5-35
+    and of MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK
+    has another one, u8, three floats and u16, which is that of dgps_channel and does not agree with
+    its own valid flags (age, base station id, base station status, number of channels).
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -180,7 +214,11 @@ class DgpsInfo(gnss_1.DgpsInfo):
 class DgpsChannel(gnss_1.DgpsChannel):
     """DGPS channel (0x95,0x0F).
 
-    Has the values of gnss_1.DgpsChannel.
+    Differential correction for one satellite.
+
+    Has the layout of `gnss_1.DgpsChannel`.
+
+    The active satellites come as one field each, all in one packet.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -194,7 +232,11 @@ class DgpsChannel(gnss_1.DgpsChannel):
 class ClockInfo2(gnss_1.ClockInfo2):
     """Clock info 2 (0x95,0x10).
 
-    Has the values of gnss_1.ClockInfo2.
+    Bias and drift of the receiver clock.
+
+    Has the layout of `gnss_1.ClockInfo2`.
+
+    It supersedes clock info.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -208,7 +250,9 @@ class ClockInfo2(gnss_1.ClockInfo2):
 class GpsLeapSeconds(gnss_1.GpsLeapSeconds):
     """GPS leap seconds (0x95,0x11).
 
-    Has the values of gnss_1.GpsLeapSeconds.
+    Difference between GPS time and UTC.
+
+    Has the layout of `gnss_1.GpsLeapSeconds`.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -222,7 +266,9 @@ class GpsLeapSeconds(gnss_1.GpsLeapSeconds):
 class SbasInfo(gnss_1.SbasInfo):
     """SBAS info (0x95,0x12).
 
-    Has the values of gnss_1.SbasInfo.
+    Status of the satellite based augmentation.
+
+    Has the layout of `gnss_1.SbasInfo`.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -236,7 +282,13 @@ class SbasInfo(gnss_1.SbasInfo):
 class SbasCorrection(gnss_1.SbasCorrection):
     """SBAS correction (0x95,0x13).
 
-    Has the values of gnss_1.SbasCorrection.
+    SBAS correction for one satellite.
+
+    Has the layout of `gnss_1.SbasCorrection`.
+
+    An epoch is sent as one field for each satellite; index and count number the fields. udrei 0 to
+    13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992, 1.8709,
+    2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -250,7 +302,9 @@ class SbasCorrection(gnss_1.SbasCorrection):
 class RfErrorDetection(gnss_1.RfErrorDetection):
     """RF error detection (0x95,0x14).
 
-    Has the values of gnss_1.RfErrorDetection.
+    Jamming and spoofing as the receiver detects them in one band.
+
+    Has the layout of `gnss_1.RfErrorDetection`.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -264,7 +318,11 @@ class RfErrorDetection(gnss_1.RfErrorDetection):
 class SatelliteStatus(gnss_1.SatelliteStatus):
     """Satellite status (0x95,0x20).
 
-    Has the values of gnss_1.SatelliteStatus.
+    Where one satellite stands, and its health.
+
+    Has the layout of `gnss_1.SatelliteStatus`.
+
+    An epoch is sent as one field for each satellite; index and count number the fields.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -278,7 +336,12 @@ class SatelliteStatus(gnss_1.SatelliteStatus):
 class Raw(gnss_1.Raw):
     """Raw (0x95,0x22).
 
-    Has the values of gnss_1.Raw.
+    Raw observation of one signal of one satellite.
+
+    Has the layout of `gnss_1.Raw`.
+
+    An epoch is sent as one field for each signal; index and count number the fields. The greatest
+    lock time depends on the receiver.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -292,7 +355,9 @@ class Raw(gnss_1.Raw):
 class BaseStationInfo(gnss_1.BaseStationInfo):
     """Base station info (0x95,0x30).
 
-    Has the values of gnss_1.BaseStationInfo.
+    The base station of the corrections, from an RTCM message 1005 or 1006.
+
+    Has the layout of `gnss_1.BaseStationInfo`.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -306,7 +371,9 @@ class BaseStationInfo(gnss_1.BaseStationInfo):
 class RtkCorrectionsStatus(gnss_1.RtkCorrectionsStatus):
     """RTK corrections status (0x95,0x31).
 
-    Has the values of gnss_1.RtkCorrectionsStatus.
+    Which corrections come, and how old they are.
+
+    Has the layout of `gnss_1.RtkCorrectionsStatus`.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -320,7 +387,11 @@ class RtkCorrectionsStatus(gnss_1.RtkCorrectionsStatus):
 class GpsEphemeris(gnss_1.GpsEphemeris):
     """GPS ephemeris (0x95,0x61).
 
-    Has the values of gnss_1.GpsEphemeris.
+    Broadcast orbit and clock of one GPS satellite.
+
+    Has the layout of `gnss_1.GpsEphemeris`.
+
+    iodc changes with the clock data; the manual has it roll over at 4.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -334,7 +405,12 @@ class GpsEphemeris(gnss_1.GpsEphemeris):
 class GlonassEphemeris(gnss_1.GlonassEphemeris):
     """GLONASS ephemeris (0x95,0x62).
 
-    Has the values of gnss_1.GlonassEphemeris.
+    Broadcast orbit and clock of one GLONASS satellite.
+
+    Has the layout of `gnss_1.GlonassEphemeris`. Also called `glo_ephemeris`.
+
+    The interface control document of GLONASS explains p and ft. A period of four years has 1461
+    days; the manual does not say how nt, a u8, counts them.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -348,7 +424,12 @@ class GlonassEphemeris(gnss_1.GlonassEphemeris):
 class GalileoEphemeris(gnss_1.GalileoEphemeris):
     """Galileo ephemeris (0x95,0x63).
 
-    Has the values of gnss_1.GalileoEphemeris.
+    Broadcast orbit and clock of one Galileo satellite.
+
+    Has the layout of `gnss_1.GalileoEphemeris`.
+
+    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -362,7 +443,12 @@ class GalileoEphemeris(gnss_1.GalileoEphemeris):
 class BeidouEphemeris(gnss_1.BeidouEphemeris):
     """BeiDou ephemeris (0x95,0x64).
 
-    Has the values of gnss_1.BeidouEphemeris.
+    Broadcast orbit and clock of one BeiDou satellite.
+
+    Has the layout of `gnss_1.BeidouEphemeris`.
+
+    The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+    corrections hold here. iodc changes with the clock data; the manual has it roll over at 4.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -376,7 +462,9 @@ class BeidouEphemeris(gnss_1.BeidouEphemeris):
 class GpsIonoCorrection(gnss_1.GpsIonoCorrection):
     """GPS ionospheric correction (0x95,0x71).
 
-    Has the values of gnss_1.GpsIonoCorrection.
+    Model of the ionosphere that GPS broadcasts.
+
+    Has the layout of `gnss_1.GpsIonoCorrection`. Also called `gps_iono_corr`.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -390,7 +478,9 @@ class GpsIonoCorrection(gnss_1.GpsIonoCorrection):
 class GalileoIonoCorrection(gnss_1.GalileoIonoCorrection):
     """Galileo ionospheric correction (0x95,0x73).
 
-    Has the values of gnss_1.GalileoIonoCorrection.
+    Model of the ionosphere that Galileo broadcasts.
+
+    Has the layout of `gnss_1.GalileoIonoCorrection`. Also called `galileo_iono_corr`.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """
@@ -404,7 +494,9 @@ class GalileoIonoCorrection(gnss_1.GalileoIonoCorrection):
 class BeidouIonoCorrection(gnss_1.BeidouIonoCorrection):
     """BeiDou ionospheric correction (0x95,0x74).
 
-    Has the values of gnss_1.BeidouIonoCorrection.
+    Model of the ionosphere that BeiDou broadcasts.
+
+    Has the layout of `gnss_1.BeidouIonoCorrection`. Also called `beidou_iono_corr`.
 
     - mip-sdk-4: Gnss5 Data (0x95)
     """

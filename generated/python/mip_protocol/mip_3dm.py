@@ -1,6 +1,9 @@
 """3DM (0x0C).
 
 Commands that set up the sensors, the outputs, the pins and the events of a device.
+
+- 3dm-gx5-15: 4.2 3DM Commands
+- 3dm-cv7-gnss-ins: 3DM (0x0C)
 """
 
 from __future__ import annotations
@@ -10,7 +13,7 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, Structure
+from .field import Command, Field, Response, ResponseClass, Structure
 from .protocol import FunctionSelector
 
 _POLL_ENTRY_0 = codec.Block("BH", "descriptor", "reserved")
@@ -18,12 +21,15 @@ _POLL_ENTRY_0 = codec.Block("BH", "descriptor", "reserved")
 
 @dataclass(slots=True)
 class PollEntry(Structure):
-    """A field that a poll asks for."""
+    """A field that a poll asks for.
+
+    - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
+    """
 
     descriptor: int
     """Field descriptor."""
     reserved: int = 0
-    """In place of a decimation."""
+    """In place of a decimation. Reserved: send 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollEntry, int]:
@@ -39,7 +45,10 @@ class PollEntry(Structure):
 
 
 class FactoryStreamingAction(codec.OpenEnum):
-    """What happens to the message formats that are set."""
+    """What happens to the message formats that are set.
+
+    - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
+    """
 
     OVERWRITE = 0
     """The formats are replaced."""
@@ -49,22 +58,11 @@ class FactoryStreamingAction(codec.OpenEnum):
     """The support fields are added behind the formats; fields may occur twice."""
 
 
-class LegacyDataStream(codec.OpenEnum):
-    """A data stream of a 5-series device."""
-
-    ALL_STREAMS = 0
-    """All streams; for save, load and default only."""
-    IMU = 1
-    """Sensor data (0x80)."""
-    GNSS = 2
-    """GNSS data."""
-    FILTER = 3
-    """Estimation filter data (0x82)."""
-
-
 class ConstellationId(codec.OpenEnum):
-    """Constellation in the settings of a receiver. The values are not those of
-    gnss_constellation, which GNSS data use.
+    """Constellation in the settings of a receiver. The values are not those of gnss_constellation,
+    which GNSS data use.
+
+    - mip-sdk-4: Constellation Settings (0x0C,0x21)
     """
 
     GPS = 0
@@ -83,10 +81,13 @@ class ConstellationId(codec.OpenEnum):
 
 @codec.open_flag(16)
 class ConstellationOptions(IntFlag):
-    """Options of a constellation."""
+    """Options of a constellation.
+
+    - mip-sdk-4: Constellation Settings (0x0C,0x21)
+    """
 
     L1SAIF = 1 << 0
-    """The L1-SAIF signal; QZSS only."""
+    """The L1-SAIF signal; QZSS only. Bit 0."""
 
 
 _CONSTELLATION_SETTINGS_ENTRY_0 = codec.Block(
@@ -96,16 +97,19 @@ _CONSTELLATION_SETTINGS_ENTRY_0 = codec.Block(
 
 @dataclass(slots=True)
 class ConstellationSettingsEntry(Structure):
-    """How a receiver tracks one constellation."""
+    """How a receiver tracks one constellation.
+
+    - mip-sdk-4: Constellation Settings (0x0C,0x21)
+    """
 
     constellation_id: ConstellationId
     """Constellation."""
     enable: int
     """1 switches it on, 0 off. Range: 0 to 1."""
     reserved_channels: int
-    """Channels that are kept for it. [1] Range: 0 to 32."""
+    """Channels that are kept for it. Unit: 1. Range: 0 to 32."""
     max_channels: int
-    """Channels that it takes at most. [1] Range: 0 to 32."""
+    """Channels that it takes at most. Unit: 1. Range: 0 to 32."""
     option_flags: ConstellationOptions
     """Options."""
 
@@ -133,18 +137,24 @@ class ConstellationSettingsEntry(Structure):
 
 @codec.open_flag(16)
 class SbasOptions(IntFlag):
-    """How SBAS is used."""
+    """How SBAS is used.
+
+    - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
+    """
 
     ENABLE_RANGING = 1 << 0
-    """SBAS pseudoranges take part in the position solution."""
+    """SBAS pseudoranges take part in the position solution. Bit 0."""
     ENABLE_CORRECTIONS = 1 << 1
-    """SBAS differential corrections are applied."""
+    """SBAS differential corrections are applied. Bit 1."""
     APPLY_INTEGRITY = 1 << 2
-    """Only GPS satellites with SBAS integrity information are used."""
+    """Only GPS satellites with SBAS integrity information are used. Bit 2."""
 
 
 class AssistedFixOption(codec.OpenEnum):
-    """Whether a receiver keeps its last fix."""
+    """Whether a receiver keeps its last fix.
+
+    - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+    """
 
     NONE = 0
     """The receiver starts without it."""
@@ -153,7 +163,10 @@ class AssistedFixOption(codec.OpenEnum):
 
 
 class PpsSource(codec.OpenEnum):
-    """Where the pulse per second comes from."""
+    """Where the pulse per second comes from.
+
+    - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
+    """
 
     DISABLED = 0
     """No pulse."""
@@ -168,7 +181,10 @@ class PpsSource(codec.OpenEnum):
 
 
 class EventSupportQuery(codec.OpenEnum):
-    """Which part of the event system is asked about."""
+    """Which part of the event system is asked about.
+
+    - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
+    """
 
     TRIGGER_TYPES = 1
     """Triggers."""
@@ -181,12 +197,15 @@ _EVENT_SUPPORT_INFO_0 = codec.Block("BB", "type", "count")
 
 @dataclass(slots=True)
 class EventSupportInfo(Structure):
-    """How many instances of one trigger or action type a device can have."""
+    """How many instances of one trigger or action type a device can have.
+
+    - 3dm-cv7-gnss-ins: Info
+    """
 
     type: int
     """A value of event_trigger_type if triggers were asked about, else of event_action_type."""
     count: int
-    """Instances of this type at most. [1]"""
+    """Instances of this type at most. Unit: 1."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventSupportInfo, int]:
@@ -206,7 +225,10 @@ _EVENT_TRIGGER_STATUS_ENTRY_0 = codec.Block("BB", "type", "status")
 
 @dataclass(slots=True)
 class EventTriggerStatusEntry(Structure):
-    """Type and state of one trigger."""
+    """Type and state of one trigger.
+
+    - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
+    """
 
     type: types.EventTriggerType
     """Configured type."""
@@ -231,7 +253,10 @@ _EVENT_ACTION_STATUS_ENTRY_0 = codec.Block("BB", "action_type", "trigger_id")
 
 @dataclass(slots=True)
 class EventActionStatusEntry(Structure):
-    """Type and trigger of one action."""
+    """Type and trigger of one action.
+
+    - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
+    """
 
     action_type: types.EventActionType
     """Configured type."""
@@ -252,7 +277,10 @@ class EventActionStatusEntry(Structure):
 
 
 class OdometerMode(codec.OpenEnum):
-    """How the odometer input works."""
+    """How the odometer input works.
+
+    - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
+    """
 
     DISABLED = 0
     """Not used."""
@@ -261,7 +289,10 @@ class OdometerMode(codec.OpenEnum):
 
 
 class SensorRangeType(codec.OpenEnum):
-    """A sensor whose range can be set, which also decides the unit of the range."""
+    """A sensor whose range can be set, which also decides the unit of the range.
+
+    - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
+    """
 
     ALL = 0
     """All sensors; for save, load and default only."""
@@ -280,7 +311,10 @@ _SENSOR_RANGE_ENTRY_0 = codec.Block("Bf", "setting", "range")
 
 @dataclass(slots=True)
 class SensorRangeEntry(Structure):
-    """A range that a sensor supports."""
+    """A range that a sensor supports.
+
+    - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
+    """
 
     setting: int
     """Value for the sensor range command."""
@@ -301,12 +335,31 @@ class SensorRangeEntry(Structure):
 
 
 class DeviceStatusSelector(codec.OpenEnum):
-    """How much a device status tells."""
+    """How much a device status tells.
+
+    - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+    """
 
     BASIC = 1
     """State and timer."""
     DIAGNOSTIC = 2
     """State and timer with the counters of streams and port."""
+
+
+class LegacyDataStream(codec.OpenEnum):
+    """A data stream of a 5-series device.
+
+    - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
+    """
+
+    ALL_STREAMS = 0
+    """All streams; for save, load and default only."""
+    IMU = 1
+    """Sensor data (0x80)."""
+    GNSS = 2
+    """GNSS data."""
+    FILTER = 3
+    """Estimation filter data (0x82)."""
 
 
 _IMU_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
@@ -316,8 +369,7 @@ _IMU_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 class ImuMessageFormatResponse(Response):
     """IMU Message Format response (0x0C,0x80).
 
-    Answers IMU Message Format (0x0C,0x08).
-    Supported by 3DM-GX5-15.
+    Answers `ImuMessageFormat`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -327,6 +379,7 @@ class ImuMessageFormatResponse(Response):
     NAME = "3dm.imu_message_format_response"
     ROLE = "response"
 
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -335,7 +388,7 @@ class ImuMessageFormatResponse(Response):
         v = _IMU_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
         at += 1
         num_descriptors = v[0]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 84)
         descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
         return cls(descriptors), at
 
@@ -354,7 +407,7 @@ _GNSS_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 class GnssMessageFormatResponse(Response):
     """GNSS Message Format response (0x0C,0x81).
 
-    Answers GNSS Message Format (0x0C,0x09).
+    Answers `GnssMessageFormat`.
 
     - mip-sdk-4: Gnss Message Format (0x0C,0x09)
     - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
@@ -365,6 +418,8 @@ class GnssMessageFormatResponse(Response):
     NAME = "3dm.gnss_message_format_response"
     ROLE = "response"
 
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Range: 0 to 82.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -373,7 +428,7 @@ class GnssMessageFormatResponse(Response):
         v = _GNSS_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
         at += 1
         num_descriptors = v[0]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 84)
         descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
         return cls(descriptors), at
 
@@ -394,8 +449,7 @@ _FILTER_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 class FilterMessageFormatResponse(Response):
     """Estimation Filter Message Format response (0x0C,0x82).
 
-    Answers Estimation Filter Message Format (0x0C,0x0A).
-    Supported by 3DM-GX5-15.
+    Answers `FilterMessageFormat`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
@@ -405,6 +459,7 @@ class FilterMessageFormatResponse(Response):
     NAME = "3dm.filter_message_format_response"
     ROLE = "response"
 
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -413,7 +468,7 @@ class FilterMessageFormatResponse(Response):
         v = _FILTER_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
         at += 1
         num_descriptors = v[0]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 84)
         descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
         return cls(descriptors), at
 
@@ -434,8 +489,7 @@ _GET_IMU_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 class GetImuBaseRateResponse(Response):
     """Get IMU Data Base Rate response (0x0C,0x83).
 
-    Answers Get IMU Data Base Rate (0x0C,0x06).
-    Supported by 3DM-GX5-15.
+    Also called `imu_get_base_rate_response`. Answers `GetImuBaseRate`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -446,7 +500,7 @@ class GetImuBaseRateResponse(Response):
     ROLE = "response"
 
     rate: int
-    """Base rate of the sensor data. [Hz]"""
+    """Base rate of the sensor data. Unit: Hz."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetImuBaseRateResponse, int]:
@@ -467,7 +521,7 @@ _GET_GNSS_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 class GetGnssBaseRateResponse(Response):
     """Get GNSS Data Base Rate response (0x0C,0x84).
 
-    Answers Get GNSS Data Base Rate (0x0C,0x07).
+    Also called `gnss_get_base_rate_response`. Answers `GetGnssBaseRate`.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -478,7 +532,7 @@ class GetGnssBaseRateResponse(Response):
     ROLE = "response"
 
     rate: int
-    """Base rate of the GNSS data. [Hz]"""
+    """Base rate of the GNSS data. Unit: Hz."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetGnssBaseRateResponse, int]:
@@ -499,8 +553,8 @@ _DATA_STREAM_CONTROL_RESPONSE_0 = codec.Block("BB", "descriptor_set", "enabled")
 class DataStreamControlResponse(Response):
     """Data Stream Control response (0x0C,0x85).
 
-    Answers Data Stream Control (0x0C,0x11).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `datastream_control_response`. Answers `DataStreamControl`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -510,15 +564,13 @@ class DataStreamControlResponse(Response):
     DESCRIPTOR = 0x85
     NAME = "3dm.data_stream_control_response"
     ROLE = "response"
-    READINGS = {
-        "descriptor_set": (
-            "device",
-            {"3dm-gx5-15": LegacyDataStream},
-        ),
-    }
+    READINGS = {"descriptor_set": ("device", {"3dm-gx5-15": LegacyDataStream})}
 
     descriptor_set: int
-    """Stream of the command."""
+    """Stream of the command.
+
+    - On the 3DM-GX5-15: values of `LegacyDataStream`.
+    """
     enabled: bool
     """Whether the stream is sent."""
 
@@ -542,8 +594,8 @@ _UART_BAUD_RATE_RESPONSE_0 = codec.Block("I", "baud")
 class UartBaudRateResponse(Response):
     """UART Baud Rate response (0x0C,0x87).
 
-    Answers UART Baud Rate (0x0C,0x40).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `uart_baudrate_response`. Answers `UartBaudRate`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -555,7 +607,7 @@ class UartBaudRateResponse(Response):
     ROLE = "response"
 
     baud: int
-    """Baud rate. [Bd] On 3dm-gx5-15: factory default 115200."""
+    """Baud rate. Unit: Bd."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRateResponse, int]:
@@ -576,8 +628,8 @@ _GET_FILTER_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 class GetFilterBaseRateResponse(Response):
     """Get Estimation Filter Data Base Rate response (0x0C,0x8A).
 
-    Answers Get Estimation Filter Data Base Rate (0x0C,0x0B).
-    Supported by 3DM-GX5-15.
+    Also called `filter_get_base_rate_response`. Answers `GetFilterBaseRate`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -588,7 +640,7 @@ class GetFilterBaseRateResponse(Response):
     ROLE = "response"
 
     rate: int
-    """Base rate of the filter data. [Hz]"""
+    """Base rate of the filter data. Unit: Hz."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetFilterBaseRateResponse, int]:
@@ -611,8 +663,8 @@ _IMU_LOW_PASS_FILTER_RESPONSE_0 = codec.Block(
 class ImuLowPassFilterResponse(Response):
     """Advanced Low-Pass Filter Settings response (0x0C,0x8B).
 
-    Answers Advanced Low-Pass Filter Settings (0x0C,0x50).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `imu_lowpass_filter_response`. Answers `ImuLowPassFilter`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
     - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -625,19 +677,17 @@ class ImuLowPassFilterResponse(Response):
 
     target_descriptor: int
     """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-    magnetic field 0x06 or pressure 0x17. On 3dm-cv7-gnss-ins: Field descriptor in the sensor
-    data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
-    0 means all of them, except for read.
+    magnetic field 0x06 or pressure 0x17.
     """
     enable: bool
-    """Whether the quantity is filtered. Factory default: True."""
+    """Whether the quantity is filtered. Default: true."""
     manual: bool
-    """True uses the frequency; false follows half the rate of the message format. Factory
-    default: False.
+    """True uses the frequency; false follows half the rate of the message format. Default: false.
     """
     frequency: int
-    """Cutoff (-3 dB). It has no meaning if manual is false. [Hz] On 3dm-gx5-15: at most 250."""
+    """Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz."""
     reserved: int = 0
+    """Reserved."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ImuLowPassFilterResponse, int]:
@@ -664,8 +714,7 @@ _NMEA_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "count")
 class NmeaMessageFormatResponse(Response):
     """NMEA Message Format response (0x0C,0x8C).
 
-    Answers NMEA Message Format (0x0C,0x0C).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `NmeaMessageFormat`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
     """
@@ -675,6 +724,7 @@ class NmeaMessageFormatResponse(Response):
     NAME = "3dm.nmea_message_format_response"
     ROLE = "response"
 
+    # On the wire: count. Number of sentences. The number of elements of `format_entries`.
     format_entries: tuple[types.NmeaMessage, ...]
     """Sentences to stream."""
 
@@ -683,7 +733,7 @@ class NmeaMessageFormatResponse(Response):
         v = _NMEA_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
         at += 1
         count = v[0]
-        n = codec.counted(raw, at, count, 5)
+        n = codec.counted(raw, at, count, 5, 50)
         format_entries, at = codec.read_structures(types.NmeaMessage, raw, at, n)
         return cls(format_entries), at
 
@@ -706,8 +756,7 @@ _GET_BASE_RATE_RESPONSE_0 = codec.Block("BH", "descriptor_set", "rate")
 class GetBaseRateResponse(Response):
     """Get Data Base Rate response (0x0C,0x8E).
 
-    Answers Get Data Base Rate (0x0C,0x0E).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetBaseRate`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
@@ -720,7 +769,7 @@ class GetBaseRateResponse(Response):
     descriptor_set: int
     """Data descriptor set of the command."""
     rate: int
-    """Base rate; 0 if the rate is variable or unknown and data is sent as it comes. [Hz]"""
+    """Base rate; 0 if the rate is variable or unknown and data is sent as it comes. Unit: Hz."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetBaseRateResponse, int]:
@@ -742,8 +791,7 @@ _MESSAGE_FORMAT_RESPONSE_0 = codec.Block("BB", "descriptor_set", "num_descriptor
 class MessageFormatResponse(Response):
     """Message Format response (0x0C,0x8F).
 
-    Answers Message Format (0x0C,0x0F).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `MessageFormat`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
     """
@@ -755,6 +803,7 @@ class MessageFormatResponse(Response):
 
     descriptor_set: int
     """Data descriptor set; 0 means all of them (save, load, default)."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -764,7 +813,7 @@ class MessageFormatResponse(Response):
         at += 2
         descriptor_set = v[0]
         num_descriptors = v[1]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 83)
         descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
         return cls(descriptor_set, descriptors), at
 
@@ -788,7 +837,9 @@ class DeviceStatusBasicResponse(Response):
     """Basic Device Status (0x0C,0x90).
 
     State and timer.
-    Supported by 3DM-GX5-15.
+
+    Answers `DeviceStatus`. Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     """
@@ -798,16 +849,18 @@ class DeviceStatusBasicResponse(Response):
     NAME = "3dm.device_status_basic_response"
     ROLE = "response"
 
+    # On the wire: model_number. Model number of the 3DM-GX5-15. Always 6254.
+    # On the wire: status_selector. Basic status. Always 1.
     status_flags: int
     """Reserved."""
     system_state: int
     """State of the system; its values are not documented."""
     system_timer: int
-    """Time since start-up. [ms]"""
+    """Time since start-up. Unit: ms."""
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x18\x6e" and data[2:3] == b"\x01"
+        return data[0:2] == b"\x18n" and data[2:3] == b"\x01"
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusBasicResponse, int]:
@@ -859,6 +912,8 @@ class DeviceStatusDiagnosticResponse(Response):
     """Diagnostic Device Status (0x0C,0x90).
 
     State and timer with the counters of streams and port.
+
+    Answers `DeviceStatus`. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`.
     Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -869,38 +924,40 @@ class DeviceStatusDiagnosticResponse(Response):
     NAME = "3dm.device_status_diagnostic_response"
     ROLE = "response"
 
+    # On the wire: model_number. Model number of the 3DM-GX5-15. Always 6254.
+    # On the wire: status_selector. Diagnostic status. Always 2.
     status_flags: int
     """Reserved."""
     system_state: int
     """State of the system; its values are not documented."""
     system_timer: int
-    """Time since start-up. [ms]"""
+    """Time since start-up. Unit: ms."""
     imu_stream_enabled: bool
     """Whether sensor data is streamed."""
     filter_stream_enabled: bool
     """Whether filter data is streamed."""
     imu_dropped_packets: int
-    """Sensor data packets that were not sent. [1]"""
+    """Sensor data packets that were not sent. Unit: 1."""
     filter_dropped_packets: int
-    """Filter data packets that were not sent. [1]"""
+    """Filter data packets that were not sent. Unit: 1."""
     comm_port_bytes_written: int
-    """Bytes written to the port. [byte]"""
+    """Bytes written to the port. Unit: byte."""
     comm_port_bytes_read: int
-    """Bytes read from the port. [byte]"""
+    """Bytes read from the port. Unit: byte."""
     comm_port_write_overruns: int
-    """Overruns while writing to the port. [1]"""
+    """Overruns while writing to the port. Unit: 1."""
     comm_port_read_overruns: int
-    """Overruns while reading from the port. [1]"""
+    """Overruns while reading from the port. Unit: 1."""
     imu_parser_errors: int
-    """Messages of the IMU that could not be parsed. [1]"""
+    """Messages of the IMU that could not be parsed. Unit: 1."""
     imu_message_count: int
-    """Messages of the IMU that were read. [1]"""
+    """Messages of the IMU that were read. Unit: 1."""
     imu_last_message_time: int
-    """System timer at the last message of the IMU. [ms]"""
+    """System timer at the last message of the IMU. Unit: ms."""
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x18\x6e" and data[2:3] == b"\x02"
+        return data[0:2] == b"\x18n" and data[2:3] == b"\x02"
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusDiagnosticResponse, int]:
@@ -978,8 +1035,7 @@ _COMPLEMENTARY_FILTER_RESPONSE_0 = codec.Block(
 class ComplementaryFilterResponse(Response):
     """Complementary Filter Configuration response (0x0C,0x97).
 
-    Answers Complementary Filter Configuration (0x0C,0x51).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `ComplementaryFilter`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -991,19 +1047,13 @@ class ComplementaryFilterResponse(Response):
     ROLE = "response"
 
     pitch_roll_enable: bool
-    """Corrects pitch and roll (up, in terms of the 5-series). On 3dm-gx5-15: factory default
-    true.
-    """
+    """Corrects pitch and roll (up, in terms of the 5-series)."""
     heading_enable: bool
-    """Corrects the heading (north, in terms of the 5-series). On 3dm-gx5-15: factory default
-    true.
-    """
+    """Corrects the heading (north, in terms of the 5-series)."""
     pitch_roll_time_constant: float
-    """Time constant of the correction of pitch and roll. [s] Range: 1 to 1000. Factory default:
-    10.
-    """
+    """Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10."""
     heading_time_constant: float
-    """Time constant of the correction of the heading. [s] Range: 1 to 1000. Factory default: 10."""
+    """Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterResponse, int]:
@@ -1027,15 +1077,14 @@ class ComplementaryFilterResponse(Response):
         return codec.finished(out)
 
 
-_ACCEL_BIAS_RESPONSE_0 = codec.Block("fff", "bias", "bias", "bias")
+_ACCEL_BIAS_RESPONSE_0 = codec.Block("fff", *["bias"] * 3)
 
 
 @dataclass(slots=True)
 class AccelBiasResponse(Response):
     """Accelerometer Bias Configuration response (0x0C,0x9A).
 
-    Answers Accelerometer Bias Configuration (0x0C,0x37).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `AccelBias`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -1047,7 +1096,7 @@ class AccelBiasResponse(Response):
     ROLE = "response"
 
     bias: types.Vector3f
-    """Accelerometer bias. [g] Frame: sensor."""
+    """Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelBiasResponse, int]:
@@ -1061,15 +1110,17 @@ class AccelBiasResponse(Response):
         return codec.finished(out)
 
 
-_GYRO_BIAS_RESPONSE_0 = codec.Block("fff", "bias", "bias", "bias")
+_GYRO_BIAS_RESPONSE_0 = codec.Block("fff", *["bias"] * 3)
 
 
 @dataclass(slots=True)
 class GyroBiasResponse(Response):
     """Gyroscope Bias Configuration response (0x0C,0x9B).
 
-    The bias in use. The capture gyroscope bias command answers with it too.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    The bias in use.
+
+    Also called `capture_gyro_bias_response`. Answers `GyroBias` and `CaptureGyroBias`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -1081,7 +1132,7 @@ class GyroBiasResponse(Response):
     ROLE = "response"
 
     bias: types.Vector3f
-    """Gyroscope bias. [rad/s] Frame: sensor."""
+    """Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroBiasResponse, int]:
@@ -1095,15 +1146,14 @@ class GyroBiasResponse(Response):
         return codec.finished(out)
 
 
-_MAG_HARD_IRON_OFFSET_RESPONSE_0 = codec.Block("fff", "offset", "offset", "offset")
+_MAG_HARD_IRON_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
 @dataclass(slots=True)
 class MagHardIronOffsetResponse(Response):
     """Magnetometer Hard Iron Offset response (0x0C,0x9C).
 
-    Answers Magnetometer Hard Iron Offset (0x0C,0x3A).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `MagHardIronOffset`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     """
@@ -1114,7 +1164,7 @@ class MagHardIronOffsetResponse(Response):
     ROLE = "response"
 
     offset: types.Vector3f
-    """Hard iron offset. [gauss] Frame: sensor."""
+    """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagHardIronOffsetResponse, int]:
@@ -1128,26 +1178,14 @@ class MagHardIronOffsetResponse(Response):
         return codec.finished(out)
 
 
-_MAG_SOFT_IRON_MATRIX_RESPONSE_0 = codec.Block(
-    "fffffffff",
-    "matrix",
-    "matrix",
-    "matrix",
-    "matrix",
-    "matrix",
-    "matrix",
-    "matrix",
-    "matrix",
-    "matrix",
-)
+_MAG_SOFT_IRON_MATRIX_RESPONSE_0 = codec.Block("fffffffff", *["matrix"] * 9)
 
 
 @dataclass(slots=True)
 class MagSoftIronMatrixResponse(Response):
     """Magnetometer Soft Iron Matrix response (0x0C,0x9D).
 
-    Answers Magnetometer Soft Iron Matrix (0x0C,0x3B).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `MagSoftIronMatrix`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     """
@@ -1158,7 +1196,9 @@ class MagSoftIronMatrixResponse(Response):
     ROLE = "response"
 
     matrix: types.Matrix3f
-    """Soft iron matrix in row-major order. [1] Frame: sensor."""
+    """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1. Frame: sensor.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagSoftIronMatrixResponse, int]:
@@ -1179,8 +1219,7 @@ _CONING_SCULLING_ENABLE_RESPONSE_0 = codec.Block("B", "enable")
 class ConingScullingEnableResponse(Response):
     """Coning and Sculling Enable response (0x0C,0x9E).
 
-    Answers Coning and Sculling Enable (0x0C,0x3E).
-    Supported by 3DM-GX5-15.
+    Answers `ConingScullingEnable`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -1191,7 +1230,7 @@ class ConingScullingEnableResponse(Response):
     ROLE = "response"
 
     enable: bool
-    """Whether the compensation is on. Factory default: True."""
+    """Whether the compensation is on. Default: true."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ConingScullingEnableResponse, int]:
@@ -1216,6 +1255,8 @@ class ConstellationSettingsResponse(Response):
 
     Tracking channels of the receiver and the setting of each constellation.
 
+    Answers `ConstellationSettings`.
+
     - mip-sdk-4: Constellation Settings (0x0C,0x21)
     - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
     """
@@ -1226,9 +1267,11 @@ class ConstellationSettingsResponse(Response):
     ROLE = "response"
 
     max_channels_available: int
-    """Channels that the receiver has. [1]"""
+    """Channels that the receiver has. Unit: 1."""
     max_channels_use: int
-    """Channels in use at most. [1]"""
+    """Channels in use at most. Unit: 1."""
+    # On the wire: config_count. Number of entries. The number of elements of `settings`. Range: 0
+    # to 41.
     settings: tuple[ConstellationSettingsEntry, ...]
     """One entry for each constellation."""
 
@@ -1239,7 +1282,7 @@ class ConstellationSettingsResponse(Response):
         max_channels_available = v[0]
         max_channels_use = v[1]
         config_count = v[2]
-        n = codec.counted(raw, at, config_count, 6)
+        n = codec.counted(raw, at, config_count, 6, 41)
         settings, at = codec.read_structures(ConstellationSettingsEntry, raw, at, n)
         return cls(max_channels_available, max_channels_use, settings), at
 
@@ -1264,8 +1307,7 @@ _GNSS_SBAS_SETTINGS_RESPONSE_0 = codec.Block(
 class GnssSbasSettingsResponse(Response):
     """GNSS SBAS Settings response (0x0C,0xA1).
 
-    Answers GNSS SBAS Settings (0x0C,0x22).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -1279,6 +1321,8 @@ class GnssSbasSettingsResponse(Response):
     """1 switches SBAS on, 0 off. Range: 0 to 1."""
     sbas_options: SbasOptions
     """What SBAS is used for."""
+    # On the wire: num_included_prns. Number of satellites listed; 0 searches for all. The number of
+    # elements of `included_prns`.
     included_prns: tuple[int, ...]
     """PRN numbers of the SBAS satellites to search for."""
 
@@ -1289,7 +1333,7 @@ class GnssSbasSettingsResponse(Response):
         enable_sbas = v[0]
         sbas_options = SbasOptions(v[1])
         num_included_prns = v[2]
-        n = codec.counted(raw, at, num_included_prns, 2)
+        n = codec.counted(raw, at, num_included_prns, 2, 124)
         included_prns = codec.read_numbers("H", raw, at, n)
         at += n * 2
         return cls(enable_sbas, sbas_options, included_prns), at
@@ -1313,7 +1357,7 @@ _GNSS_ASSISTED_FIX_RESPONSE_0 = codec.Block("BB", "option", "flags")
 class GnssAssistedFixResponse(Response):
     """GNSS Assisted Fix response (0x0C,0xA2).
 
-    Answers GNSS Assisted Fix (0x0C,0x23).
+    Answers `GnssAssistedFix`.
 
     - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
     """
@@ -1324,8 +1368,9 @@ class GnssAssistedFixResponse(Response):
     ROLE = "response"
 
     option: AssistedFixOption
-    """Assisted fix. Factory default: none."""
+    """Assisted fix. Default: `AssistedFixOption.NONE`."""
     flags: int = 255
+    """Reserved."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFixResponse, int]:
@@ -1347,7 +1392,7 @@ _GNSS_TIME_ASSISTANCE_RESPONSE_0 = codec.Block("dHf", "tow", "week_number", "acc
 class GnssTimeAssistanceResponse(Response):
     """GNSS Time Assistance response (0x0C,0xA3).
 
-    Answers GNSS Time Assistance (0x0C,0x24).
+    Answers `GnssTimeAssistance`.
 
     - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
     """
@@ -1358,11 +1403,11 @@ class GnssTimeAssistanceResponse(Response):
     ROLE = "response"
 
     tow: float
-    """GPS time of week. [s]"""
+    """GPS time of week. Unit: s."""
     week_number: int
-    """GPS week number since 1980. [week]"""
+    """GPS week number since 1980. Unit: week."""
     accuracy: float
-    """Accuracy of the time. [s]"""
+    """Accuracy of the time. Unit: s."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistanceResponse, int]:
@@ -1385,8 +1430,7 @@ _PPS_SOURCE_CONTROL_RESPONSE_0 = codec.Block("B", "source")
 class PpsSourceControlResponse(Response):
     """PPS Source Control response (0x0C,0xA8).
 
-    Answers PPS Source Control (0x0C,0x28).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `pps_source_response`. Answers `PpsSourceControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
@@ -1397,7 +1441,7 @@ class PpsSourceControlResponse(Response):
     ROLE = "response"
 
     source: PpsSource
-    """Source of the pulse. Factory default: receiver_1."""
+    """Source of the pulse. Default: `PpsSource.RECEIVER_1`."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControlResponse, int]:
@@ -1418,8 +1462,8 @@ _SENSOR_TO_VEHICLE_TRANSFORM_EULER_RESPONSE_0 = codec.Block("fff", "roll", "pitc
 class SensorToVehicleTransformEulerResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
 
-    Answers Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `sensor_2_vehicle_transform_euler_response`. Answers
+    `SensorToVehicleTransformEuler`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -1430,11 +1474,11 @@ class SensorToVehicleTransformEulerResponse(Response):
     ROLE = "response"
 
     roll: float
-    """Rotation about the x axis. [rad]"""
+    """Rotation about the x axis. Unit: rad."""
     pitch: float
-    """Rotation about the y axis. [rad]"""
+    """Rotation about the y axis. Unit: rad."""
     yaw: float
-    """Rotation about the z axis. [rad]"""
+    """Rotation about the z axis. Unit: rad."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformEulerResponse, int]:
@@ -1450,15 +1494,15 @@ class SensorToVehicleTransformEulerResponse(Response):
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_0 = codec.Block("ffff", "q", "q", "q", "q")
+_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["q"] * 4)
 
 
 @dataclass(slots=True)
 class SensorToVehicleTransformQuaternionResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
 
-    Answers Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
+    `SensorToVehicleTransformQuaternion`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -1469,7 +1513,9 @@ class SensorToVehicleTransformQuaternionResponse(Response):
     ROLE = "response"
 
     q: types.Quatf
-    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. [1]"""
+    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
+    w, x, y, z. Unit: 1.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformQuaternionResponse, int]:
@@ -1485,16 +1531,14 @@ class SensorToVehicleTransformQuaternionResponse(Response):
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_0 = codec.Block(
-    "fffffffff", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm"
-)
+_SENSOR_TO_VEHICLE_TRANSFORM_DCM_RESPONSE_0 = codec.Block("fffffffff", *["dcm"] * 9)
 
 
 @dataclass(slots=True)
 class SensorToVehicleTransformDcmResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
 
-    Answers Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
+    Also called `sensor_2_vehicle_transform_dcm_response`. Answers `SensorToVehicleTransformDcm`.
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
@@ -1506,7 +1550,9 @@ class SensorToVehicleTransformDcmResponse(Response):
     ROLE = "response"
 
     dcm: types.Matrix3f
-    """The matrix in row-major order. [1]"""
+    """The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+    1.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformDcmResponse, int]:
@@ -1527,8 +1573,7 @@ _GET_EVENT_SUPPORT_RESPONSE_0 = codec.Block("BBB", "query", "max_instances", "nu
 class GetEventSupportResponse(Response):
     """Get Supported Events response (0x0C,0xB4).
 
-    Answers Get Supported Events (0x0C,0x2A).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetEventSupport`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -1541,7 +1586,8 @@ class GetEventSupportResponse(Response):
     query: EventSupportQuery
     """Query of the command."""
     max_instances: int
-    """Number of slots; instances go from 1 to this. [1]"""
+    """Number of slots; instances go from 1 to this. Unit: 1."""
+    # On the wire: num_entries. Number of types. The number of elements of `entries`.
     entries: tuple[EventSupportInfo, ...]
     """The types."""
 
@@ -1552,7 +1598,7 @@ class GetEventSupportResponse(Response):
         query = EventSupportQuery(v[0])
         max_instances = v[1]
         num_entries = v[2]
-        n = codec.counted(raw, at, num_entries, 2)
+        n = codec.counted(raw, at, num_entries, 2, 125)
         entries, at = codec.read_structures(EventSupportInfo, raw, at, n)
         return cls(query, max_instances, entries), at
 
@@ -1573,8 +1619,7 @@ _EVENT_CONTROL_RESPONSE_0 = codec.Block("BB", "instance", "mode")
 class EventControlResponse(Response):
     """Event Control response (0x0C,0xB5).
 
-    Answers Event Control (0x0C,0x2B).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `EventControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
     """
@@ -1587,7 +1632,7 @@ class EventControlResponse(Response):
     instance: int
     """Trigger instance; 0 means all configured triggers, except for read."""
     mode: types.EventTriggerMode
-    """New mode. Factory default: disabled."""
+    """New mode. Default: `types.EventTriggerMode.DISABLED`."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventControlResponse, int]:
@@ -1609,8 +1654,7 @@ _GET_EVENT_TRIGGER_STATUS_RESPONSE_0 = codec.Block("B", "count")
 class GetEventTriggerStatusResponse(Response):
     """Get Event Trigger Status response (0x0C,0xB6).
 
-    Answers Get Event Trigger Status (0x0C,0x2C).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetEventTriggerStatus`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
@@ -1620,6 +1664,7 @@ class GetEventTriggerStatusResponse(Response):
     NAME = "3dm.get_event_trigger_status_response"
     ROLE = "response"
 
+    # On the wire: count. Number of entries. The number of elements of `triggers`.
     triggers: tuple[EventTriggerStatusEntry, ...]
     """One entry per trigger, in the order asked for, or by instance if all were asked for."""
 
@@ -1628,7 +1673,7 @@ class GetEventTriggerStatusResponse(Response):
         v = _GET_EVENT_TRIGGER_STATUS_RESPONSE_0.read(raw, at)
         at += 1
         count = v[0]
-        n = codec.counted(raw, at, count, 2)
+        n = codec.counted(raw, at, count, 2, 126)
         triggers, at = codec.read_structures(EventTriggerStatusEntry, raw, at, n)
         return cls(triggers), at
 
@@ -1649,8 +1694,7 @@ _GET_EVENT_ACTION_STATUS_RESPONSE_0 = codec.Block("B", "count")
 class GetEventActionStatusResponse(Response):
     """Get Event Action Status response (0x0C,0xB7).
 
-    Answers Get Event Action Status (0x0C,0x2D).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetEventActionStatus`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
@@ -1660,6 +1704,7 @@ class GetEventActionStatusResponse(Response):
     NAME = "3dm.get_event_action_status_response"
     ROLE = "response"
 
+    # On the wire: count. Number of entries. The number of elements of `actions`.
     actions: tuple[EventActionStatusEntry, ...]
     """One entry per action, in the order asked for, or by instance if all were asked for."""
 
@@ -1668,7 +1713,7 @@ class GetEventActionStatusResponse(Response):
         v = _GET_EVENT_ACTION_STATUS_RESPONSE_0.read(raw, at)
         at += 1
         count = v[0]
-        n = codec.counted(raw, at, count, 2)
+        n = codec.counted(raw, at, count, 2, 126)
         actions, at = codec.read_structures(EventActionStatusEntry, raw, at, n)
         return cls(actions), at
 
@@ -1687,8 +1732,8 @@ _EVENT_TRIGGER_CONFIG_RESPONSE_0 = codec.Block("BB", "instance", "type")
 class EventTriggerConfigResponse(Response):
     """Event Trigger Configuration response (0x0C,0xB8).
 
-    Answers Event Trigger Configuration (0x0C,0x2E).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `event_trigger_response`. Answers `EventTriggerConfig`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
@@ -1701,11 +1746,17 @@ class EventTriggerConfigResponse(Response):
     instance: int
     """Trigger instance; 0 means all (save, load, default)."""
     type: types.EventTriggerType
-    """Kind of trigger. Factory default: none."""
+    """Kind of trigger. Default: `types.EventTriggerType.NONE`."""
     parameters: (
         types.EventTriggerGpio | types.EventTriggerThreshold | types.EventTriggerCombination | None
     ) = None
-    """The condition."""
+    """The condition. Selected by `type`.
+
+    - If `type` is `types.EventTriggerType.NONE`: `None`.
+    - If `type` is `types.EventTriggerType.GPIO`: `types.EventTriggerGpio`.
+    - If `type` is `types.EventTriggerType.THRESHOLD`: `types.EventTriggerThreshold`.
+    - If `type` is `types.EventTriggerType.COMBINATION`: `types.EventTriggerCombination`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfigResponse, int]:
@@ -1753,8 +1804,7 @@ _EVENT_ACTION_CONFIG_RESPONSE_0 = codec.Block("BBB", "instance", "trigger", "typ
 class EventActionConfigResponse(Response):
     """Event Action Configuration response (0x0C,0xB9).
 
-    Answers Event Action Configuration (0x0C,0x2F).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `event_action_response`. Answers `EventActionConfig`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     """
@@ -1769,9 +1819,14 @@ class EventActionConfigResponse(Response):
     trigger: int
     """Trigger instance that the action follows."""
     type: types.EventActionType
-    """Kind of action. Factory default: none."""
+    """Kind of action. Default: `types.EventActionType.NONE`."""
     parameters: types.EventActionGpio | types.EventActionMessage | None = None
-    """The effect."""
+    """The effect. Selected by `type`.
+
+    - If `type` is `types.EventActionType.NONE`: `None`.
+    - If `type` is `types.EventActionType.GPIO`: `types.EventActionGpio`.
+    - If `type` is `types.EventActionType.MESSAGE`: `types.EventActionMessage`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfigResponse, int]:
@@ -1809,8 +1864,7 @@ _GPIO_CONFIG_RESPONSE_0 = codec.Block("BBBB", "pin", "feature", "behavior", "pin
 class GpioConfigResponse(Response):
     """GPIO Configuration response (0x0C,0xC1).
 
-    Answers GPIO Configuration (0x0C,0x41).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GpioConfig`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
@@ -1830,15 +1884,23 @@ class GpioConfigResponse(Response):
                 4: types.GpioTimestampBehavior,
                 5: types.GpioUartBehavior,
             },
-        ),
+        )
     }
 
     pin: int
     """GPIO pin, counted from 1; 0 means all pins (save, load, default)."""
     feature: types.GpioFeature
-    """Use of the pin. Factory default: unused."""
+    """Use of the pin. Default: `types.GpioFeature.UNUSED`."""
     behavior: int
-    """Role of the pin within the feature; 0 where the feature names none."""
+    """Role of the pin within the feature; 0 where the feature names none.
+
+    - If `feature` is `types.GpioFeature.UNUSED`: values of `types.GpioUnusedBehavior`.
+    - If `feature` is `types.GpioFeature.GPIO`: values of `types.GpioBehavior`.
+    - If `feature` is `types.GpioFeature.PPS`: values of `types.GpioPpsBehavior`.
+    - If `feature` is `types.GpioFeature.ENCODER`: values of `types.GpioEncoderBehavior`.
+    - If `feature` is `types.GpioFeature.TIMESTAMP`: values of `types.GpioTimestampBehavior`.
+    - If `feature` is `types.GpioFeature.UART`: values of `types.GpioUartBehavior`.
+    """
     pin_mode: types.GpioPinMode
     """Electrical options."""
 
@@ -1864,8 +1926,7 @@ _GPIO_STATE_RESPONSE_0 = codec.Block("BB", "pin", "state")
 class GpioStateResponse(Response):
     """GPIO State response (0x0C,0xC2).
 
-    Answers GPIO State (0x0C,0x42).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GpioState`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
     """
@@ -1876,7 +1937,7 @@ class GpioStateResponse(Response):
     ROLE = "response"
 
     pin: int
-    """GPIO pin, counted from 1. Range: 1 to …."""
+    """GPIO pin, counted from 1. Range: at least 1."""
     state: bool
     """True is high."""
 
@@ -1900,8 +1961,7 @@ _ODOMETER_CONFIG_RESPONSE_0 = codec.Block("Bff", "mode", "scaling", "uncertainty
 class OdometerConfigResponse(Response):
     """Odometer Configuration response (0x0C,0xC3).
 
-    Answers Odometer Configuration (0x0C,0x43).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `odometer_response`. Answers `OdometerConfig`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -1914,11 +1974,11 @@ class OdometerConfigResponse(Response):
     mode: OdometerMode
     """How the input works."""
     scaling: float
-    """Pulses over the distance travelled; negative if the encoder turns backwards. [pulse/m]
+    """Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
     Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
     """
     uncertainty: float
-    """Relative uncertainty of the scaling, 1 sigma. [1]"""
+    """Relative uncertainty of the scaling, 1 sigma. Unit: 1."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfigResponse, int]:
@@ -1941,8 +2001,7 @@ _SENSOR_RANGE_RESPONSE_0 = codec.Block("BB", "sensor", "setting")
 class SensorRangeResponse(Response):
     """Sensor Range response (0x0C,0xD2).
 
-    Answers Sensor Range (0x0C,0x52).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `SensorRange`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
@@ -1977,8 +2036,8 @@ _GET_CALIBRATED_SENSOR_RANGES_RESPONSE_0 = codec.Block("BB", "sensor", "num_rang
 class GetCalibratedSensorRangesResponse(Response):
     """Get Calibrated Sensor Ranges response (0x0C,0xD3).
 
-    Answers Get Calibrated Sensor Ranges (0x0C,0x53).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `calibrated_sensor_ranges_response`. Answers `GetCalibratedSensorRanges`. Supported
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
@@ -1990,6 +2049,7 @@ class GetCalibratedSensorRangesResponse(Response):
 
     sensor: SensorRangeType
     """Sensor of the command."""
+    # On the wire: num_ranges. Number of ranges. The number of elements of `ranges`.
     ranges: tuple[SensorRangeEntry, ...]
     """The ranges."""
 
@@ -1999,7 +2059,7 @@ class GetCalibratedSensorRangesResponse(Response):
         at += 2
         sensor = SensorRangeType(v[0])
         num_ranges = v[1]
-        n = codec.counted(raw, at, num_ranges, 5)
+        n = codec.counted(raw, at, num_ranges, 5, 50)
         ranges, at = codec.read_structures(SensorRangeEntry, raw, at, n)
         return cls(sensor, ranges), at
 
@@ -2022,8 +2082,7 @@ _LOW_PASS_FILTER_RESPONSE_0 = codec.Block(
 class LowPassFilterResponse(Response):
     """Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
 
-    Answers Low-Pass Anti-Aliasing Filter (0x0C,0x54).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `lowpass_filter_response`. Answers `LowPassFilter`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
@@ -2042,7 +2101,7 @@ class LowPassFilterResponse(Response):
     manual: bool
     """True uses the frequency; false follows half the rate of the field in the message format."""
     frequency: float
-    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. [Hz]"""
+    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[LowPassFilterResponse, int]:
@@ -2070,10 +2129,12 @@ class PollImuData(Command):
     """Poll IMU Data (0x0C,0x01).
 
     Asks for one sensor data packet (0x80) with the fields listed, in their order.
-    An empty list polls the stored message format; without one the device refuses.
-    Descriptors that the device does not know are ignored.
-    The data comes in a packet of its own behind the reply.
-    Supported by 3DM-GX5-15.
+
+    Also called `poll_imu_message`. Not acknowledged if `suppress_ack` is true. Supported by
+    3DM-GX5-15.
+
+    An empty list polls the stored message format; without one the device refuses. Descriptors that
+    the device does not know are ignored. The data comes in a packet of its own behind the reply.
 
     - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
     """
@@ -2085,12 +2146,13 @@ class PollImuData(Command):
 
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
     """Fields to send."""
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollImuData, int]:
@@ -2098,7 +2160,7 @@ class PollImuData(Command):
         at += 2
         suppress_ack = codec.truth(v[0])
         num_descriptors = v[1]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 83)
         descriptors, at = codec.read_structures(PollEntry, raw, at, n)
         return cls(suppress_ack, descriptors), at
 
@@ -2120,9 +2182,12 @@ class PollGnssData(Command):
     """Poll GNSS Data (0x0C,0x02).
 
     Asks for one GNSS data packet with the fields listed, in their order.
-    An empty list polls the stored GNSS message format (0x0C,0x09); without one the device refuses.
-    Descriptors that the device does not know are left out.
-    The data comes in a packet of its own behind the reply.
+
+    Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true.
+
+    An empty list polls the stored GNSS message format `GnssMessageFormat` (0x0C,0x09); without one
+    the device refuses. Descriptors that the device does not know are left out. The data comes in a
+    packet of its own behind the reply.
 
     - mip-sdk-4: Poll Gnss Message (0x0C,0x02)
     """
@@ -2134,12 +2199,16 @@ class PollGnssData(Command):
 
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Range: 0 to 83.
     descriptors: tuple[PollEntry, ...]
-    """Fields to send."""
+    """Fields to send. Uncertain: The SDK has a decimation in place of the reserved number and does
+    not say what a poll does with it.
+    """
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollGnssData, int]:
@@ -2147,7 +2216,7 @@ class PollGnssData(Command):
         at += 2
         suppress_ack = codec.truth(v[0])
         num_descriptors = v[1]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 83)
         descriptors, at = codec.read_structures(PollEntry, raw, at, n)
         return cls(suppress_ack, descriptors), at
 
@@ -2169,10 +2238,12 @@ class PollFilterData(Command):
     """Poll Estimation Filter Data (0x0C,0x03).
 
     Asks for one filter data packet (0x82) with the fields listed, in their order.
-    An empty list polls the stored message format; without one the device refuses.
-    Descriptors that the device does not know are ignored.
-    The data comes in a packet of its own behind the reply.
-    Supported by 3DM-GX5-15.
+
+    Also called `poll_filter_message`. Not acknowledged if `suppress_ack` is true. Supported by
+    3DM-GX5-15.
+
+    An empty list polls the stored message format; without one the device refuses. Descriptors that
+    the device does not know are ignored. The data comes in a packet of its own behind the reply.
 
     - 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
     """
@@ -2184,12 +2255,13 @@ class PollFilterData(Command):
 
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
     """Fields to send."""
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollFilterData, int]:
@@ -2197,7 +2269,7 @@ class PollFilterData(Command):
         at += 2
         suppress_ack = codec.truth(v[0])
         num_descriptors = v[1]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 83)
         descriptors, at = codec.read_structures(PollEntry, raw, at, n)
         return cls(suppress_ack, descriptors), at
 
@@ -2219,11 +2291,13 @@ class PollNmeaData(Command):
     """Poll NMEA Data (0x0C,0x04).
 
     Asks for the NMEA sentences listed, once.
-    An empty list polls the stored NMEA format; without one the device refuses.
-    The sentences follow the reply as ordinary NMEA text, on the port of the command even if NMEA is
-    off there.
-    A sentence is sent only if its data is valid.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `nmea_poll_data`. Not acknowledged if `suppress_ack` is true. Supported by
+    3DM-CV7-GNSS/INS.
+
+    An empty list polls the stored NMEA format; without one the device refuses. The sentences follow
+    the reply as ordinary NMEA text, on the port of the command even if NMEA is off there. A
+    sentence is sent only if its data is valid.
 
     - 3dm-cv7-gnss-ins: Poll NMEA Data (0x0C,0x04)
     """
@@ -2235,12 +2309,13 @@ class PollNmeaData(Command):
 
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: count. Number of sentences. The number of elements of `format_entries`.
     format_entries: tuple[types.NmeaMessage, ...]
     """Sentences to send."""
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollNmeaData, int]:
@@ -2248,7 +2323,7 @@ class PollNmeaData(Command):
         at += 2
         suppress_ack = codec.truth(v[0])
         count = v[1]
-        n = codec.counted(raw, at, count, 5)
+        n = codec.counted(raw, at, count, 5, 50)
         format_entries, at = codec.read_structures(types.NmeaMessage, raw, at, n)
         return cls(suppress_ack, format_entries), at
 
@@ -2269,7 +2344,8 @@ class GetImuBaseRate(Command):
     """Get IMU Data Base Rate (0x0C,0x06).
 
     Asks for the rate that the decimations of the IMU message format divide.
-    Supported by 3DM-GX5-15.
+
+    Also called `imu_get_base_rate`. Answered by `GetImuBaseRateResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -2293,6 +2369,8 @@ class GetGnssBaseRate(Command):
     """Get GNSS Data Base Rate (0x0C,0x07).
 
     Asks for the rate that the decimations of the GNSS message format divide.
+
+    Also called `gnss_get_base_rate`. Answered by `GetGnssBaseRateResponse`.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -2321,11 +2399,13 @@ class ImuMessageFormat(Command):
     """IMU Message Format (0x0C,0x08).
 
     Fields of the sensor data packets (0x80), in order, with their decimations.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ImuMessageFormatResponse`. Supported by 3DM-GX5-15.
+
     The decimation is the base rate, as the get IMU data base rate command reports it, divided by
-    the wanted rate.
-    The list replaces the one before. If any descriptor is unknown the device refuses and changes
-    nothing.
-    Supported by 3DM-GX5-15.
+    the wanted rate. The list replaces the one before. If any descriptor is unknown the device
+    refuses and changes nothing.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -2339,8 +2419,10 @@ class ImuMessageFormat(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None = None
-    """Fields and decimations."""
+    """Fields and decimations. Required for `write`."""
 
     @classmethod
     def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> ImuMessageFormat:
@@ -2367,6 +2449,12 @@ class ImuMessageFormat(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ImuMessageFormatResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ImuMessageFormat, int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
@@ -2381,7 +2469,7 @@ class ImuMessageFormat(Command):
             v = _IMU_MESSAGE_FORMAT_1.read(raw, at)
             at += 1
             num_descriptors = v[0]
-            n = codec.counted(raw, at, num_descriptors, 3)
+            n = codec.counted(raw, at, num_descriptors, 3, 83)
             descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
             done, end = 2, at
         except Truncated:
@@ -2414,6 +2502,10 @@ class GnssMessageFormat(Command):
     """GNSS Message Format (0x0C,0x09).
 
     Fields of the GNSS data packets, in order, with their decimations.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GnssMessageFormatResponse`.
+
     The decimation is the base rate, as the get GNSS data base rate command reports it, divided by
     the wanted rate.
 
@@ -2430,8 +2522,10 @@ class GnssMessageFormat(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Range: 0 to 82. Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None = None
-    """Fields and decimations."""
+    """Fields and decimations. Required for `write`."""
 
     @classmethod
     def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> GnssMessageFormat:
@@ -2458,6 +2552,12 @@ class GnssMessageFormat(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssMessageFormatResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssMessageFormat, int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
@@ -2472,7 +2572,7 @@ class GnssMessageFormat(Command):
             v = _GNSS_MESSAGE_FORMAT_1.read(raw, at)
             at += 1
             num_descriptors = v[0]
-            n = codec.counted(raw, at, num_descriptors, 3)
+            n = codec.counted(raw, at, num_descriptors, 3, 83)
             descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
             done, end = 2, at
         except Truncated:
@@ -2505,11 +2605,13 @@ class FilterMessageFormat(Command):
     """Estimation Filter Message Format (0x0C,0x0A).
 
     Fields of the filter data packets (0x82), in order, with their decimations.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `FilterMessageFormatResponse`. Supported by 3DM-GX5-15.
+
     The decimation is the base rate, as the get estimation filter data base rate command reports it,
-    divided by the wanted rate.
-    The list replaces the one before. If any descriptor is unknown the device refuses and changes
-    nothing.
-    Supported by 3DM-GX5-15.
+    divided by the wanted rate. The list replaces the one before. If any descriptor is unknown the
+    device refuses and changes nothing.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
@@ -2523,8 +2625,10 @@ class FilterMessageFormat(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None = None
-    """Fields and decimations."""
+    """Fields and decimations. Required for `write`."""
 
     @classmethod
     def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> FilterMessageFormat:
@@ -2551,6 +2655,12 @@ class FilterMessageFormat(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return FilterMessageFormatResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[FilterMessageFormat, int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
@@ -2565,7 +2675,7 @@ class FilterMessageFormat(Command):
             v = _FILTER_MESSAGE_FORMAT_1.read(raw, at)
             at += 1
             num_descriptors = v[0]
-            n = codec.counted(raw, at, num_descriptors, 3)
+            n = codec.counted(raw, at, num_descriptors, 3, 83)
             descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
             done, end = 2, at
         except Truncated:
@@ -2593,7 +2703,9 @@ class GetFilterBaseRate(Command):
     """Get Estimation Filter Data Base Rate (0x0C,0x0B).
 
     Asks for the rate that the decimations of the estimation filter message format divide.
-    Supported by 3DM-GX5-15.
+
+    Also called `filter_get_base_rate`. Answered by `GetFilterBaseRateResponse`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
     """
@@ -2622,9 +2734,12 @@ class NmeaMessageFormat(Command):
     """NMEA Message Format (0x0C,0x0C).
 
     NMEA sentences that the device streams.
-    A sentence may be listed several times with different talkers or sources.
-    A sentence is sent only while the device is not idle and the data of the source is valid.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `NmeaMessageFormatResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    A sentence may be listed several times with different talkers or sources. A sentence is sent
+    only while the device is not idle and the data of the source is valid.
 
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
     """
@@ -2638,8 +2753,10 @@ class NmeaMessageFormat(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
+    # On the wire: count. Number of sentences. The number of elements of `format_entries`. Required
+    # for `write`.
     format_entries: tuple[types.NmeaMessage, ...] | None = None
-    """Sentences to stream."""
+    """Sentences to stream. Required for `write`."""
 
     @classmethod
     def write(cls, format_entries: tuple[types.NmeaMessage, ...]) -> NmeaMessageFormat:
@@ -2666,6 +2783,12 @@ class NmeaMessageFormat(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return NmeaMessageFormatResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessageFormat, int]:
         format_entries: tuple[types.NmeaMessage, ...] | None = None
@@ -2680,7 +2803,7 @@ class NmeaMessageFormat(Command):
             v = _NMEA_MESSAGE_FORMAT_1.read(raw, at)
             at += 1
             count = v[0]
-            n = codec.counted(raw, at, count, 5)
+            n = codec.counted(raw, at, count, 5, 50)
             format_entries, at = codec.read_structures(types.NmeaMessage, raw, at, n)
             done, end = 2, at
         except Truncated:
@@ -2713,11 +2836,12 @@ class PollData(Command):
     """Poll Data (0x0C,0x0D).
 
     Asks for one data packet of the descriptor set with the fields listed, in their order.
-    An empty list polls the stored message format; without one the device refuses.
-    Descriptors that the device does not know are ignored.
-    The data comes in a packet of its own behind the reply, on the port of the command.
-    Shared descriptors (0xD0 and up) belong in front of the others.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS.
+
+    An empty list polls the stored message format; without one the device refuses. Descriptors that
+    the device does not know are ignored. The data comes in a packet of its own behind the reply, on
+    the port of the command. Shared descriptors (0xD0 and up) belong in front of the others.
 
     - 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)
     """
@@ -2731,12 +2855,13 @@ class PollData(Command):
     """Data descriptor set. Range: 128 to 254."""
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[int, ...]
     """Field descriptors."""
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollData, int]:
@@ -2745,7 +2870,7 @@ class PollData(Command):
         descriptor_set = v[0]
         suppress_ack = codec.truth(v[1])
         num_descriptors = v[2]
-        n = codec.counted(raw, at, num_descriptors, 1)
+        n = codec.counted(raw, at, num_descriptors, 1, 250)
         descriptors = codec.read_numbers("B", raw, at, n)
         at += n
         return cls(descriptor_set, suppress_ack, descriptors), at
@@ -2770,7 +2895,8 @@ class GetBaseRate(Command):
     """Get Data Base Rate (0x0C,0x0E).
 
     Asks for the rate that the decimations of a descriptor set divide.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Answered by `GetBaseRateResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
@@ -2807,11 +2933,13 @@ class MessageFormat(Command):
     """Message Format (0x0C,0x0F).
 
     Fields of the data packets of a descriptor set, in order, with their decimations.
-    The decimation is the base rate, as the get data base rate command reports it, divided by the
-    wanted rate.
-    Shared descriptors (0xD0 and up) are listed under the set that they shall be sent with, in front
-    of the others.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MessageFormatResponse`.
     Supported by 3DM-CV7-GNSS/INS.
+
+    The decimation is the base rate, as the get data base rate command reports it, divided by the
+    wanted rate. Shared descriptors (0xD0 and up) are listed under the set that they shall be sent
+    with, in front of the others.
 
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
     """
@@ -2827,8 +2955,10 @@ class MessageFormat(Command):
     """What to do with the setting."""
     descriptor_set: int | None = None
     """Data descriptor set; 0 means all of them (save, load, default)."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None = None
-    """Fields and decimations."""
+    """Fields and decimations. Required for `write`."""
 
     @classmethod
     def write(
@@ -2857,6 +2987,12 @@ class MessageFormat(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, descriptor_set=descriptor_set)
 
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MessageFormatResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MessageFormat, int]:
         descriptor_set: int | None = None
@@ -2878,7 +3014,7 @@ class MessageFormat(Command):
             v = _MESSAGE_FORMAT_2.read(raw, at)
             at += 1
             num_descriptors = v[0]
-            n = codec.counted(raw, at, num_descriptors, 3)
+            n = codec.counted(raw, at, num_descriptors, 3, 83)
             descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
             done, end = 3, at
         except Truncated:
@@ -2911,6 +3047,7 @@ class FactoryStreaming(Command):
     """Factory Streaming (0x0C,0x10).
 
     Sets all message formats to those that technical support wants to have recorded.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
@@ -2924,6 +3061,7 @@ class FactoryStreaming(Command):
     action: FactoryStreamingAction
     """What happens to the present formats."""
     reserved: int = 0
+    """Reserved: send 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[FactoryStreaming, int]:
@@ -2949,9 +3087,12 @@ class DataStreamControl(Command):
     """Data Stream Control (0x0C,0x11).
 
     Switches a data stream on or off.
+
+    Also called `datastream_control`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `DataStreamControlResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     5-series devices name the stream by a number of their own (legacy_data_stream), others by its
     descriptor set.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -2963,19 +3104,17 @@ class DataStreamControl(Command):
     ROLE = "command"
     RESPONSES = (DataStreamControlResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
-    READINGS = {
-        "descriptor_set": (
-            "device",
-            {"3dm-gx5-15": LegacyDataStream},
-        ),
-    }
+    READINGS = {"descriptor_set": ("device", {"3dm-gx5-15": LegacyDataStream})}
 
     function: FunctionSelector
     """What to do with the setting."""
     descriptor_set: int | None = None
-    """Data descriptor set; 0 means all streams (save, load, default)."""
+    """Data descriptor set; 0 means all streams (save, load, default).
+
+    - On the 3DM-GX5-15: values of `LegacyDataStream`.
+    """
     enable: bool | None = None
-    """Whether the stream is sent. Factory default: True."""
+    """Whether the stream is sent. Default: true. Required for `write`."""
 
     @classmethod
     def write(cls, descriptor_set: int, enable: bool) -> DataStreamControl:
@@ -3001,6 +3140,12 @@ class DataStreamControl(Command):
     def default(cls, descriptor_set: int) -> DataStreamControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, descriptor_set=descriptor_set)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return DataStreamControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControl, int]:
@@ -3052,14 +3197,17 @@ class ConstellationSettings(Command):
     """Constellation Settings (0x0C,0x21).
 
     Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ConstellationSettingsResponse`. Uncertain: The factory default, as the SDK gives it, names GPS
+    and GLONASS alone as enabled but has channels for SBAS and QZSS too.
+
     The device refuses entries whose reserved channels exceed 32 in all. No entry may have fewer
-    channels at most than it reserves.
-    GLONASS and BeiDou exclude each other.
-    If the antenna or its filter is made for GPS alone, leave GLONASS and BeiDou off.
-    SBAS and QZSS improve the accuracy of GPS. SBAS does not make the device fit for safety-of-life
-    use.
-    Factory default: GPS and GLONASS are enabled. Channels reserved and at most: GPS 8 and 16,
-    GLONASS 8 and 14, SBAS 1 and 3, QZSS 0 and 3.
+    channels at most than it reserves. GLONASS and BeiDou exclude each other. If the antenna or its
+    filter is made for GPS alone, leave GLONASS and BeiDou off. SBAS and QZSS improve the accuracy
+    of GPS. SBAS does not make the device fit for safety-of-life use. Factory default: GPS and
+    GLONASS are enabled. Channels reserved and at most: GPS 8 and 16, GLONASS 8 and 14, SBAS 1 and
+    3, QZSS 0 and 3.
 
     - mip-sdk-4: Constellation Settings (0x0C,0x21)
     - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
@@ -3075,9 +3223,13 @@ class ConstellationSettings(Command):
     function: FunctionSelector
     """What to do with the setting."""
     max_channels: int | None = None
-    """Tracking channels in use at most; no more than the response reports as available. [1]"""
+    """Tracking channels in use at most; no more than the response reports as available. Unit: 1.
+    Required for `write`.
+    """
+    # On the wire: config_count. Number of entries. The number of elements of `settings`. Range: 0
+    # to 41. Required for `write`.
     settings: tuple[ConstellationSettingsEntry, ...] | None = None
-    """One entry for each constellation."""
+    """One entry for each constellation. Required for `write`."""
 
     @classmethod
     def write(
@@ -3106,6 +3258,12 @@ class ConstellationSettings(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ConstellationSettingsResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettings, int]:
         max_channels: int | None = None
@@ -3127,7 +3285,7 @@ class ConstellationSettings(Command):
             v = _CONSTELLATION_SETTINGS_2.read(raw, at)
             at += 1
             config_count = v[0]
-            n = codec.counted(raw, at, config_count, 6)
+            n = codec.counted(raw, at, config_count, 6, 41)
             settings, at = codec.read_structures(ConstellationSettingsEntry, raw, at, n)
             done, end = 3, at
         except Truncated:
@@ -3166,7 +3324,9 @@ class GnssSbasSettings(Command):
     """GNSS SBAS Settings (0x0C,0x22).
 
     How the GNSS receivers use satellite based augmentation.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GnssSbasSettingsResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -3181,11 +3341,13 @@ class GnssSbasSettings(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable_sbas: int | None = None
-    """1 switches SBAS on, 0 off. Range: 0 to 1."""
+    """1 switches SBAS on, 0 off. Range: 0 to 1. Required for `write`."""
     sbas_options: SbasOptions | None = None
-    """What SBAS is used for."""
+    """What SBAS is used for. Required for `write`."""
+    # On the wire: num_included_prns. Number of satellites listed; 0 searches for all. The number of
+    # elements of `included_prns`. Required for `write`.
     included_prns: tuple[int, ...] | None = None
-    """PRN numbers of the SBAS satellites to search for."""
+    """PRN numbers of the SBAS satellites to search for. Required for `write`."""
 
     @classmethod
     def write(
@@ -3219,6 +3381,12 @@ class GnssSbasSettings(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssSbasSettingsResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssSbasSettings, int]:
         enable_sbas: int | None = None
@@ -3247,7 +3415,7 @@ class GnssSbasSettings(Command):
             v = _GNSS_SBAS_SETTINGS_3.read(raw, at)
             at += 1
             num_included_prns = v[0]
-            n = codec.counted(raw, at, num_included_prns, 2)
+            n = codec.counted(raw, at, num_included_prns, 2, 124)
             included_prns = codec.read_numbers("H", raw, at, n)
             at += n * 2
             done, end = 4, at
@@ -3286,12 +3454,13 @@ class GnssAssistedFix(Command):
     """GNSS Assisted Fix (0x0C,0x23).
 
     Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
-    The last fix is kept in the flash memory and the FRAM of the receiver.
-    With the time of GNSS time assistance (0x0C,0x24) right after power-up, the first fix takes 1 s
-    at best.
-    A change from enabled to none erases the flash memory of the receiver, which stands 100 000
-    erasures.
-    It takes slightly more power.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`.
+
+    The last fix is kept in the flash memory and the FRAM of the receiver. With the time of GNSS
+    time assistance `GnssTimeAssistance` (0x0C,0x24) right after power-up, the first fix takes 1 s
+    at best. A change from enabled to none erases the flash memory of the receiver, which stands 100
+    000 erasures. It takes slightly more power.
 
     - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
     """
@@ -3306,8 +3475,9 @@ class GnssAssistedFix(Command):
     function: FunctionSelector
     """What to do with the setting."""
     option: AssistedFixOption | None = None
-    """Assisted fix. Factory default: none."""
+    """Assisted fix. Default: `AssistedFixOption.NONE`. Required for `write`."""
     flags: int | None = None
+    """Reserved: send 255. Required for `write`."""
 
     @classmethod
     def write(cls, option: AssistedFixOption) -> GnssAssistedFix:
@@ -3333,6 +3503,12 @@ class GnssAssistedFix(Command):
     def default(cls) -> GnssAssistedFix:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssAssistedFixResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFix, int]:
@@ -3389,7 +3565,11 @@ class GnssTimeAssistance(Command):
     """GNSS Time Assistance (0x0C,0x24).
 
     Tells the GNSS receiver the present GPS time.
-    It is needed right after power-up if the assisted fix (0x0C,0x23) was on at power-off.
+
+    Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`.
+
+    It is needed right after power-up if the assisted fix `GnssAssistedFix` (0x0C,0x23) was on at
+    power-off.
 
     - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
     """
@@ -3404,11 +3584,11 @@ class GnssTimeAssistance(Command):
     function: FunctionSelector
     """What to do with the setting."""
     tow: float | None = None
-    """GPS time of week. [s]"""
+    """GPS time of week. Unit: s. Required for `write`."""
     week_number: int | None = None
-    """GPS week number since 1980. [week]"""
+    """GPS week number since 1980. Unit: week. Required for `write`."""
     accuracy: float | None = None
-    """Accuracy of the time. [s]"""
+    """Accuracy of the time. Unit: s. Required for `write`."""
 
     @classmethod
     def write(cls, tow: float, week_number: int, accuracy: float) -> GnssTimeAssistance:
@@ -3419,6 +3599,12 @@ class GnssTimeAssistance(Command):
     def read(cls) -> GnssTimeAssistance:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssTimeAssistanceResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistance, int]:
@@ -3478,9 +3664,12 @@ class PpsSourceControl(Command):
     """PPS Source Control (0x0C,0x28).
 
     Where the device takes its pulse per second from.
-    The pins are configured apart from this by the GPIO configuration command.
-    The filter needs a valid pulse. disabled and generated are seldom what is wanted.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `pps_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `PpsSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    The pins are configured apart from this by the GPIO configuration command. The filter needs a
+    valid pulse. disabled and generated are seldom what is wanted.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
@@ -3495,7 +3684,7 @@ class PpsSourceControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: PpsSource | None = None
-    """Source of the pulse. Factory default: receiver_1."""
+    """Source of the pulse. Default: `PpsSource.RECEIVER_1`. Required for `write`."""
 
     @classmethod
     def write(cls, source: PpsSource) -> PpsSourceControl:
@@ -3521,6 +3710,12 @@ class PpsSourceControl(Command):
     def default(cls) -> PpsSourceControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return PpsSourceControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControl, int]:
@@ -3560,7 +3755,8 @@ class GetEventSupport(Command):
     """Get Supported Events (0x0C,0x2A).
 
     Asks which types of event triggers or actions there are and how many of each.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Answered by `GetEventSupportResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -3597,9 +3793,12 @@ class EventControl(Command):
     """Event Control (0x0C,0x2B).
 
     Enables, disables or tests an event trigger.
-    Triggers are disabled by default and after configuration.
-    A trigger of type none cannot be enabled.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EventControlResponse`.
     Supported by 3DM-CV7-GNSS/INS.
+
+    Triggers are disabled by default and after configuration. A trigger of type none cannot be
+    enabled.
 
     - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
     """
@@ -3616,7 +3815,7 @@ class EventControl(Command):
     instance: int | None = None
     """Trigger instance; 0 means all configured triggers, except for read."""
     mode: types.EventTriggerMode | None = None
-    """New mode. Factory default: disabled."""
+    """New mode. Default: `types.EventTriggerMode.DISABLED`. Required for `write`."""
 
     @classmethod
     def write(cls, instance: int, mode: types.EventTriggerMode) -> EventControl:
@@ -3642,6 +3841,12 @@ class EventControl(Command):
     def default(cls, instance: int) -> EventControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return EventControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventControl, int]:
@@ -3690,7 +3895,8 @@ class GetEventTriggerStatus(Command):
     """Get Event Trigger Status (0x0C,0x2C).
 
     Asks for the type and the state of event triggers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Answered by `GetEventTriggerStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
@@ -3701,6 +3907,8 @@ class GetEventTriggerStatus(Command):
     ROLE = "command"
     RESPONSES = (GetEventTriggerStatusResponse,)
 
+    # On the wire: requested_count. Number of triggers asked for; 0 asks for all slots. The number
+    # of elements of `requested_instances`.
     requested_instances: tuple[int, ...]
     """Trigger instances."""
 
@@ -3709,7 +3917,7 @@ class GetEventTriggerStatus(Command):
         v = _GET_EVENT_TRIGGER_STATUS_0.read(raw, at)
         at += 1
         requested_count = v[0]
-        n = codec.counted(raw, at, requested_count, 1)
+        n = codec.counted(raw, at, requested_count, 1, 252)
         requested_instances = codec.read_numbers("B", raw, at, n)
         at += n
         return cls(requested_instances), at
@@ -3734,7 +3942,8 @@ class GetEventActionStatus(Command):
     """Get Event Action Status (0x0C,0x2D).
 
     Asks for the type and the trigger of event actions.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Answered by `GetEventActionStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
@@ -3745,6 +3954,8 @@ class GetEventActionStatus(Command):
     ROLE = "command"
     RESPONSES = (GetEventActionStatusResponse,)
 
+    # On the wire: requested_count. Number of actions asked for; 0 asks for all slots. The number of
+    # elements of `requested_instances`.
     requested_instances: tuple[int, ...]
     """Action instances."""
 
@@ -3753,7 +3964,7 @@ class GetEventActionStatus(Command):
         v = _GET_EVENT_ACTION_STATUS_0.read(raw, at)
         at += 1
         requested_count = v[0]
-        n = codec.counted(raw, at, requested_count, 1)
+        n = codec.counted(raw, at, requested_count, 1, 252)
         requested_instances = codec.read_numbers("B", raw, at, n)
         at += n
         return cls(requested_instances), at
@@ -3785,9 +3996,12 @@ class EventTriggerConfig(Command):
     """Event Trigger Configuration (0x0C,0x2E).
 
     Kind and condition of an event trigger.
-    The trigger is disabled afterwards; the event control command enables it.
-    A GPIO trigger needs its pin configured by the GPIO configuration command.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `EventTriggerConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    The trigger is disabled afterwards; the event control command enables it. A GPIO trigger needs
+    its pin configured by the GPIO configuration command.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
@@ -3804,11 +4018,17 @@ class EventTriggerConfig(Command):
     instance: int | None = None
     """Trigger instance; 0 means all (save, load, default)."""
     type: types.EventTriggerType | None = None
-    """Kind of trigger. Factory default: none."""
+    """Kind of trigger. Default: `types.EventTriggerType.NONE`. Required for `write`."""
     parameters: (
         types.EventTriggerGpio | types.EventTriggerThreshold | types.EventTriggerCombination | None
     ) = None
-    """The condition."""
+    """The condition. Selected by `type`. Required for `write`.
+
+    - If `type` is `types.EventTriggerType.NONE`: `None`.
+    - If `type` is `types.EventTriggerType.GPIO`: `types.EventTriggerGpio`.
+    - If `type` is `types.EventTriggerType.THRESHOLD`: `types.EventTriggerThreshold`.
+    - If `type` is `types.EventTriggerType.COMBINATION`: `types.EventTriggerCombination`.
+    """
 
     @classmethod
     def write(
@@ -3842,6 +4062,12 @@ class EventTriggerConfig(Command):
     def default(cls, instance: int) -> EventTriggerConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return EventTriggerConfigResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfig, int]:
@@ -3929,9 +4155,12 @@ class EventActionConfig(Command):
     """Event Action Configuration (0x0C,0x2F).
 
     Trigger and effect of an event action.
-    A packet holds one descriptor set; for several sets use several actions with the same trigger.
-    A GPIO action needs its pin configured as an output with the gpio feature.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `event_action`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `EventActionConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    A packet holds one descriptor set; for several sets use several actions with the same trigger. A
+    GPIO action needs its pin configured as an output with the gpio feature.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     """
@@ -3948,11 +4177,16 @@ class EventActionConfig(Command):
     instance: int | None = None
     """Action instance; 0 means all (save, load, default)."""
     trigger: int | None = None
-    """Trigger instance that the action follows."""
+    """Trigger instance that the action follows. Required for `write`."""
     type: types.EventActionType | None = None
-    """Kind of action. Factory default: none."""
+    """Kind of action. Default: `types.EventActionType.NONE`. Required for `write`."""
     parameters: types.EventActionGpio | types.EventActionMessage | None = None
-    """The effect."""
+    """The effect. Selected by `type`. Required for `write`.
+
+    - If `type` is `types.EventActionType.NONE`: `None`.
+    - If `type` is `types.EventActionType.GPIO`: `types.EventActionGpio`.
+    - If `type` is `types.EventActionType.MESSAGE`: `types.EventActionMessage`.
+    """
 
     @classmethod
     def write(
@@ -3990,6 +4224,12 @@ class EventActionConfig(Command):
     def default(cls, instance: int) -> EventActionConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return EventActionConfigResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfig, int]:
@@ -4066,8 +4306,11 @@ class DeviceSettings(Command):
     """Device Start Up Settings (0x0C,0x30).
 
     Saves, loads or resets all settings of the device at once.
+
+    Functions: `save`, `load` and `default`. The device may take 1 s to answer. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     A save may disturb the data output for a short time.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30)
     - 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
@@ -4126,17 +4369,17 @@ class SensorToVehicleTransformEuler(Command):
     """Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
 
     Mounting of the sensor in the vehicle as Euler angles.
+
+    Also called `sensor_2_vehicle_transform_euler`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `SensorToVehicleTransformEulerResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it.
-    The mounting is reached from the vehicle frame by turning about the sensor's own z, y and x axes
-    by yaw, pitch and roll.
-    A vector in the vehicle frame is Rz(yaw) Ry(pitch) Rx(roll) times the vector in the sensor
-    frame.
-    It applies to the sensor data, the complementary filter and the attitude, acceleration, rate and
-    gravity of the filter.
-    A change resets the low-pass filters, the complementary filter and the estimation filter.
-    On some older products the setting means the inverse rotation.
-    Supported by 3DM-CV7-GNSS/INS.
+    be another form of it. The mounting is reached from the vehicle frame by turning about the
+    sensor's own z, y and x axes by yaw, pitch and roll. A vector in the vehicle frame is Rz(yaw)
+    Ry(pitch) Rx(roll) times the vector in the sensor frame. It applies to the sensor data, the
+    complementary filter and the attitude, acceleration, rate and gravity of the filter. A change
+    resets the low-pass filters, the complementary filter and the estimation filter. On some older
+    products the setting means the inverse rotation.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -4151,11 +4394,11 @@ class SensorToVehicleTransformEuler(Command):
     function: FunctionSelector
     """What to do with the setting."""
     roll: float | None = None
-    """Rotation about the x axis. [rad]"""
+    """Rotation about the x axis. Unit: rad. Required for `write`."""
     pitch: float | None = None
-    """Rotation about the y axis. [rad]"""
+    """Rotation about the y axis. Unit: rad. Required for `write`."""
     yaw: float | None = None
-    """Rotation about the z axis. [rad]"""
+    """Rotation about the z axis. Unit: rad. Required for `write`."""
 
     @classmethod
     def write(cls, roll: float, pitch: float, yaw: float) -> SensorToVehicleTransformEuler:
@@ -4181,6 +4424,12 @@ class SensorToVehicleTransformEuler(Command):
     def default(cls) -> SensorToVehicleTransformEuler:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleTransformEulerResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformEuler, int]:
@@ -4231,7 +4480,7 @@ class SensorToVehicleTransformEuler(Command):
 
 
 _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_1 = codec.Block("ffff", "q", "q", "q", "q")
+_SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_1 = codec.Block("ffff", *["q"] * 4)
 _SENSOR_TO_VEHICLE_TRANSFORM_QUATERNION_GROUPS = ((1, ("q",), False),)
 
 
@@ -4240,10 +4489,14 @@ class SensorToVehicleTransformQuaternion(Command):
     """Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
 
     Mounting of the sensor in the vehicle as a quaternion.
+
+    Also called `sensor_2_vehicle_transform_quaternion`. Functions: `write`, `read`, `save`, `load`
+    and `default`. Answered by `SensorToVehicleTransformQuaternionResponse`. Supported by
+    3DM-CV7-GNSS/INS.
+
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it.
-    A change resets the low-pass filters, the complementary filter and the estimation filter.
-    Supported by 3DM-CV7-GNSS/INS.
+    be another form of it. A change resets the low-pass filters, the complementary filter and the
+    estimation filter.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -4258,7 +4511,9 @@ class SensorToVehicleTransformQuaternion(Command):
     function: FunctionSelector
     """What to do with the setting."""
     q: types.Quatf | None = None
-    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. [1]"""
+    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
+    w, x, y, z. Unit: 1. Required for `write`.
+    """
 
     @classmethod
     def write(cls, q: types.Quatf) -> SensorToVehicleTransformQuaternion:
@@ -4284,6 +4539,12 @@ class SensorToVehicleTransformQuaternion(Command):
     def default(cls) -> SensorToVehicleTransformQuaternion:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleTransformQuaternionResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformQuaternion, int]:
@@ -4316,9 +4577,7 @@ class SensorToVehicleTransformQuaternion(Command):
 
 
 _SENSOR_TO_VEHICLE_TRANSFORM_DCM_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_TRANSFORM_DCM_1 = codec.Block(
-    "fffffffff", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm"
-)
+_SENSOR_TO_VEHICLE_TRANSFORM_DCM_1 = codec.Block("fffffffff", *["dcm"] * 9)
 _SENSOR_TO_VEHICLE_TRANSFORM_DCM_GROUPS = ((1, ("dcm",), False),)
 
 
@@ -4327,11 +4586,14 @@ class SensorToVehicleTransformDcm(Command):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
 
     Mounting of the sensor in the vehicle as a direction cosine matrix.
+
+    Also called `sensor_2_vehicle_transform_dcm`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `SensorToVehicleTransformDcmResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it.
-    A vector in the vehicle frame is this matrix times the vector in the sensor frame.
-    A change resets the low-pass filters, the complementary filter and the estimation filter.
-    Supported by 3DM-CV7-GNSS/INS.
+    be another form of it. A vector in the vehicle frame is this matrix times the vector in the
+    sensor frame. A change resets the low-pass filters, the complementary filter and the estimation
+    filter.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -4346,7 +4608,9 @@ class SensorToVehicleTransformDcm(Command):
     function: FunctionSelector
     """What to do with the setting."""
     dcm: types.Matrix3f | None = None
-    """The matrix in row-major order. [1]"""
+    """The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+    1. Required for `write`.
+    """
 
     @classmethod
     def write(cls, dcm: types.Matrix3f) -> SensorToVehicleTransformDcm:
@@ -4372,6 +4636,12 @@ class SensorToVehicleTransformDcm(Command):
     def default(cls) -> SensorToVehicleTransformDcm:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleTransformDcmResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleTransformDcm, int]:
@@ -4404,7 +4674,7 @@ class SensorToVehicleTransformDcm(Command):
 
 
 _ACCEL_BIAS_0 = codec.Block("B", "function")
-_ACCEL_BIAS_1 = codec.Block("fff", "bias", "bias", "bias")
+_ACCEL_BIAS_1 = codec.Block("fff", *["bias"] * 3)
 _ACCEL_BIAS_GROUPS = ((1, ("bias",), False),)
 
 
@@ -4413,8 +4683,10 @@ class AccelBias(Command):
     """Accelerometer Bias Configuration (0x0C,0x37).
 
     Bias that is subtracted from the scaled acceleration.
-    For advanced use.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
+    `AccelBiasResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the 3DM-CV7-GNSS/INS:
+    `write`, `read`, `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -4430,7 +4702,9 @@ class AccelBias(Command):
     function: FunctionSelector
     """What to do with the setting."""
     bias: types.Vector3f | None = None
-    """Accelerometer bias. [g] Frame: sensor."""
+    """Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for `write` and
+    `apply`.
+    """
 
     @classmethod
     def write(cls, bias: types.Vector3f) -> AccelBias:
@@ -4464,7 +4738,13 @@ class AccelBias(Command):
 
     @property
     def answered(self) -> bool:
-        return not (self.function == 6)
+        return self.function != FunctionSelector.APPLY
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AccelBiasResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelBias, int]:
@@ -4497,7 +4777,7 @@ class AccelBias(Command):
 
 
 _GYRO_BIAS_0 = codec.Block("B", "function")
-_GYRO_BIAS_1 = codec.Block("fff", "bias", "bias", "bias")
+_GYRO_BIAS_1 = codec.Block("fff", *["bias"] * 3)
 _GYRO_BIAS_GROUPS = ((1, ("bias",), False),)
 
 
@@ -4506,8 +4786,10 @@ class GyroBias(Command):
     """Gyroscope Bias Configuration (0x0C,0x38).
 
     Bias that is subtracted from the scaled angular rate.
-    For advanced use.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    For advanced use. Functions: `write`, `read`, `save`, `load`, `default` and `apply`. Answered by
+    `GyroBiasResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the 3DM-CV7-GNSS/INS:
+    `write`, `read`, `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -4523,7 +4805,9 @@ class GyroBias(Command):
     function: FunctionSelector
     """What to do with the setting."""
     bias: types.Vector3f | None = None
-    """Gyroscope bias. [rad/s] Frame: sensor."""
+    """Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for `write` and
+    `apply`.
+    """
 
     @classmethod
     def write(cls, bias: types.Vector3f) -> GyroBias:
@@ -4557,7 +4841,13 @@ class GyroBias(Command):
 
     @property
     def answered(self) -> bool:
-        return not (self.function == 6)
+        return self.function != FunctionSelector.APPLY
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GyroBiasResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroBias, int]:
@@ -4597,11 +4887,13 @@ class CaptureGyroBias(Command):
     """Capture Gyroscope Bias (0x0C,0x39).
 
     Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
-    The device must stand still, with as little vibration as possible, for the whole time.
-    The reply comes after the averaging time.
-    The bias is not saved; the gyroscope bias configuration command with save does it.
-    The 3DM-GX5-15 also initializes its orientation from the samples.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Answered by `GyroBiasResponse`. The device may take 31 s to answer. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The device must stand still, with as little vibration as possible, for the whole time. The reply
+    comes after the averaging time. The bias is not saved; the gyroscope bias configuration command
+    with save does it. The 3DM-GX5-15 also initializes its orientation from the samples.
 
     - 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39)
     - 3dm-cv7-gnss-ins: Capture Gyroscope Bias (0x0C,0x39)
@@ -4615,7 +4907,7 @@ class CaptureGyroBias(Command):
     TIMEOUT = 31.0
 
     averaging_time_ms: int
-    """Time to average over. [ms] Range: 1000 to 30000."""
+    """Time to average over. Unit: ms. Range: 1000 to 30000."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CaptureGyroBias, int]:
@@ -4630,7 +4922,7 @@ class CaptureGyroBias(Command):
 
 
 _MAG_HARD_IRON_OFFSET_0 = codec.Block("B", "function")
-_MAG_HARD_IRON_OFFSET_1 = codec.Block("fff", "offset", "offset", "offset")
+_MAG_HARD_IRON_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
 _MAG_HARD_IRON_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
@@ -4639,8 +4931,11 @@ class MagHardIronOffset(Command):
     """Magnetometer Hard Iron Offset (0x0C,0x3A).
 
     Offset that corrects the scaled magnetic field for hard iron.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagHardIronOffsetResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The values come from a calibration of the device as it is installed.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     """
@@ -4655,7 +4950,7 @@ class MagHardIronOffset(Command):
     function: FunctionSelector
     """What to do with the setting."""
     offset: types.Vector3f | None = None
-    """Hard iron offset. [gauss] Frame: sensor."""
+    """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for `write`."""
 
     @classmethod
     def write(cls, offset: types.Vector3f) -> MagHardIronOffset:
@@ -4681,6 +4976,12 @@ class MagHardIronOffset(Command):
     def default(cls) -> MagHardIronOffset:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagHardIronOffsetResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagHardIronOffset, int]:
@@ -4713,18 +5014,7 @@ class MagHardIronOffset(Command):
 
 
 _MAG_SOFT_IRON_MATRIX_0 = codec.Block("B", "function")
-_MAG_SOFT_IRON_MATRIX_1 = codec.Block(
-    "fffffffff",
-    "matrix",
-    "matrix",
-    "matrix",
-    "matrix",
-    "matrix",
-    "matrix",
-    "matrix",
-    "matrix",
-    "matrix",
-)
+_MAG_SOFT_IRON_MATRIX_1 = codec.Block("fffffffff", *["matrix"] * 9)
 _MAG_SOFT_IRON_MATRIX_GROUPS = ((1, ("matrix",), False),)
 
 
@@ -4733,8 +5023,11 @@ class MagSoftIronMatrix(Command):
     """Magnetometer Soft Iron Matrix (0x0C,0x3B).
 
     Matrix that corrects the scaled magnetic field for soft iron.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagSoftIronMatrixResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The values come from a calibration of the device as it is installed.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     """
@@ -4749,7 +5042,9 @@ class MagSoftIronMatrix(Command):
     function: FunctionSelector
     """What to do with the setting."""
     matrix: types.Matrix3f | None = None
-    """Soft iron matrix in row-major order. [1] Frame: sensor."""
+    """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1. Frame: sensor. Required for `write`.
+    """
 
     @classmethod
     def write(cls, matrix: types.Matrix3f) -> MagSoftIronMatrix:
@@ -4775,6 +5070,12 @@ class MagSoftIronMatrix(Command):
     def default(cls) -> MagSoftIronMatrix:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagSoftIronMatrixResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagSoftIronMatrix, int]:
@@ -4816,7 +5117,9 @@ class ConingScullingEnable(Command):
     """Coning and Sculling Enable (0x0C,0x3E).
 
     Switches the compensation of coning and sculling on or off.
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ConingScullingEnableResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -4831,7 +5134,7 @@ class ConingScullingEnable(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: bool | None = None
-    """Whether the compensation is on. Factory default: True."""
+    """Whether the compensation is on. Default: true. Required for `write`."""
 
     @classmethod
     def write(cls, enable: bool) -> ConingScullingEnable:
@@ -4857,6 +5160,12 @@ class ConingScullingEnable(Command):
     def default(cls) -> ConingScullingEnable:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ConingScullingEnableResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ConingScullingEnable, int]:
@@ -4898,12 +5207,14 @@ class UartBaudRate(Command):
     """UART Baud Rate (0x0C,0x40).
 
     Baud rate of the main port.
-    The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later.
-    The 3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then nothing is
-    certain.
-    Set the device to idle first, send the command in a packet of its own and wait 250 ms
+
+    Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `UartBaudRateResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later. The
+    3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then nothing is
+    certain. Set the device to idle first, send the command in a packet of its own and wait 250 ms
     afterwards.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -4919,7 +5230,10 @@ class UartBaudRate(Command):
     function: FunctionSelector
     """What to do with the setting."""
     baud: int | None = None
-    """Baud rate. [Bd] On 3dm-gx5-15: factory default 115200."""
+    """Baud rate. Unit: Bd. Required for `write`.
+
+    - On the 3DM-GX5-15: default 115200.
+    """
 
     @classmethod
     def write(cls, baud: int) -> UartBaudRate:
@@ -4945,6 +5259,12 @@ class UartBaudRate(Command):
     def default(cls) -> UartBaudRate:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return UartBaudRateResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRate, int]:
@@ -4994,13 +5314,14 @@ class GpioConfig(Command):
     """GPIO Configuration (0x0C,0x41).
 
     What a GPIO pin is used for.
-    Not every pin has every feature.
-    Configure the function behind an output before its pin, and the pin of an input before its
-    function.
-    A configuration that only one pin can have passes to the latest pin; the earlier pin is reset.
-    With NMEA input at most one pin may be a UART input; set it to unused before another one takes
-    over.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GpioConfigResponse`.
     Supported by 3DM-CV7-GNSS/INS.
+
+    Not every pin has every feature. Configure the function behind an output before its pin, and the
+    pin of an input before its function. A configuration that only one pin can have passes to the
+    latest pin; the earlier pin is reset. With NMEA input at most one pin may be a UART input; set
+    it to unused before another one takes over.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
@@ -5022,7 +5343,7 @@ class GpioConfig(Command):
                 4: types.GpioTimestampBehavior,
                 5: types.GpioUartBehavior,
             },
-        ),
+        )
     }
 
     function: FunctionSelector
@@ -5030,11 +5351,19 @@ class GpioConfig(Command):
     pin: int | None = None
     """GPIO pin, counted from 1; 0 means all pins (save, load, default)."""
     feature: types.GpioFeature | None = None
-    """Use of the pin. Factory default: unused."""
+    """Use of the pin. Default: `types.GpioFeature.UNUSED`. Required for `write`."""
     behavior: int | None = None
-    """Role of the pin within the feature; 0 where the feature names none."""
+    """Role of the pin within the feature; 0 where the feature names none. Required for `write`.
+
+    - If `feature` is `types.GpioFeature.UNUSED`: values of `types.GpioUnusedBehavior`.
+    - If `feature` is `types.GpioFeature.GPIO`: values of `types.GpioBehavior`.
+    - If `feature` is `types.GpioFeature.PPS`: values of `types.GpioPpsBehavior`.
+    - If `feature` is `types.GpioFeature.ENCODER`: values of `types.GpioEncoderBehavior`.
+    - If `feature` is `types.GpioFeature.TIMESTAMP`: values of `types.GpioTimestampBehavior`.
+    - If `feature` is `types.GpioFeature.UART`: values of `types.GpioUartBehavior`.
+    """
     pin_mode: types.GpioPinMode | None = None
-    """Electrical options."""
+    """Electrical options. Required for `write`."""
 
     @classmethod
     def write(
@@ -5064,6 +5393,12 @@ class GpioConfig(Command):
     def default(cls, pin: int) -> GpioConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, pin=pin)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GpioConfigResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpioConfig, int]:
@@ -5133,12 +5468,13 @@ class GpioState(Command):
     """GPIO State (0x0C,0x42).
 
     Sets or reads the state of a GPIO pin.
-    What is read is the level of the pin itself.
-    Writing shows only on a pin that is configured as an output.
-    An event action of mode active_high or active_low on the pin overrides what is written.
-    Reading is sure to work only with the gpio feature.
-    The state at power-up is a matter of the GPIO configuration command.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write` and `read`. Answered by `GpioStateResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    What is read is the level of the pin itself. Writing shows only on a pin that is configured as
+    an output. An event action of mode active_high or active_low on the pin overrides what is
+    written. Reading is sure to work only with the gpio feature. The state at power-up is a matter
+    of the GPIO configuration command.
 
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
     """
@@ -5153,9 +5489,9 @@ class GpioState(Command):
     function: FunctionSelector
     """What to do with the setting."""
     pin: int | None = None
-    """GPIO pin, counted from 1. Range: 1 to …."""
+    """GPIO pin, counted from 1. Range: at least 1."""
     state: bool | None = None
-    """True is high."""
+    """True is high. Required for `write`."""
 
     @classmethod
     def write(cls, pin: int, state: bool) -> GpioState:
@@ -5166,6 +5502,12 @@ class GpioState(Command):
     def read(cls, pin: int) -> GpioState:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, pin=pin)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GpioStateResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpioState, int]:
@@ -5222,7 +5564,9 @@ class OdometerConfig(Command):
     """Odometer Configuration (0x0C,0x43).
 
     Input from a wheel encoder.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `odometer`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `OdometerConfigResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -5237,13 +5581,14 @@ class OdometerConfig(Command):
     function: FunctionSelector
     """What to do with the setting."""
     mode: OdometerMode | None = None
-    """How the input works."""
+    """How the input works. Required for `write`."""
     scaling: float | None = None
-    """Pulses over the distance travelled; negative if the encoder turns backwards. [pulse/m]
-    Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
+    """Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
+    Required for `write`. Pulses on line A per turn of the wheel, divided by the circumference of
+    the wheel.
     """
     uncertainty: float | None = None
-    """Relative uncertainty of the scaling, 1 sigma. [1]"""
+    """Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for `write`."""
 
     @classmethod
     def write(cls, mode: OdometerMode, scaling: float, uncertainty: float) -> OdometerConfig:
@@ -5269,6 +5614,12 @@ class OdometerConfig(Command):
     def default(cls) -> OdometerConfig:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return OdometerConfigResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfig, int]:
@@ -5338,11 +5689,13 @@ class ImuLowPassFilter(Command):
     """Advanced Low-Pass Filter Settings (0x0C,0x50).
 
     Low-pass filter of one quantity of the sensor data.
+
+    Deprecated: use `LowPassFilter` where the device has it. For advanced use. Also called
+    `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ImuLowPassFilterResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     The filter has one pole. By default it is on and its cutoff is half the rate of the message
     format.
-    Deprecated: use 3dm.low_pass_filter where the device has it
-    For advanced use.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
     - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -5359,19 +5712,24 @@ class ImuLowPassFilter(Command):
     """What to do with the setting."""
     target_descriptor: int | None = None
     """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-    magnetic field 0x06 or pressure 0x17. On 3dm-cv7-gnss-ins: Field descriptor in the sensor
-    data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
-    0 means all of them, except for read.
+    magnetic field 0x06 or pressure 0x17.
+
+    - On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04,
+      angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
     """
     enable: bool | None = None
-    """Whether the quantity is filtered. Factory default: True."""
+    """Whether the quantity is filtered. Default: true. Required for `write`."""
     manual: bool | None = None
-    """True uses the frequency; false follows half the rate of the message format. Factory
-    default: False.
+    """True uses the frequency; false follows half the rate of the message format. Default: false.
+    Required for `write`.
     """
     frequency: int | None = None
-    """Cutoff (-3 dB). It has no meaning if manual is false. [Hz] On 3dm-gx5-15: at most 250."""
+    """Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. Required for `write`.
+
+    - On the 3DM-GX5-15: range at most 250.
+    """
     reserved: int | None = None
+    """Reserved: send 0. Required for `write`."""
 
     @classmethod
     def write(
@@ -5406,6 +5764,12 @@ class ImuLowPassFilter(Command):
     def default(cls, target_descriptor: int) -> ImuLowPassFilter:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, target_descriptor=target_descriptor)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ImuLowPassFilterResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ImuLowPassFilter, int]:
@@ -5491,12 +5855,14 @@ class ComplementaryFilter(Command):
     """Complementary Filter Configuration (0x0C,0x51).
 
     Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
-    Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
-    The heading follows the magnetometer, if the device has one.
-    The device refuses time constants out of range.
-    The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ComplementaryFilterResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero. The
+    heading follows the magnetometer, if the device has one. The device refuses time constants out
+    of range. The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for
     compatibility.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -5512,19 +5878,23 @@ class ComplementaryFilter(Command):
     function: FunctionSelector
     """What to do with the setting."""
     pitch_roll_enable: bool | None = None
-    """Corrects pitch and roll (up, in terms of the 5-series). On 3dm-gx5-15: factory default
-    true.
+    """Corrects pitch and roll (up, in terms of the 5-series). Required for `write`.
+
+    - On the 3DM-GX5-15: default true.
     """
     heading_enable: bool | None = None
-    """Corrects the heading (north, in terms of the 5-series). On 3dm-gx5-15: factory default
-    true.
+    """Corrects the heading (north, in terms of the 5-series). Required for `write`.
+
+    - On the 3DM-GX5-15: default true.
     """
     pitch_roll_time_constant: float | None = None
-    """Time constant of the correction of pitch and roll. [s] Range: 1 to 1000. Factory default:
-    10.
+    """Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
+    Required for `write`.
     """
     heading_time_constant: float | None = None
-    """Time constant of the correction of the heading. [s] Range: 1 to 1000. Factory default: 10."""
+    """Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10.
+    Required for `write`.
+    """
 
     @classmethod
     def write(
@@ -5562,6 +5932,12 @@ class ComplementaryFilter(Command):
     def default(cls) -> ComplementaryFilter:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ComplementaryFilterResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilter, int]:
@@ -5637,9 +6013,12 @@ class SensorRange(Command):
     """Sensor Range (0x0C,0x52).
 
     Measuring range of a sensor.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorRangeResponse`.
+    Supported by 3DM-CV7-GNSS/INS.
+
     The get calibrated sensor ranges command lists the settings. The device may refuse others or
     measure wrongly.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
@@ -5656,7 +6035,7 @@ class SensorRange(Command):
     sensor: SensorRangeType | None = None
     """The sensor."""
     setting: int | None = None
-    """Number of the range."""
+    """Number of the range. Required for `write`."""
 
     @classmethod
     def write(cls, sensor: SensorRangeType, setting: int) -> SensorRange:
@@ -5682,6 +6061,12 @@ class SensorRange(Command):
     def default(cls, sensor: SensorRangeType) -> SensorRange:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, sensor=sensor)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorRangeResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorRange, int]:
@@ -5730,6 +6115,8 @@ class GetCalibratedSensorRanges(Command):
     """Get Calibrated Sensor Ranges (0x0C,0x53).
 
     Asks for the ranges that a sensor supports.
+
+    Also called `calibrated_sensor_ranges`. Answered by `GetCalibratedSensorRangesResponse`.
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
@@ -5776,8 +6163,11 @@ class LowPassFilter(Command):
     """Low-Pass Anti-Aliasing Filter (0x0C,0x54).
 
     Low-pass filter of a data field.
+
+    Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `LowPassFilterResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
@@ -5796,11 +6186,15 @@ class LowPassFilter(Command):
     field_descriptor: int | None = None
     """Field descriptor; 0 if the set is 0."""
     enable: bool | None = None
-    """Whether the field is filtered."""
+    """Whether the field is filtered. Required for `write`."""
     manual: bool | None = None
-    """True uses the frequency; false follows half the rate of the field in the message format."""
+    """True uses the frequency; false follows half the rate of the field in the message format.
+    Required for `write`.
+    """
     frequency: float | None = None
-    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. [Hz]"""
+    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz.
+    Required for `write`.
+    """
 
     @classmethod
     def write(
@@ -5850,6 +6244,12 @@ class LowPassFilter(Command):
             descriptor_set=descriptor_set,
             field_descriptor=field_descriptor,
         )
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return LowPassFilterResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[LowPassFilter, int]:
@@ -5926,9 +6326,11 @@ class DeviceStatus(Command):
     """Device Status (0x0C,0x64).
 
     Asks for the state of the device, in one of two layouts.
-    The layouts hold for this model number only; other models answer with layouts of their own.
-    For advanced use.
+
+    For advanced use. Answered by `DeviceStatusBasicResponse` or `DeviceStatusDiagnosticResponse`.
     Supported by 3DM-GX5-15.
+
+    The layouts hold for this model number only; other models answer with layouts of their own.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     """
@@ -5939,12 +6341,21 @@ class DeviceStatus(Command):
     ROLE = "command"
     RESPONSES = (DeviceStatusBasicResponse, DeviceStatusDiagnosticResponse)
 
+    # On the wire: model_number. Model number of the 3DM-GX5-15. Always 6254.
     status_selector: DeviceStatusSelector
     """Layout of the answer."""
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x18\x6e"
+        return data[0:2] == b"\x18n"
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.status_selector == 1:
+            return DeviceStatusBasicResponse
+        if self.status_selector == 2:
+            return DeviceStatusDiagnosticResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatus, int]:
@@ -6002,7 +6413,6 @@ OdometerConfigResponse.COMMANDS = (OdometerConfig,)
 SensorRangeResponse.COMMANDS = (SensorRange,)
 GetCalibratedSensorRangesResponse.COMMANDS = (GetCalibratedSensorRanges,)
 LowPassFilterResponse.COMMANDS = (LowPassFilter,)
-
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {

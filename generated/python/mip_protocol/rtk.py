@@ -1,6 +1,8 @@
 """RTK commands (0x0F).
 
 Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
+
+- mip-sdk-4: Rtk Commands (0x0F)
 """
 
 from __future__ import annotations
@@ -10,12 +12,15 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response
+from .field import Command, Field, Response, ResponseClass
 from .protocol import FunctionSelector
 
 
 class ConnectedDevice(codec.OpenEnum):
-    """A device that a corrections modem serves."""
+    """A device that a corrections modem serves.
+
+    - mip-sdk-4: Connected Device Type (0x0F,0x06)
+    """
 
     GENERIC = 0
     """Any device."""
@@ -25,16 +30,22 @@ class ConnectedDevice(codec.OpenEnum):
 
 @codec.open_flag(8)
 class ServiceFlags(IntFlag):
-    """State of the correction service."""
+    """State of the correction service.
+
+    - mip-sdk-4: Service Status (0x0F,0x0A)
+    """
 
     THROTTLE = 1 << 0
-    """The server limits the rate."""
+    """The server limits the rate. Bit 0."""
     CORRECTIONS_UNAVAILABLE = 1 << 1
-    """There are no corrections."""
+    """There are no corrections. Bit 1."""
 
 
 class StorageMedium(codec.OpenEnum):
-    """A storage medium of a corrections modem."""
+    """A storage medium of a corrections modem.
+
+    - mip-sdk-4: Prod Erase Storage (0x0F,0x20)
+    """
 
     EXTERNAL_FLASH = 0
     """External flash memory."""
@@ -43,7 +54,10 @@ class StorageMedium(codec.OpenEnum):
 
 
 class LedAction(codec.OpenEnum):
-    """Pattern of an LED."""
+    """Pattern of an LED.
+
+    - mip-sdk-4: Led Control (0x0F,0x21)
+    """
 
     NONE = 0
     """No pattern."""
@@ -60,7 +74,7 @@ _GET_STATUS_FLAGS_RESPONSE_0 = codec.Block("I", "flags")
 class GetStatusFlagsResponse(Response):
     """Get status flags response (0x0F,0x81).
 
-    Answers Get status flags (0x0F,0x01).
+    Answers `GetStatusFlags`.
 
     - mip-sdk-4: Get Status Flags (0x0F,0x01)
     """
@@ -89,7 +103,7 @@ class GetStatusFlagsResponse(Response):
 class GetImeiResponse(Response):
     """Get IMEI response (0x0F,0x82).
 
-    Answers Get IMEI (0x0F,0x02).
+    Answers `GetImei`.
 
     - mip-sdk-4: Get Imei (0x0F,0x02)
     """
@@ -118,7 +132,7 @@ class GetImeiResponse(Response):
 class GetImsiResponse(Response):
     """Get IMSI response (0x0F,0x83).
 
-    Answers Get IMSI (0x0F,0x03).
+    Answers `GetImsi`.
 
     - mip-sdk-4: Get Imsi (0x0F,0x03)
     """
@@ -147,7 +161,7 @@ class GetImsiResponse(Response):
 class GetIccidResponse(Response):
     """Get ICCID response (0x0F,0x84).
 
-    Answers Get ICCID (0x0F,0x04).
+    Answers `GetIccid`.
 
     - mip-sdk-4: Get Iccid (0x0F,0x04)
     """
@@ -179,7 +193,7 @@ _GET_RSSI_RESPONSE_0 = codec.Block("Bii", "valid", "rssi", "signal_quality")
 class GetRssiResponse(Response):
     """Get RSSI response (0x0F,0x85).
 
-    Answers Get RSSI (0x0F,0x05).
+    Answers `GetRssi`. Uncertain: That `valid` vouches for the other values is inferred.
 
     - mip-sdk-4: Get Rssi (0x0F,0x05)
     """
@@ -192,9 +206,9 @@ class GetRssiResponse(Response):
     valid: bool
     """Whether the modem is connected."""
     rssi: int
-    """Received signal strength. Valid if valid."""
+    """Received signal strength. Valid if `valid` is true. Uncertain: The unit; dBm is likely."""
     signal_quality: int
-    """Signal quality. Valid if valid."""
+    """Signal quality. Valid if `valid` is true. Uncertain: The unit."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetRssiResponse, int]:
@@ -217,7 +231,7 @@ _CONNECTED_DEVICE_TYPE_RESPONSE_0 = codec.Block("B", "device_type")
 class ConnectedDeviceTypeResponse(Response):
     """Connected device type response (0x0F,0x86).
 
-    Answers Connected device type (0x0F,0x06).
+    Answers `ConnectedDeviceType`.
 
     - mip-sdk-4: Connected Device Type (0x0F,0x06)
     """
@@ -246,7 +260,7 @@ class ConnectedDeviceTypeResponse(Response):
 class GetActivationCodeResponse(Response):
     """Get activation code response (0x0F,0x87).
 
-    Answers Get activation code (0x0F,0x07).
+    Also called `get_act_code_response`. Answers `GetActivationCode`.
 
     - mip-sdk-4: Get Act Code (0x0F,0x07)
     """
@@ -275,7 +289,7 @@ class GetActivationCodeResponse(Response):
 class GetModemFirmwareVersionResponse(Response):
     """Get modem firmware version response (0x0F,0x88).
 
-    Answers Get modem firmware version (0x0F,0x08).
+    Answers `GetModemFirmwareVersion`.
 
     - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
     """
@@ -311,6 +325,8 @@ class ServiceStatusResponse(Response):
 
     What the server knows of the connection.
 
+    Answers `ServiceStatus`. Uncertain: What exactly the counters count.
+
     - mip-sdk-4: Service Status (0x0F,0x0A)
     """
 
@@ -322,11 +338,11 @@ class ServiceStatusResponse(Response):
     flags: ServiceFlags
     """State of the service."""
     received_bytes: int
-    """Bytes received. [byte]"""
+    """Bytes received. Unit: byte."""
     last_bytes: int
-    """Bytes of the last transfer. [byte]"""
+    """Bytes of the last transfer. Unit: byte."""
     last_bytes_time: int
-    """Time of the last transfer."""
+    """Time of the last transfer. Uncertain: The unit and the epoch."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ServiceStatusResponse, int]:
@@ -350,6 +366,9 @@ class GetStatusFlags(Command):
     """Get status flags (0x0F,0x01).
 
     Asks for the state of the modem and of the corrections.
+
+    Answered by `GetStatusFlagsResponse`.
+
     The word of the response has two forms, rtk_status_flags and rtk_status_flags_legacy.
 
     - mip-sdk-4: Get Status Flags (0x0F,0x01)
@@ -375,6 +394,8 @@ class GetImei(Command):
 
     Asks for the identity of the modem.
 
+    Answered by `GetImeiResponse`.
+
     - mip-sdk-4: Get Imei (0x0F,0x02)
     """
 
@@ -397,6 +418,8 @@ class GetImsi(Command):
     """Get IMSI (0x0F,0x03).
 
     Asks for the identity of the subscriber.
+
+    Answered by `GetImsiResponse`.
 
     - mip-sdk-4: Get Imsi (0x0F,0x03)
     """
@@ -421,6 +444,8 @@ class GetIccid(Command):
 
     Asks for the number of the SIM card.
 
+    Answered by `GetIccidResponse`.
+
     - mip-sdk-4: Get Iccid (0x0F,0x04)
     """
 
@@ -443,6 +468,8 @@ class GetRssi(Command):
     """Get RSSI (0x0F,0x05).
 
     Asks for the strength of the cellular signal.
+
+    Answered by `GetRssiResponse`.
 
     - mip-sdk-4: Get Rssi (0x0F,0x05)
     """
@@ -472,6 +499,9 @@ class ConnectedDeviceType(Command):
 
     The device that the modem serves.
 
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ConnectedDeviceTypeResponse`.
+
     - mip-sdk-4: Connected Device Type (0x0F,0x06)
     """
 
@@ -485,7 +515,7 @@ class ConnectedDeviceType(Command):
     function: FunctionSelector
     """What to do with the setting."""
     device_type: ConnectedDevice | None = None
-    """Type of the device."""
+    """Type of the device. Required for `write`."""
 
     @classmethod
     def write(cls, device_type: ConnectedDevice) -> ConnectedDeviceType:
@@ -511,6 +541,12 @@ class ConnectedDeviceType(Command):
     def default(cls) -> ConnectedDeviceType:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ConnectedDeviceTypeResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ConnectedDeviceType, int]:
@@ -548,6 +584,8 @@ class GetActivationCode(Command):
 
     Asks for the activation code.
 
+    Also called `get_act_code`. Answered by `GetActivationCodeResponse`.
+
     - mip-sdk-4: Get Act Code (0x0F,0x07)
     """
 
@@ -570,6 +608,8 @@ class GetModemFirmwareVersion(Command):
     """Get modem firmware version (0x0F,0x08).
 
     Asks for the firmware version of the cellular modem.
+
+    Answered by `GetModemFirmwareVersionResponse`.
 
     - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
     """
@@ -596,6 +636,9 @@ class ServiceStatus(Command):
     """Service status (0x0F,0x0A).
 
     Asks a correction server about the connection, and so keeps it open.
+
+    Answered by `ServiceStatusResponse`. The device sends it, and the host answers.
+
     The modem sends it as a host would, and the server answers as a device would.
 
     - mip-sdk-4: Service Status (0x0F,0x0A)
@@ -608,7 +651,9 @@ class ServiceStatus(Command):
     RESPONSES = (ServiceStatusResponse,)
 
     reserved1: int = 0
+    """Reserved: send 0. Uncertain: What the modem sends; 0 is assumed."""
     reserved2: int = 0
+    """Reserved: send 0. Uncertain: What the modem sends; 0 is assumed."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ServiceStatus, int]:
@@ -631,9 +676,10 @@ class EraseStorage(Command):
     """Erase storage (0x0F,0x20).
 
     Erases a storage medium down to its raw state.
-    All that is stored is lost. The command is for production.
-    Accepted in calibration mode only.
-    For advanced use.
+
+    For advanced use. Also called `prod_erase_storage`.
+
+    All that is stored is lost. The command is for production. Accepted in calibration mode only.
 
     - mip-sdk-4: Prod Erase Storage (0x0F,0x20)
     """
@@ -659,15 +705,7 @@ class EraseStorage(Command):
 
 
 _LED_CONTROL_0 = codec.Block(
-    "BBBBBBBI",
-    "primary_color",
-    "primary_color",
-    "primary_color",
-    "alternate_color",
-    "alternate_color",
-    "alternate_color",
-    "action",
-    "period",
+    "BBBBBBBI", *["primary_color"] * 3, *["alternate_color"] * 3, "action", "period"
 )
 
 
@@ -676,8 +714,10 @@ class LedControl(Command):
     """LED control (0x0F,0x21).
 
     Colours and pattern of the LED.
-    Accepted in calibration mode and production test mode only.
+
     For advanced use.
+
+    Accepted in calibration mode and production test mode only.
 
     - mip-sdk-4: Led Control (0x0F,0x21)
     """
@@ -688,13 +728,13 @@ class LedControl(Command):
     ROLE = "command"
 
     primary_color: tuple[int, int, int]
-    """First colour."""
+    """First colour. Uncertain: The order of its parts; red, green, blue is likely."""
     alternate_color: tuple[int, int, int]
-    """Second colour."""
+    """Second colour. Uncertain: The order of its parts; red, green, blue is likely."""
     action: LedAction
     """Pattern."""
     period: int
-    """Period of the pattern."""
+    """Period of the pattern. Uncertain: The unit; ms is likely."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[LedControl, int]:
@@ -721,9 +761,10 @@ class ModemHardReset(Command):
     """Modem hard reset (0x0F,0x22).
 
     Clears the flash memory of the modem.
-    It wears the flash memory out; use it rarely.
-    Accepted in calibration mode only.
+
     For advanced use.
+
+    It wears the flash memory out; use it rarely. Accepted in calibration mode only.
 
     - mip-sdk-4: Modem Hard Reset (0x0F,0x22)
     """
@@ -750,7 +791,6 @@ ConnectedDeviceTypeResponse.COMMANDS = (ConnectedDeviceType,)
 GetActivationCodeResponse.COMMANDS = (GetActivationCode,)
 GetModemFirmwareVersionResponse.COMMANDS = (GetModemFirmwareVersion,)
 ServiceStatusResponse.COMMANDS = (ServiceStatus,)
-
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {

@@ -1,6 +1,9 @@
 """Sensor data (0x80).
 
 Inertial, magnetic and pressure measurements, and the attitude of the complementary filter.
+
+- 3dm-gx5-15: 5.1 IMU Data
+- 3dm-cv7-gnss-ins: Sensor (0x80)
 """
 
 from __future__ import annotations
@@ -17,25 +20,25 @@ class OverrangeFlags(IntFlag):
     """Sensor axes that were near or outside their range."""
 
     ACCEL_X = 1 << 0
-    """Accelerometer X axis."""
+    """Accelerometer X axis. Bit 0."""
     ACCEL_Y = 1 << 1
-    """Accelerometer Y axis."""
+    """Accelerometer Y axis. Bit 1."""
     ACCEL_Z = 1 << 2
-    """Accelerometer Z axis."""
+    """Accelerometer Z axis. Bit 2."""
     GYRO_X = 1 << 4
-    """Gyroscope X axis."""
+    """Gyroscope X axis. Bit 4."""
     GYRO_Y = 1 << 5
-    """Gyroscope Y axis."""
+    """Gyroscope Y axis. Bit 5."""
     GYRO_Z = 1 << 6
-    """Gyroscope Z axis."""
+    """Gyroscope Z axis. Bit 6."""
     MAG_X = 1 << 8
-    """Magnetometer X axis."""
+    """Magnetometer X axis. Bit 8."""
     MAG_Y = 1 << 9
-    """Magnetometer Y axis."""
+    """Magnetometer Y axis. Bit 9."""
     MAG_Z = 1 << 10
-    """Magnetometer Z axis."""
+    """Magnetometer Z axis. Bit 10."""
     PRESSURE = 1 << 12
-    """Pressure sensor."""
+    """Pressure sensor. Bit 12."""
 
 
 @codec.open_flag(16)
@@ -43,10 +46,10 @@ class OdometerFlags(IntFlag):
     """Whether the odometer values are valid."""
 
     ODOMETER = 1 << 0
-    """The odometer is configured."""
+    """The odometer is configured. Bit 0."""
 
 
-_RAW_ACCEL_0 = codec.Block("fff", "raw_accel", "raw_accel", "raw_accel")
+_RAW_ACCEL_0 = codec.Block("fff", *["raw_accel"] * 3)
 
 
 @dataclass(slots=True)
@@ -64,7 +67,7 @@ class RawAccel(Data):
     ROLE = "data"
 
     raw_accel: types.Vector3f
-    """Acceleration in counts. [1] Frame: sensor."""
+    """Acceleration in counts. Elements: x, y, z. Unit: 1. Frame: sensor."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RawAccel, int]:
@@ -78,7 +81,7 @@ class RawAccel(Data):
         return codec.finished(out)
 
 
-_RAW_GYRO_0 = codec.Block("fff", "raw_gyro", "raw_gyro", "raw_gyro")
+_RAW_GYRO_0 = codec.Block("fff", *["raw_gyro"] * 3)
 
 
 @dataclass(slots=True)
@@ -96,7 +99,7 @@ class RawGyro(Data):
     ROLE = "data"
 
     raw_gyro: types.Vector3f
-    """Angular rate in counts. [1] Frame: sensor."""
+    """Angular rate in counts. Elements: x, y, z. Unit: 1. Frame: sensor."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RawGyro, int]:
@@ -110,7 +113,7 @@ class RawGyro(Data):
         return codec.finished(out)
 
 
-_RAW_MAG_0 = codec.Block("fff", "raw_mag", "raw_mag", "raw_mag")
+_RAW_MAG_0 = codec.Block("fff", *["raw_mag"] * 3)
 
 
 @dataclass(slots=True)
@@ -128,7 +131,10 @@ class RawMag(Data):
     ROLE = "data"
 
     raw_mag: types.Vector3f
-    """Magnetic field in counts. [1] Frame: vehicle."""
+    """Magnetic field in counts. Elements: x, y, z. Unit: 1. Frame: vehicle. Uncertain: The frame.
+    The SDK has the vehicle frame here, but the sensor frame for raw acceleration and raw angular
+    rate.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RawMag, int]:
@@ -142,7 +148,7 @@ class RawMag(Data):
         return codec.finished(out)
 
 
-_SCALED_ACCEL_0 = codec.Block("fff", "scaled_accel", "scaled_accel", "scaled_accel")
+_SCALED_ACCEL_0 = codec.Block("fff", *["scaled_accel"] * 3)
 
 
 @dataclass(slots=True)
@@ -150,6 +156,7 @@ class ScaledAccel(Data):
     """Scaled accel (0x80,0x04).
 
     Measured acceleration, temperature compensated.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.1 Scaled Accelerometer Vector (0x80, 0x04)
@@ -162,7 +169,7 @@ class ScaledAccel(Data):
     ROLE = "data"
 
     scaled_accel: types.Vector3f
-    """Acceleration. [g] Frame: vehicle."""
+    """Acceleration. Elements: x, y, z. Unit: g. Frame: vehicle."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ScaledAccel, int]:
@@ -176,7 +183,7 @@ class ScaledAccel(Data):
         return codec.finished(out)
 
 
-_SCALED_GYRO_0 = codec.Block("fff", "scaled_gyro", "scaled_gyro", "scaled_gyro")
+_SCALED_GYRO_0 = codec.Block("fff", *["scaled_gyro"] * 3)
 
 
 @dataclass(slots=True)
@@ -184,6 +191,7 @@ class ScaledGyro(Data):
     """Scaled gyro (0x80,0x05).
 
     Measured angular rate, temperature compensated.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.2 Scaled Gyro Vector (0x80, 0x05)
@@ -196,7 +204,7 @@ class ScaledGyro(Data):
     ROLE = "data"
 
     scaled_gyro: types.Vector3f
-    """Angular rate. [rad/s] Frame: vehicle."""
+    """Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ScaledGyro, int]:
@@ -210,7 +218,7 @@ class ScaledGyro(Data):
         return codec.finished(out)
 
 
-_SCALED_MAG_0 = codec.Block("fff", "scaled_mag", "scaled_mag", "scaled_mag")
+_SCALED_MAG_0 = codec.Block("fff", *["scaled_mag"] * 3)
 
 
 @dataclass(slots=True)
@@ -218,6 +226,7 @@ class ScaledMag(Data):
     """Scaled mag (0x80,0x06).
 
     Measured magnetic field, temperature compensated.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Scaled Mag (0x80,0x06)
@@ -229,7 +238,7 @@ class ScaledMag(Data):
     ROLE = "data"
 
     scaled_mag: types.Vector3f
-    """Magnetic field. [gauss] Frame: vehicle."""
+    """Magnetic field. Elements: x, y, z. Unit: gauss. Frame: vehicle."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ScaledMag, int]:
@@ -243,7 +252,7 @@ class ScaledMag(Data):
         return codec.finished(out)
 
 
-_DELTA_THETA_0 = codec.Block("fff", "delta_theta", "delta_theta", "delta_theta")
+_DELTA_THETA_0 = codec.Block("fff", *["delta_theta"] * 3)
 
 
 @dataclass(slots=True)
@@ -251,6 +260,7 @@ class DeltaTheta(Data):
     """Delta theta (0x80,0x07).
 
     Time integral of the angular rate over the period that the message format sets.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.4 Delta Theta Vector (0x80, 0x07)
@@ -263,7 +273,7 @@ class DeltaTheta(Data):
     ROLE = "data"
 
     delta_theta: types.Vector3f
-    """Integral of the angular rate. [rad] Frame: vehicle."""
+    """Integral of the angular rate. Elements: x, y, z. Unit: rad. Frame: vehicle."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeltaTheta, int]:
@@ -277,7 +287,7 @@ class DeltaTheta(Data):
         return codec.finished(out)
 
 
-_DELTA_VELOCITY_0 = codec.Block("fff", "delta_velocity", "delta_velocity", "delta_velocity")
+_DELTA_VELOCITY_0 = codec.Block("fff", *["delta_velocity"] * 3)
 
 
 @dataclass(slots=True)
@@ -285,8 +295,10 @@ class DeltaVelocity(Data):
     """Delta velocity (0x80,0x08).
 
     Time integral of the acceleration over the period that the message format sets.
-    Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
 
     - 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08)
     - 3dm-cv7-gnss-ins: Delta Velocity (0x80,0x08)
@@ -298,7 +310,7 @@ class DeltaVelocity(Data):
     ROLE = "data"
 
     delta_velocity: types.Vector3f
-    """Integral of the acceleration. [g*s] Frame: vehicle."""
+    """Integral of the acceleration. Elements: x, y, z. Unit: g*s. Frame: vehicle."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeltaVelocity, int]:
@@ -312,7 +324,7 @@ class DeltaVelocity(Data):
         return codec.finished(out)
 
 
-_COMP_ORIENTATION_MATRIX_0 = codec.Block("fffffffff", "m", "m", "m", "m", "m", "m", "m", "m", "m")
+_COMP_ORIENTATION_MATRIX_0 = codec.Block("fffffffff", *["m"] * 9)
 
 
 @dataclass(slots=True)
@@ -320,8 +332,10 @@ class CompOrientationMatrix(Data):
     """Complementary filter orientation matrix (0x80,0x09).
 
     Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
-    v_vehicle = M * v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    v_vehicle = M * v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09)
     - 3dm-cv7-gnss-ins: Complementary Filter Orientation Matrix (0x80,0x09)
@@ -333,8 +347,10 @@ class CompOrientationMatrix(Data):
     ROLE = "data"
 
     m: types.Matrix3f
-    """Rotation from the NED frame to the vehicle frame. [1] On 3dm-gx5-15: From the NED frame to
-    the sensor frame.
+    """Rotation from the NED frame to the vehicle frame. Elements: m11, m12, m13, m21, m22, m23,
+    m31, m32, m33. Unit: 1.
+
+    - On the 3DM-GX5-15: From the NED frame to the sensor frame.
     """
 
     @classmethod
@@ -349,7 +365,7 @@ class CompOrientationMatrix(Data):
         return codec.finished(out)
 
 
-_COMP_QUATERNION_0 = codec.Block("ffff", "q", "q", "q", "q")
+_COMP_QUATERNION_0 = codec.Block("ffff", *["q"] * 4)
 
 
 @dataclass(slots=True)
@@ -357,8 +373,10 @@ class CompQuaternion(Data):
     """Complementary filter quaternion (0x80,0x0A).
 
     Attitude by the complementary filter as a quaternion, relative to the NED frame.
-    v_vehicle = q^-1 * v_ned * q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    v_vehicle = q^-1 * v_ned * q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A)
     - 3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)
@@ -370,8 +388,9 @@ class CompQuaternion(Data):
     ROLE = "data"
 
     q: types.Quatf
-    """Rotation between the NED frame and the vehicle frame. [1] On 3dm-gx5-15: Between NED and
-    the sensor frame.
+    """Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1.
+
+    - On the 3DM-GX5-15: Between NED and the sensor frame.
     """
 
     @classmethod
@@ -386,9 +405,7 @@ class CompQuaternion(Data):
         return codec.finished(out)
 
 
-_COMP_ORIENTATION_UPDATE_MATRIX_0 = codec.Block(
-    "fffffffff", "m", "m", "m", "m", "m", "m", "m", "m", "m"
-)
+_COMP_ORIENTATION_UPDATE_MATRIX_0 = codec.Block("fffffffff", *["m"] * 9)
 
 
 @dataclass(slots=True)
@@ -396,7 +413,9 @@ class CompOrientationUpdateMatrix(Data):
     """Complementary filter orientation update matrix (0x80,0x0B).
 
     Change of the attitude by the complementary filter as a matrix.
-    Deprecated: the SDK marks it so and names no replacement
+
+    Deprecated: the SDK marks it so and names no replacement. Uncertain: The interval of the change
+    and the frames. The SDK gives the name only.
 
     - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
     """
@@ -407,7 +426,7 @@ class CompOrientationUpdateMatrix(Data):
     ROLE = "data"
 
     m: types.Matrix3f
-    """Matrix in row-major order. [1]"""
+    """Matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CompOrientationUpdateMatrix, int]:
@@ -429,8 +448,10 @@ class CompEulerAngles(Data):
     """Complementary filter Euler angles (0x80,0x0C).
 
     Attitude by the complementary filter as Euler angles, relative to the NED frame.
-    The rotations are in the order yaw, pitch, roll (3-2-1).
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The rotations are in the order yaw, pitch, roll (3-2-1).
 
     - 3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C)
     - 3dm-cv7-gnss-ins: Complementary Filter Euler Angles (0x80,0x0C)
@@ -442,11 +463,11 @@ class CompEulerAngles(Data):
     ROLE = "data"
 
     roll: float
-    """Roll angle. [rad]"""
+    """Roll angle. Unit: rad."""
     pitch: float
-    """Pitch angle. [rad]"""
+    """Pitch angle. Unit: rad."""
     yaw: float
-    """Yaw angle. [rad]"""
+    """Yaw angle. Unit: rad."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CompEulerAngles, int]:
@@ -462,9 +483,7 @@ class CompEulerAngles(Data):
         return codec.finished(out)
 
 
-_ORIENTATION_RAW_TEMPERATURE_0 = codec.Block(
-    "HHHH", "raw_temperature", "raw_temperature", "raw_temperature", "raw_temperature"
-)
+_ORIENTATION_RAW_TEMPERATURE_0 = codec.Block("HHHH", *["raw_temperature"] * 4)
 
 
 @dataclass(slots=True)
@@ -472,7 +491,8 @@ class OrientationRawTemperature(Data):
     """Orientation raw temperatures (0x80,0x0D).
 
     Raw readings of four temperature sensors.
-    Deprecated: the SDK marks it so and names no replacement
+
+    Deprecated: the SDK marks it so and names no replacement. Also called `orientation_raw_temp`.
 
     - mip-sdk-4: Orientation Raw Temp (0x80,0x0D)
     """
@@ -483,7 +503,8 @@ class OrientationRawTemperature(Data):
     ROLE = "data"
 
     raw_temperature: tuple[int, int, int, int]
-    """Temperatures in counts. [1]"""
+    """Temperatures in counts. Unit: 1. Uncertain: The scale. Uncertain: and which sensor is which.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[OrientationRawTemperature, int]:
@@ -507,7 +528,8 @@ class InternalTimestamp(Data):
     """Internal timestamp (0x80,0x0E).
 
     Free-running counter of the device.
-    Deprecated: the SDK marks it so and names no replacement
+
+    Deprecated: the SDK marks it so and names no replacement.
 
     - mip-sdk-4: Internal Timestamp (0x80,0x0E)
     """
@@ -518,7 +540,7 @@ class InternalTimestamp(Data):
     ROLE = "data"
 
     counts: int
-    """Counter. [1]"""
+    """Counter. Unit: 1. Uncertain: The period of one count."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[InternalTimestamp, int]:
@@ -540,7 +562,8 @@ class PpsTimestamp(Data):
     """PPS timestamp (0x80,0x0F).
 
     Time that is counted with the pulse per second.
-    Deprecated: the SDK marks it so and names no replacement
+
+    Deprecated: the SDK marks it so and names no replacement. Uncertain: The epoch.
 
     - mip-sdk-4: Pps Timestamp (0x80,0x0F)
     """
@@ -551,9 +574,9 @@ class PpsTimestamp(Data):
     ROLE = "data"
 
     seconds: int
-    """Whole seconds. [s]"""
+    """Whole seconds. Unit: s. Uncertain: The unit; it follows from the name."""
     useconds: int
-    """Fraction of the second. [us]"""
+    """Fraction of the second. Unit: us. Uncertain: The unit; it follows from the name."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PpsTimestamp, int]:
@@ -568,7 +591,7 @@ class PpsTimestamp(Data):
         return codec.finished(out)
 
 
-_NORTH_VECTOR_0 = codec.Block("fff", "stabilized_mag", "stabilized_mag", "stabilized_mag")
+_NORTH_VECTOR_0 = codec.Block("fff", *["stabilized_mag"] * 3)
 
 
 @dataclass(slots=True)
@@ -576,9 +599,11 @@ class NorthVector(Data):
     """Complementary filter stabilized north vector (0x80,0x10).
 
     Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
-    Without magnetic disturbance it equals the measured magnetic field.
-    A lasting disturbance is not compensated.
+
     Supported by 3DM-GX5-15.
+
+    Without magnetic disturbance it equals the measured magnetic field. A lasting disturbance is not
+    compensated.
 
     - 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10)
     """
@@ -589,7 +614,7 @@ class NorthVector(Data):
     ROLE = "data"
 
     stabilized_mag: types.Vector3f
-    """Geomagnetic field. [gauss] Frame: sensor."""
+    """Geomagnetic field. Elements: x, y, z. Unit: gauss. Frame: sensor."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NorthVector, int]:
@@ -603,7 +628,7 @@ class NorthVector(Data):
         return codec.finished(out)
 
 
-_UP_VECTOR_0 = codec.Block("fff", "stabilized_accel", "stabilized_accel", "stabilized_accel")
+_UP_VECTOR_0 = codec.Block("fff", *["stabilized_accel"] * 3)
 
 
 @dataclass(slots=True)
@@ -611,8 +636,10 @@ class UpVector(Data):
     """Complementary filter stabilized up vector (0x80,0x11).
 
     Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
-    At rest it equals the measured acceleration.
+
     Supported by 3DM-GX5-15.
+
+    At rest it equals the measured acceleration.
 
     - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
     """
@@ -623,7 +650,9 @@ class UpVector(Data):
     ROLE = "data"
 
     stabilized_accel: types.Vector3f
-    """The part of the measured acceleration that gravity causes. [g] Frame: sensor."""
+    """The part of the measured acceleration that gravity causes. Elements: x, y, z. Unit: g. Frame:
+    sensor.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[UpVector, int]:
@@ -645,12 +674,13 @@ class GpsTimestamp(Data):
     """GPS timestamp (0x80,0x12).
 
     GPS time of the sensor data.
-    Without a PPS the time runs on the internal clock and jumps when the PPS comes back.
-    The fraction of the time of week is the time since the last pulse.
-    Without external synchronization it is the internal system time.
-    Where the device has it, use the shared GPS timestamp (0xFF,0xD3) instead; this field may be
-    deprecated.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Without a PPS the time runs on the internal clock and jumps when the PPS comes back. The
+    fraction of the time of week is the time since the last pulse. Without external synchronization
+    it is the internal system time. Where the device has it, use the shared GPS timestamp
+    `shared.GpsTimestamp` (0xFF,0xD3) instead; this field may be deprecated.
 
     - 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
     - 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)
@@ -660,13 +690,21 @@ class GpsTimestamp(Data):
     DESCRIPTOR = 0x12
     NAME = "sensor.gps_timestamp"
     ROLE = "data"
+    READINGS = {"valid_flags": ("device", {"3dm-gx5-15": types.Gx5SensorGpsTimestampFlags})}
 
     tow: float
-    """GPS time of week. [s] Valid if valid_flags.tow_valid."""
+    """GPS time of week. Unit: s. Valid if `types.SensorGpsTimestampFlags.TOW_VALID` of
+    `valid_flags` is set.
+    """
     week_number: int
-    """GPS week number. [week] Valid if valid_flags.week_number_valid."""
+    """GPS week number. Unit: week. Valid if `types.SensorGpsTimestampFlags.WEEK_NUMBER_VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: types.SensorGpsTimestampFlags
-    """State of the time."""
+    """State of the time.
+
+    - On the 3DM-GX5-15: values of `types.Gx5SensorGpsTimestampFlags`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsTimestamp, int]:
@@ -692,8 +730,10 @@ class TemperatureStatistics(Data):
     """Temperature statistics (0x80,0x14).
 
     Temperatures since the last power-on or reset.
+
+    Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS.
+
     The values come from the inertial sensors, alone or together with sensors on the board.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Temperature Statistics (0x80,0x14)
     """
@@ -704,11 +744,11 @@ class TemperatureStatistics(Data):
     ROLE = "data"
 
     min_temperature: float
-    """Lowest temperature. [degC]"""
+    """Lowest temperature. Unit: degC."""
     max_temperature: float
-    """Highest temperature. [degC]"""
+    """Highest temperature. Unit: degC."""
     mean_temperature: float
-    """Mean temperature. [degC]"""
+    """Mean temperature. Unit: degC."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[TemperatureStatistics, int]:
@@ -744,7 +784,7 @@ class RawPressure(Data):
     ROLE = "data"
 
     raw_pressure: float
-    """Pressure in counts. [1]"""
+    """Pressure in counts. Unit: 1."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RawPressure, int]:
@@ -766,6 +806,7 @@ class ScaledPressure(Data):
     """Scaled pressure (0x80,0x17).
 
     Measured ambient pressure, temperature compensated.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.1.3 Scaled Ambient Pressure (0x80, 0x17)
@@ -778,7 +819,7 @@ class ScaledPressure(Data):
     ROLE = "data"
 
     scaled_pressure: float
-    """Ambient pressure. [mbar]"""
+    """Ambient pressure. Unit: mbar."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ScaledPressure, int]:
@@ -800,6 +841,7 @@ class OverrangeStatus(Data):
     """Overrange status (0x80,0x18).
 
     Which sensor axes are near or outside their range.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Overrange Status (0x80,0x18)
@@ -833,7 +875,8 @@ class Odometer(Data):
     """Odometer data (0x80,0x40).
 
     Speed by the wheel encoder.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
     """
@@ -844,11 +887,13 @@ class Odometer(Data):
     ROLE = "data"
 
     speed: float
-    """Average speed over the interval; negative values come from quadrature encoders only. [m/s]
-    Valid if valid_flags.odometer.
+    """Average speed over the interval; negative values come from quadrature encoders only. Unit:
+    m/s. Valid if `OdometerFlags.ODOMETER` of `valid_flags` is set.
     """
     uncertainty: float
-    """Uncertainty of the speed. [m/s] Valid if valid_flags.odometer."""
+    """Uncertainty of the speed. Unit: m/s. Valid if `OdometerFlags.ODOMETER` of `valid_flags` is
+    set.
+    """
     valid_flags: OdometerFlags
     """Whether the values are valid."""
 

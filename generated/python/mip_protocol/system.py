@@ -1,6 +1,8 @@
 """System (0x7F).
 
 Advanced commands of devices that are built from several intelligent parts.
+
+- 3dm-gx5-15: 4.4 System Commands
 """
 
 from __future__ import annotations
@@ -10,12 +12,15 @@ from enum import IntFlag
 
 from . import codec
 from .errors import Truncated
-from .field import Command, Field, Response
+from .field import Command, Field, Response, ResponseClass
 from .protocol import FunctionSelector
 
 
 class CommInterface(codec.OpenEnum):
-    """A port of a device."""
+    """A port of a device.
+
+    - mip-sdk-4: Interface Control (0x7F,0x02)
+    """
 
     ALL = 0
     """All ports."""
@@ -35,16 +40,19 @@ class CommInterface(codec.OpenEnum):
 
 @codec.open_flag(32)
 class CommProtocols(IntFlag):
-    """Protocols of a port."""
+    """Protocols of a port.
+
+    - mip-sdk-4: Interface Control (0x7F,0x02)
+    """
 
     MIP = 1 << 0
-    """MIP."""
+    """MIP. Bit 0."""
     NMEA = 1 << 8
-    """NMEA-0183."""
+    """NMEA-0183. Bit 8."""
     RTCM = 1 << 9
-    """RTCM corrections."""
+    """RTCM corrections. Bit 9."""
     SPARTN = 1 << 24
-    """SPARTN corrections."""
+    """SPARTN corrections. Bit 24."""
 
 
 class ProtocolMode(codec.OpenEnum):
@@ -67,7 +75,7 @@ _INTERFACE_CONTROL_RESPONSE_0 = codec.Block(
 class InterfaceControlResponse(Response):
     """Interface control response (0x7F,0x82).
 
-    Answers Interface control (0x7F,0x02).
+    Answers `InterfaceControl`.
 
     - mip-sdk-4: Interface Control (0x7F,0x02)
     - 3dm-cv7-gnss-ins: Ports
@@ -79,7 +87,7 @@ class InterfaceControlResponse(Response):
     ROLE = "response"
 
     port: CommInterface
-    """The port."""
+    """The port. Uncertain: Whether write and read take `all`."""
     protocols_incoming: CommProtocols
     """Protocols that it takes in."""
     protocols_outgoing: CommProtocols
@@ -108,8 +116,7 @@ _COMM_MODE_RESPONSE_0 = codec.Block("B", "mode")
 class CommModeResponse(Response):
     """Communication mode response (0x7F,0x90).
 
-    Answers Communication mode (0x7F,0x10).
-    Supported by 3DM-GX5-15.
+    Answers `CommMode`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """
@@ -120,7 +127,7 @@ class CommModeResponse(Response):
     ROLE = "response"
 
     mode: ProtocolMode
-    """Communication mode. Factory default: standard."""
+    """Communication mode. Default: `ProtocolMode.STANDARD`."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CommModeResponse, int]:
@@ -150,13 +157,15 @@ class InterfaceControl(Command):
     """Interface control (0x7F,0x02).
 
     Protocols that a port takes in and gives out.
-    Accepted on the main port only. The main port always keeps MIP in both directions.
-    The acknowledge comes on that port after the change; what arrives meanwhile may be lost.
-    The device refuses protocols that it or the port does not have, and more parsers than it has;
-    then nothing is changed.
-    Answers in an incoming protocol leave by the same port, even if the protocol is not an outgoing
-    one.
-    How many parsers and streams there are depends on the device.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `InterfaceControlResponse`.
+
+    Accepted on the main port only. The main port always keeps MIP in both directions. The
+    acknowledge comes on that port after the change; what arrives meanwhile may be lost. The device
+    refuses protocols that it or the port does not have, and more parsers than it has; then nothing
+    is changed. Answers in an incoming protocol leave by the same port, even if the protocol is not
+    an outgoing one. How many parsers and streams there are depends on the device.
 
     - mip-sdk-4: Interface Control (0x7F,0x02)
     - 3dm-cv7-gnss-ins: Ports
@@ -172,11 +181,11 @@ class InterfaceControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     port: CommInterface | None = None
-    """The port."""
+    """The port. Uncertain: Whether write and read take `all`."""
     protocols_incoming: CommProtocols | None = None
-    """Protocols that it takes in."""
+    """Protocols that it takes in. Required for `write`."""
     protocols_outgoing: CommProtocols | None = None
-    """Protocols that it gives out."""
+    """Protocols that it gives out. Required for `write`."""
 
     @classmethod
     def write(
@@ -212,6 +221,12 @@ class InterfaceControl(Command):
     def default(cls, port: CommInterface) -> InterfaceControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, port=port)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return InterfaceControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[InterfaceControl, int]:
@@ -271,11 +286,12 @@ class CommMode(Command):
     """Communication mode (0x7F,0x10).
 
     Switches the port between the device and one of the sensors inside it.
-    The acknowledge is sent in the old mode, just before the switch.
-    In a direct mode only this command and device status (0x0C,0x64) of the device itself are
-    answered.
-    For advanced use.
-    Supported by 3DM-GX5-15.
+
+    For advanced use. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `CommModeResponse`. Supported by 3DM-GX5-15.
+
+    The acknowledge is sent in the old mode, just before the switch. In a direct mode only this
+    command and device status `mip_3dm.DeviceStatus` (0x0C,0x64) of the device itself are answered.
 
     - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
     """
@@ -290,7 +306,7 @@ class CommMode(Command):
     function: FunctionSelector
     """What to do with the setting."""
     mode: ProtocolMode | None = None
-    """Communication mode. Factory default: standard."""
+    """Communication mode. Default: `ProtocolMode.STANDARD`. Required for `write`."""
 
     @classmethod
     def write(cls, mode: ProtocolMode) -> CommMode:
@@ -316,6 +332,12 @@ class CommMode(Command):
     def default(cls) -> CommMode:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return CommModeResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CommMode, int]:
@@ -349,7 +371,6 @@ class CommMode(Command):
 
 InterfaceControlResponse.COMMANDS = (InterfaceControl,)
 CommModeResponse.COMMANDS = (CommMode,)
-
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {

@@ -9,13 +9,14 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/3dm.h and mip/core.h are not of one version"
+#error "mip/3dm.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_3DM_SET 0x0C
 
 /**
@@ -26,7 +27,7 @@ extern "C" {
 struct mip_3dm_poll_entry {
     /** Field descriptor. */
     uint8_t descriptor;
-    /** In place of a decimation. */
+    /** In place of a decimation. Reserved: send 0. */
     uint16_t reserved;
 };
 
@@ -45,21 +46,6 @@ typedef uint8_t mip_3dm_factory_streaming_action;
 #define MIP_3DM_FACTORY_STREAMING_ACTION_MERGE 1
 /** The support fields are added behind the formats; fields may occur twice. */
 #define MIP_3DM_FACTORY_STREAMING_ACTION_ADD 2
-
-/**
- * A data stream of a 5-series device.
- *
- * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
- */
-typedef uint8_t mip_3dm_legacy_data_stream;
-/** All streams; for save, load and default only. */
-#define MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS 0
-/** Sensor data (0x80). */
-#define MIP_3DM_LEGACY_DATA_STREAM_IMU 1
-/** GNSS data. */
-#define MIP_3DM_LEGACY_DATA_STREAM_GNSS 2
-/** Estimation filter data (0x82). */
-#define MIP_3DM_LEGACY_DATA_STREAM_FILTER 3
 
 /**
  * Constellation in the settings of a receiver. The values are not those of gnss_constellation,
@@ -87,7 +73,7 @@ typedef uint8_t mip_3dm_constellation_id;
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  */
 typedef uint16_t mip_3dm_constellation_options;
-/** Bit 0: The L1-SAIF signal; QZSS only. */
+/** Bit 0. The L1-SAIF signal; QZSS only. */
 #define MIP_3DM_CONSTELLATION_OPTIONS_L1SAIF 0x0001U
 
 /**
@@ -119,11 +105,11 @@ void mip_3dm_constellation_settings_entry_write(
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
 typedef uint16_t mip_3dm_sbas_options;
-/** Bit 0: SBAS pseudoranges take part in the position solution. */
+/** Bit 0. SBAS pseudoranges take part in the position solution. */
 #define MIP_3DM_SBAS_OPTIONS_ENABLE_RANGING 0x0001U
-/** Bit 1: SBAS differential corrections are applied. */
+/** Bit 1. SBAS differential corrections are applied. */
 #define MIP_3DM_SBAS_OPTIONS_ENABLE_CORRECTIONS 0x0002U
-/** Bit 2: Only GPS satellites with SBAS integrity information are used. */
+/** Bit 2. Only GPS satellites with SBAS integrity information are used. */
 #define MIP_3DM_SBAS_OPTIONS_APPLY_INTEGRITY 0x0004U
 
 /**
@@ -271,9 +257,27 @@ typedef uint8_t mip_3dm_device_status_selector;
 #define MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC 2
 
 /**
+ * A data stream of a 5-series device.
+ *
+ * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
+ */
+typedef uint8_t mip_3dm_legacy_data_stream;
+/** All streams; for save, load and default only. */
+#define MIP_3DM_LEGACY_DATA_STREAM_ALL_STREAMS 0
+/** Sensor data (0x80). */
+#define MIP_3DM_LEGACY_DATA_STREAM_IMU 1
+/** GNSS data. */
+#define MIP_3DM_LEGACY_DATA_STREAM_GNSS 2
+/** Estimation filter data (0x82). */
+#define MIP_3DM_LEGACY_DATA_STREAM_FILTER 3
+
+/**
  * Poll IMU Data: command (0x0C,0x01).
  *
  * Asks for one sensor data packet (0x80) with the fields listed, in their order.
+ *
+ * Also called `poll_imu_message`. Not acknowledged if suppress_ack is true. Supported by
+ * 3DM-GX5-15.
  *
  * An empty list polls the stored message format; without one the device refuses.
  *
@@ -281,14 +285,12 @@ typedef uint8_t mip_3dm_device_status_selector;
  *
  * The data comes in a packet of its own behind the reply.
  *
- * Not acknowledged if suppress_ack is true. Supported by 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
  */
 struct mip_3dm_poll_imu_data {
     /** Send no acknowledge. */
     mip_bool suppress_ack;
-    /** Number of fields. */
+    /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
     /** Fields to send. */
     struct mip_3dm_poll_entry descriptors[83];
@@ -311,22 +313,25 @@ struct mip_3dm_poll_imu_data mip_3dm_poll_imu_data_make(
  *
  * Asks for one GNSS data packet with the fields listed, in their order.
  *
+ * Also called `poll_gnss_message`. Not acknowledged if suppress_ack is true.
+ *
  * An empty list polls the stored GNSS message format (0x0C,0x09); without one the device refuses.
  *
  * Descriptors that the device does not know are left out.
  *
  * The data comes in a packet of its own behind the reply.
  *
- * Not acknowledged if suppress_ack is true.
- *
  * - mip-sdk-4: Poll Gnss Message (0x0C,0x02)
  */
 struct mip_3dm_poll_gnss_data {
     /** Send no acknowledge. */
     mip_bool suppress_ack;
-    /** Number of fields. Range: 0 to 83. */
+    /** Number of fields. The number of elements of descriptors. Range: 0 to 83. */
     uint8_t num_descriptors;
-    /** Fields to send. */
+    /**
+     * Fields to send. Uncertain: The SDK has a decimation in place of the reserved number and does
+     * not say what a poll does with it.
+     */
     struct mip_3dm_poll_entry descriptors[83];
 };
 
@@ -347,20 +352,21 @@ struct mip_3dm_poll_gnss_data mip_3dm_poll_gnss_data_make(
  *
  * Asks for one filter data packet (0x82) with the fields listed, in their order.
  *
+ * Also called `poll_filter_message`. Not acknowledged if suppress_ack is true. Supported by
+ * 3DM-GX5-15.
+ *
  * An empty list polls the stored message format; without one the device refuses.
  *
  * Descriptors that the device does not know are ignored.
  *
  * The data comes in a packet of its own behind the reply.
  *
- * Not acknowledged if suppress_ack is true. Supported by 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
  */
 struct mip_3dm_poll_filter_data {
     /** Send no acknowledge. */
     mip_bool suppress_ack;
-    /** Number of fields. */
+    /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
     /** Fields to send. */
     struct mip_3dm_poll_entry descriptors[83];
@@ -383,6 +389,9 @@ struct mip_3dm_poll_filter_data mip_3dm_poll_filter_data_make(
  *
  * Asks for the NMEA sentences listed, once.
  *
+ * Also called `nmea_poll_data`. Not acknowledged if suppress_ack is true. Supported by
+ * 3DM-CV7-GNSS/INS.
+ *
  * An empty list polls the stored NMEA format; without one the device refuses.
  *
  * The sentences follow the reply as ordinary NMEA text, on the port of the command even if NMEA is
@@ -390,14 +399,12 @@ struct mip_3dm_poll_filter_data mip_3dm_poll_filter_data_make(
  *
  * A sentence is sent only if its data is valid.
  *
- * Not acknowledged if suppress_ack is true. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Poll NMEA Data (0x0C,0x04)
  */
 struct mip_3dm_poll_nmea_data {
     /** Send no acknowledge. */
     mip_bool suppress_ack;
-    /** Number of sentences. */
+    /** Number of sentences. The number of elements of format_entries. */
     uint8_t count;
     /** Sentences to send. */
     struct mip_nmea_message format_entries[50];
@@ -420,7 +427,8 @@ struct mip_3dm_poll_nmea_data mip_3dm_poll_nmea_data_make(
  *
  * Asks for the rate that the decimations of the IMU message format divide.
  *
- * Answered by mip_3dm_get_imu_base_rate_response. Supported by 3DM-GX5-15.
+ * Also called `imu_get_base_rate`. Answered by mip_3dm_get_imu_base_rate_response. Supported by
+ * 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -441,9 +449,8 @@ mip_error mip_3dm_get_imu_base_rate_encode(const struct mip_3dm_get_imu_base_rat
 /**
  * Get IMU Data Base Rate response: response (0x0C,0x83).
  *
- * Answers Get IMU Data Base Rate (0x0C,0x06).
- *
- * Supported by 3DM-GX5-15.
+ * Also called `imu_get_base_rate_response`. Answers mip_3dm_get_imu_base_rate. Supported by
+ * 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
  */
@@ -466,7 +473,7 @@ mip_error mip_3dm_get_imu_base_rate_response_encode(
  *
  * Asks for the rate that the decimations of the GNSS message format divide.
  *
- * Answered by mip_3dm_get_gnss_base_rate_response.
+ * Also called `gnss_get_base_rate`. Answered by mip_3dm_get_gnss_base_rate_response.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -487,7 +494,7 @@ mip_error mip_3dm_get_gnss_base_rate_encode(const struct mip_3dm_get_gnss_base_r
 /**
  * Get GNSS Data Base Rate response: response (0x0C,0x84).
  *
- * Answers Get GNSS Data Base Rate (0x0C,0x07).
+ * Also called `gnss_get_base_rate_response`. Answers mip_3dm_get_gnss_base_rate.
  *
  * - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
  */
@@ -510,25 +517,25 @@ mip_error mip_3dm_get_gnss_base_rate_response_encode(
  *
  * Fields of the sensor data packets (0x80), in order, with their decimations.
  *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_imu_message_format_response.
+ * Supported by 3DM-GX5-15.
+ *
  * The decimation is the base rate, as the get IMU data base rate command reports it, divided by the
  * wanted rate.
  *
  * The list replaces the one before. If any descriptor is unknown the device refuses and changes
  * nothing.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_imu_message_format_response.
- * Supported by 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
  */
 struct mip_3dm_imu_message_format {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Number of fields. For write. */
+    /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
-    /** Fields and decimations. For write. */
+    /** Fields and decimations. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -555,14 +562,12 @@ struct mip_3dm_imu_message_format mip_3dm_imu_message_format_default(void);
 /**
  * IMU Message Format response: response (0x0C,0x80).
  *
- * Answers IMU Message Format (0x0C,0x08).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_3dm_imu_message_format. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
  */
 struct mip_3dm_imu_message_format_response {
-    /** Number of fields. */
+    /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
     /** Fields and decimations. */
     struct mip_descriptor_rate descriptors[84];
@@ -582,22 +587,24 @@ mip_error mip_3dm_imu_message_format_response_encode(
  *
  * Fields of the GNSS data packets, in order, with their decimations.
  *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_message_format_response.
+ *
  * The decimation is the base rate, as the get GNSS data base rate command reports it, divided by
  * the wanted rate.
- *
- * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_message_format_response.
  *
  * - mip-sdk-4: Gnss Message Format (0x0C,0x09)
  * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
  */
 struct mip_3dm_gnss_message_format {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Number of fields. Range: 0 to 82. For write. */
+    /**
+     * Number of fields. The number of elements of descriptors. Range: 0 to 82. Required for write.
+     */
     uint8_t num_descriptors;
-    /** Fields and decimations. For write. */
+    /** Fields and decimations. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -624,13 +631,13 @@ struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_default(void);
 /**
  * GNSS Message Format response: response (0x0C,0x81).
  *
- * Answers GNSS Message Format (0x0C,0x09).
+ * Answers mip_3dm_gnss_message_format.
  *
  * - mip-sdk-4: Gnss Message Format (0x0C,0x09)
  * - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
  */
 struct mip_3dm_gnss_message_format_response {
-    /** Number of fields. Range: 0 to 82. */
+    /** Number of fields. The number of elements of descriptors. Range: 0 to 82. */
     uint8_t num_descriptors;
     /** Fields and decimations. */
     struct mip_descriptor_rate descriptors[84];
@@ -650,25 +657,25 @@ mip_error mip_3dm_gnss_message_format_response_encode(
  *
  * Fields of the filter data packets (0x82), in order, with their decimations.
  *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_filter_message_format_response. Supported by 3DM-GX5-15.
+ *
  * The decimation is the base rate, as the get estimation filter data base rate command reports it,
  * divided by the wanted rate.
  *
  * The list replaces the one before. If any descriptor is unknown the device refuses and changes
  * nothing.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_filter_message_format_response. Supported by 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
 struct mip_3dm_filter_message_format {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Number of fields. For write. */
+    /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
-    /** Fields and decimations. For write. */
+    /** Fields and decimations. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -695,14 +702,12 @@ struct mip_3dm_filter_message_format mip_3dm_filter_message_format_default(void)
 /**
  * Estimation Filter Message Format response: response (0x0C,0x82).
  *
- * Answers Estimation Filter Message Format (0x0C,0x0A).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_3dm_filter_message_format. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
  */
 struct mip_3dm_filter_message_format_response {
-    /** Number of fields. */
+    /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
     /** Fields and decimations. */
     struct mip_descriptor_rate descriptors[84];
@@ -722,7 +727,8 @@ mip_error mip_3dm_filter_message_format_response_encode(
  *
  * Asks for the rate that the decimations of the estimation filter message format divide.
  *
- * Answered by mip_3dm_get_filter_base_rate_response. Supported by 3DM-GX5-15.
+ * Also called `filter_get_base_rate`. Answered by mip_3dm_get_filter_base_rate_response. Supported
+ * by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -743,9 +749,8 @@ mip_error mip_3dm_get_filter_base_rate_encode(const struct mip_3dm_get_filter_ba
 /**
  * Get Estimation Filter Data Base Rate response: response (0x0C,0x8A).
  *
- * Answers Get Estimation Filter Data Base Rate (0x0C,0x0B).
- *
- * Supported by 3DM-GX5-15.
+ * Also called `filter_get_base_rate_response`. Answers mip_3dm_get_filter_base_rate. Supported by
+ * 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
  */
@@ -768,23 +773,23 @@ mip_error mip_3dm_get_filter_base_rate_response_encode(
  *
  * NMEA sentences that the device streams.
  *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_nmea_message_format_response.
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * A sentence may be listed several times with different talkers or sources.
  *
  * A sentence is sent only while the device is not idle and the data of the source is valid.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_nmea_message_format_response.
- * Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
  */
 struct mip_3dm_nmea_message_format {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Number of sentences. For write. */
+    /** Number of sentences. The number of elements of format_entries. Required for write. */
     uint8_t count;
-    /** Sentences to stream. For write. */
+    /** Sentences to stream. Required for write. */
     struct mip_nmea_message format_entries[50];
 };
 
@@ -797,8 +802,8 @@ mip_error mip_3dm_nmea_message_format_decode(struct mip_3dm_nmea_message_format 
 mip_error mip_3dm_nmea_message_format_encode(const struct mip_3dm_nmea_message_format *value,
                                              struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_write(
-    uint8_t count, const struct mip_nmea_message format_entries[]);
+struct mip_3dm_nmea_message_format
+mip_3dm_nmea_message_format_write(uint8_t count, const struct mip_nmea_message format_entries[]);
 /** Send the current setting back in a response. */
 struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -811,14 +816,12 @@ struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_default(void);
 /**
  * NMEA Message Format response: response (0x0C,0x8C).
  *
- * Answers NMEA Message Format (0x0C,0x0C).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_nmea_message_format. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
  */
 struct mip_3dm_nmea_message_format_response {
-    /** Number of sentences. */
+    /** Number of sentences. The number of elements of format_entries. */
     uint8_t count;
     /** Sentences to stream. */
     struct mip_nmea_message format_entries[50];
@@ -838,6 +841,8 @@ mip_error mip_3dm_nmea_message_format_response_encode(
  *
  * Asks for one data packet of the descriptor set with the fields listed, in their order.
  *
+ * Not acknowledged if suppress_ack is true. Supported by 3DM-CV7-GNSS/INS.
+ *
  * An empty list polls the stored message format; without one the device refuses.
  *
  * Descriptors that the device does not know are ignored.
@@ -846,8 +851,6 @@ mip_error mip_3dm_nmea_message_format_response_encode(
  *
  * Shared descriptors (0xD0 and up) belong in front of the others.
  *
- * Not acknowledged if suppress_ack is true. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)
  */
 struct mip_3dm_poll_data {
@@ -855,7 +858,7 @@ struct mip_3dm_poll_data {
     uint8_t descriptor_set;
     /** Send no acknowledge. */
     mip_bool suppress_ack;
-    /** Number of fields. */
+    /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
     /** Field descriptors. */
     uint8_t descriptors[250];
@@ -901,9 +904,7 @@ struct mip_3dm_get_base_rate mip_3dm_get_base_rate_make(uint8_t descriptor_set);
 /**
  * Get Data Base Rate response: response (0x0C,0x8E).
  *
- * Answers Get Data Base Rate (0x0C,0x0E).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_get_base_rate. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
  */
@@ -928,27 +929,27 @@ mip_error mip_3dm_get_base_rate_response_encode(const struct mip_3dm_get_base_ra
  *
  * Fields of the data packets of a descriptor set, in order, with their decimations.
  *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_message_format_response.
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * The decimation is the base rate, as the get data base rate command reports it, divided by the
  * wanted rate.
  *
  * Shared descriptors (0xD0 and up) are listed under the set that they shall be sent with, in front
  * of the others.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_message_format_response.
- * Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
  */
 struct mip_3dm_message_format {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** Data descriptor set; 0 means all of them (save, load, default). */
     uint8_t descriptor_set;
-    /** Number of fields. For write. */
+    /** Number of fields. The number of elements of descriptors. Required for write. */
     uint8_t num_descriptors;
-    /** Fields and decimations. For write. */
+    /** Fields and decimations. Required for write. */
     struct mip_descriptor_rate descriptors[83];
 };
 
@@ -961,9 +962,9 @@ mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
 mip_error mip_3dm_message_format_encode(const struct mip_3dm_message_format *value,
                                         struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_message_format mip_3dm_message_format_write(
-    uint8_t descriptor_set, uint8_t num_descriptors,
-    const struct mip_descriptor_rate descriptors[]);
+struct mip_3dm_message_format
+mip_3dm_message_format_write(uint8_t descriptor_set, uint8_t num_descriptors,
+                             const struct mip_descriptor_rate descriptors[]);
 /** Send the current setting back in a response. */
 struct mip_3dm_message_format mip_3dm_message_format_read(uint8_t descriptor_set);
 /** Save the current setting to non-volatile memory. */
@@ -976,16 +977,14 @@ struct mip_3dm_message_format mip_3dm_message_format_default(uint8_t descriptor_
 /**
  * Message Format response: response (0x0C,0x8F).
  *
- * Answers Message Format (0x0C,0x0F).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_message_format. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
  */
 struct mip_3dm_message_format_response {
     /** Data descriptor set; 0 means all of them (save, load, default). */
     uint8_t descriptor_set;
-    /** Number of fields. */
+    /** Number of fields. The number of elements of descriptors. */
     uint8_t num_descriptors;
     /** Fields and decimations. */
     struct mip_descriptor_rate descriptors[83];
@@ -1012,7 +1011,7 @@ mip_error mip_3dm_message_format_response_encode(
 struct mip_3dm_factory_streaming {
     /** What happens to the present formats. */
     mip_3dm_factory_streaming_action action;
-    /**  */
+    /** Reserved: send 0. */
     uint8_t reserved;
 };
 
@@ -1025,34 +1024,34 @@ mip_error mip_3dm_factory_streaming_decode(struct mip_3dm_factory_streaming *val
 mip_error mip_3dm_factory_streaming_encode(const struct mip_3dm_factory_streaming *value,
                                            struct mip_builder *builder);
 /** Factory Streaming. */
-struct mip_3dm_factory_streaming mip_3dm_factory_streaming_make(
-    mip_3dm_factory_streaming_action action);
+struct mip_3dm_factory_streaming
+mip_3dm_factory_streaming_make(mip_3dm_factory_streaming_action action);
 
 /**
  * Data Stream Control: command (0x0C,0x11).
  *
  * Switches a data stream on or off.
  *
+ * Also called `datastream_control`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_data_stream_control_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * 5-series devices name the stream by a number of their own (legacy_data_stream), others by its
  * descriptor set.
- *
- * Functions: write, read, save, load and default. Answered by mip_3dm_data_stream_control_response.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
  */
 struct mip_3dm_data_stream_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
-     * Data descriptor set; 0 means all streams (save, load, default). On the 3dm-gx5-15:
+     * Data descriptor set; 0 means all streams (save, load, default). On the 3DM-GX5-15: values of
      * mip_3dm_legacy_data_stream.
      */
     uint8_t descriptor_set;
-    /** Whether the stream is sent. Default: true. For write. */
+    /** Whether the stream is sent. Default: true. Required for write. */
     mip_bool enable;
 };
 
@@ -1079,15 +1078,14 @@ struct mip_3dm_data_stream_control mip_3dm_data_stream_control_default(uint8_t d
 /**
  * Data Stream Control response: response (0x0C,0x85).
  *
- * Answers Data Stream Control (0x0C,0x11).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `datastream_control_response`. Answers mip_3dm_data_stream_control. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
  * - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
  */
 struct mip_3dm_data_stream_control_response {
-    /** Stream of the command. On the 3dm-gx5-15: mip_3dm_legacy_data_stream. */
+    /** Stream of the command. On the 3DM-GX5-15: values of mip_3dm_legacy_data_stream. */
     uint8_t descriptor_set;
     /** Whether the stream is sent. */
     mip_bool enabled;
@@ -1107,6 +1105,10 @@ mip_error mip_3dm_data_stream_control_response_encode(
  *
  * Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
  *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_constellation_settings_response. Uncertain: The factory default, as the SDK gives it,
+ * names GPS and GLONASS alone as enabled but has channels for SBAS and QZSS too.
+ *
  * The device refuses entries whose reserved channels exceed 32 in all. No entry may have fewer
  * channels at most than it reserves.
  *
@@ -1120,25 +1122,24 @@ mip_error mip_3dm_data_stream_control_response_encode(
  * Factory default: GPS and GLONASS are enabled. Channels reserved and at most: GPS 8 and 16,
  * GLONASS 8 and 14, SBAS 1 and 3, QZSS 0 and 3.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_constellation_settings_response.
- *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  * - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
  */
 struct mip_3dm_constellation_settings {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
      * Tracking channels in use at most; no more than the response reports as available. Unit: 1.
-     * For write.
+     * Required for write.
      */
     uint16_t max_channels;
-    /** Number of entries. Range: 0 to 41. For write. */
+    /**
+     * Number of entries. The number of elements of settings. Range: 0 to 41. Required for write.
+     */
     uint8_t config_count;
-    /** One entry for each constellation. For write. */
+    /** One entry for each constellation. Required for write. */
     struct mip_3dm_constellation_settings_entry settings[41];
 };
 
@@ -1151,9 +1152,9 @@ mip_error mip_3dm_constellation_settings_decode(struct mip_3dm_constellation_set
 mip_error mip_3dm_constellation_settings_encode(const struct mip_3dm_constellation_settings *value,
                                                 struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_constellation_settings mip_3dm_constellation_settings_write(
-    uint16_t max_channels, uint8_t config_count,
-    const struct mip_3dm_constellation_settings_entry settings[]);
+struct mip_3dm_constellation_settings
+mip_3dm_constellation_settings_write(uint16_t max_channels, uint8_t config_count,
+                                     const struct mip_3dm_constellation_settings_entry settings[]);
 /** Send the current setting back in a response. */
 struct mip_3dm_constellation_settings mip_3dm_constellation_settings_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -1168,6 +1169,8 @@ struct mip_3dm_constellation_settings mip_3dm_constellation_settings_default(voi
  *
  * Tracking channels of the receiver and the setting of each constellation.
  *
+ * Answers mip_3dm_constellation_settings.
+ *
  * - mip-sdk-4: Constellation Settings (0x0C,0x21)
  * - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
  */
@@ -1176,7 +1179,7 @@ struct mip_3dm_constellation_settings_response {
     uint16_t max_channels_available;
     /** Channels in use at most. Unit: 1. */
     uint16_t max_channels_use;
-    /** Number of entries. Range: 0 to 41. */
+    /** Number of entries. The number of elements of settings. Range: 0 to 41. */
     uint8_t config_count;
     /** One entry for each constellation. */
     struct mip_3dm_constellation_settings_entry settings[41];
@@ -1202,17 +1205,20 @@ mip_error mip_3dm_constellation_settings_response_encode(
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
 struct mip_3dm_gnss_sbas_settings {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 1 switches SBAS on, 0 off. Range: 0 to 1. For write. */
+    /** 1 switches SBAS on, 0 off. Range: 0 to 1. Required for write. */
     uint8_t enable_sbas;
-    /** What SBAS is used for. For write. */
+    /** What SBAS is used for. Required for write. */
     mip_3dm_sbas_options sbas_options;
-    /** Number of satellites listed; 0 searches for all. For write. */
+    /**
+     * Number of satellites listed; 0 searches for all. The number of elements of included_prns.
+     * Required for write.
+     */
     uint8_t num_included_prns;
-    /** PRN numbers of the SBAS satellites to search for. For write. */
+    /** PRN numbers of the SBAS satellites to search for. Required for write. */
     uint16_t included_prns[124];
 };
 
@@ -1225,9 +1231,9 @@ mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sbas_settings *v
 mip_error mip_3dm_gnss_sbas_settings_encode(const struct mip_3dm_gnss_sbas_settings *value,
                                             struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_write(
-    uint8_t enable_sbas, mip_3dm_sbas_options sbas_options, uint8_t num_included_prns,
-    const uint16_t included_prns[]);
+struct mip_3dm_gnss_sbas_settings
+mip_3dm_gnss_sbas_settings_write(uint8_t enable_sbas, mip_3dm_sbas_options sbas_options,
+                                 uint8_t num_included_prns, const uint16_t included_prns[]);
 /** Send the current setting back in a response. */
 struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -1240,9 +1246,7 @@ struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_default(void);
 /**
  * GNSS SBAS Settings response: response (0x0C,0xA1).
  *
- * Answers GNSS SBAS Settings (0x0C,0x22).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_gnss_sbas_settings. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
  */
@@ -1251,7 +1255,7 @@ struct mip_3dm_gnss_sbas_settings_response {
     uint8_t enable_sbas;
     /** What SBAS is used for. */
     mip_3dm_sbas_options sbas_options;
-    /** Number of satellites listed; 0 searches for all. */
+    /** Number of satellites listed; 0 searches for all. The number of elements of included_prns. */
     uint8_t num_included_prns;
     /** PRN numbers of the SBAS satellites to search for. */
     uint16_t included_prns[124];
@@ -1271,6 +1275,8 @@ mip_error mip_3dm_gnss_sbas_settings_response_encode(
  *
  * Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
  *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_assisted_fix_response.
+ *
  * The last fix is kept in the flash memory and the FRAM of the receiver.
  *
  * With the time of GNSS time assistance (0x0C,0x24) right after power-up, the first fix takes 1 s
@@ -1281,18 +1287,16 @@ mip_error mip_3dm_gnss_sbas_settings_response_encode(
  *
  * It takes slightly more power.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_gnss_assisted_fix_response.
- *
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
 struct mip_3dm_gnss_assisted_fix {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Assisted fix. Default: none. For write. */
+    /** Assisted fix. Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. Required for write. */
     mip_3dm_assisted_fix_option option;
-    /** Send 255. For write. */
+    /** Reserved: send 255. Required for write. */
     uint8_t flags;
 };
 
@@ -1305,8 +1309,8 @@ mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_assisted_fix *val
 mip_error mip_3dm_gnss_assisted_fix_encode(const struct mip_3dm_gnss_assisted_fix *value,
                                            struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_write(
-    mip_3dm_assisted_fix_option option);
+struct mip_3dm_gnss_assisted_fix
+mip_3dm_gnss_assisted_fix_write(mip_3dm_assisted_fix_option option);
 /** Send the current setting back in a response. */
 struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -1319,14 +1323,14 @@ struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_default(void);
 /**
  * GNSS Assisted Fix response: response (0x0C,0xA2).
  *
- * Answers GNSS Assisted Fix (0x0C,0x23).
+ * Answers mip_3dm_gnss_assisted_fix.
  *
  * - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
  */
 struct mip_3dm_gnss_assisted_fix_response {
-    /** Assisted fix. Default: none. */
+    /** Assisted fix. Default: MIP_3DM_ASSISTED_FIX_OPTION_NONE. */
     mip_3dm_assisted_fix_option option;
-    /** Send 255. */
+    /** Reserved. */
     uint8_t flags;
 };
 
@@ -1344,22 +1348,22 @@ mip_error mip_3dm_gnss_assisted_fix_response_encode(
  *
  * Tells the GNSS receiver the present GPS time.
  *
- * It is needed right after power-up if the assisted fix (0x0C,0x23) was on at power-off.
- *
  * Functions: write and read. Answered by mip_3dm_gnss_time_assistance_response.
+ *
+ * It is needed right after power-up if the assisted fix (0x0C,0x23) was on at power-off.
  *
  * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
  */
 struct mip_3dm_gnss_time_assistance {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** GPS time of week. Unit: s. For write. */
+    /** GPS time of week. Unit: s. Required for write. */
     double tow;
-    /** GPS week number since 1980. Unit: week. For write. */
+    /** GPS week number since 1980. Unit: week. Required for write. */
     uint16_t week_number;
-    /** Accuracy of the time. Unit: s. For write. */
+    /** Accuracy of the time. Unit: s. Required for write. */
     float accuracy;
 };
 
@@ -1381,7 +1385,7 @@ struct mip_3dm_gnss_time_assistance mip_3dm_gnss_time_assistance_read(void);
 /**
  * GNSS Time Assistance response: response (0x0C,0xA3).
  *
- * Answers GNSS Time Assistance (0x0C,0x24).
+ * Answers mip_3dm_gnss_time_assistance.
  *
  * - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
  */
@@ -1408,21 +1412,21 @@ mip_error mip_3dm_gnss_time_assistance_response_encode(
  *
  * Where the device takes its pulse per second from.
  *
+ * Also called `pps_source`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_pps_source_control_response. Supported by 3DM-CV7-GNSS/INS.
+ *
  * The pins are configured apart from this by the GPIO configuration command.
  *
  * The filter needs a valid pulse. disabled and generated are seldom what is wanted.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_pps_source_control_response.
- * Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
 struct mip_3dm_pps_source_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the pulse. Default: receiver_1. For write. */
+    /** Source of the pulse. Default: MIP_3DM_PPS_SOURCE_RECEIVER_1. Required for write. */
     mip_3dm_pps_source source;
 };
 
@@ -1448,14 +1452,13 @@ struct mip_3dm_pps_source_control mip_3dm_pps_source_control_default(void);
 /**
  * PPS Source Control response: response (0x0C,0xA8).
  *
- * Answers PPS Source Control (0x0C,0x28).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `pps_source_response`. Answers mip_3dm_pps_source_control. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
  */
 struct mip_3dm_pps_source_control_response {
-    /** Source of the pulse. Default: receiver_1. */
+    /** Source of the pulse. Default: MIP_3DM_PPS_SOURCE_RECEIVER_1. */
     mip_3dm_pps_source source;
 };
 
@@ -1496,9 +1499,7 @@ struct mip_3dm_get_event_support mip_3dm_get_event_support_make(mip_3dm_event_su
 /**
  * Get Supported Events response: response (0x0C,0xB4).
  *
- * Answers Get Supported Events (0x0C,0x2A).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_get_event_support. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
  */
@@ -1507,7 +1508,7 @@ struct mip_3dm_get_event_support_response {
     mip_3dm_event_support_query query;
     /** Number of slots; instances go from 1 to this. Unit: 1. */
     uint8_t max_instances;
-    /** Number of types. */
+    /** Number of types. The number of elements of entries. */
     uint8_t num_entries;
     /** The types. */
     struct mip_3dm_event_support_info entries[125];
@@ -1527,23 +1528,23 @@ mip_error mip_3dm_get_event_support_response_encode(
  *
  * Enables, disables or tests an event trigger.
  *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_event_control_response.
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * Triggers are disabled by default and after configuration.
  *
  * A trigger of type none cannot be enabled.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_event_control_response.
- * Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  */
 struct mip_3dm_event_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** Trigger instance; 0 means all configured triggers, except for read. */
     uint8_t instance;
-    /** New mode. Default: disabled. For write. */
+    /** New mode. Default: MIP_EVENT_TRIGGER_MODE_DISABLED. Required for write. */
     mip_event_trigger_mode mode;
 };
 
@@ -1570,16 +1571,14 @@ struct mip_3dm_event_control mip_3dm_event_control_default(uint8_t instance);
 /**
  * Event Control response: response (0x0C,0xB5).
  *
- * Answers Event Control (0x0C,0x2B).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_event_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
  */
 struct mip_3dm_event_control_response {
     /** Trigger instance; 0 means all configured triggers, except for read. */
     uint8_t instance;
-    /** New mode. Default: disabled. */
+    /** New mode. Default: MIP_EVENT_TRIGGER_MODE_DISABLED. */
     mip_event_trigger_mode mode;
 };
 
@@ -1602,7 +1601,10 @@ mip_error mip_3dm_event_control_response_encode(const struct mip_3dm_event_contr
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
 struct mip_3dm_get_event_trigger_status {
-    /** Number of triggers asked for; 0 asks for all slots. */
+    /**
+     * Number of triggers asked for; 0 asks for all slots. The number of elements of
+     * requested_instances.
+     */
     uint8_t requested_count;
     /** Trigger instances. */
     uint8_t requested_instances[252];
@@ -1617,20 +1619,18 @@ mip_error mip_3dm_get_event_trigger_status_decode(struct mip_3dm_get_event_trigg
 mip_error mip_3dm_get_event_trigger_status_encode(
     const struct mip_3dm_get_event_trigger_status *value, struct mip_builder *builder);
 /** Get Event Trigger Status. */
-struct mip_3dm_get_event_trigger_status mip_3dm_get_event_trigger_status_make(
-    uint8_t requested_count, const uint8_t requested_instances[]);
+struct mip_3dm_get_event_trigger_status
+mip_3dm_get_event_trigger_status_make(uint8_t requested_count, const uint8_t requested_instances[]);
 
 /**
  * Get Event Trigger Status response: response (0x0C,0xB6).
  *
- * Answers Get Event Trigger Status (0x0C,0x2C).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_get_event_trigger_status. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
  */
 struct mip_3dm_get_event_trigger_status_response {
-    /** Number of entries. */
+    /** Number of entries. The number of elements of triggers. */
     uint8_t count;
     /** One entry per trigger, in the order asked for, or by instance if all were asked for. */
     struct mip_3dm_event_trigger_status_entry triggers[126];
@@ -1655,7 +1655,10 @@ mip_error mip_3dm_get_event_trigger_status_response_encode(
  * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
  */
 struct mip_3dm_get_event_action_status {
-    /** Number of actions asked for; 0 asks for all slots. */
+    /**
+     * Number of actions asked for; 0 asks for all slots. The number of elements of
+     * requested_instances.
+     */
     uint8_t requested_count;
     /** Action instances. */
     uint8_t requested_instances[252];
@@ -1670,20 +1673,18 @@ mip_error mip_3dm_get_event_action_status_decode(struct mip_3dm_get_event_action
 mip_error mip_3dm_get_event_action_status_encode(
     const struct mip_3dm_get_event_action_status *value, struct mip_builder *builder);
 /** Get Event Action Status. */
-struct mip_3dm_get_event_action_status mip_3dm_get_event_action_status_make(
-    uint8_t requested_count, const uint8_t requested_instances[]);
+struct mip_3dm_get_event_action_status
+mip_3dm_get_event_action_status_make(uint8_t requested_count, const uint8_t requested_instances[]);
 
 /**
  * Get Event Action Status response: response (0x0C,0xB7).
  *
- * Answers Get Event Action Status (0x0C,0x2D).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_get_event_action_status. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
  */
 struct mip_3dm_get_event_action_status_response {
-    /** Number of entries. */
+    /** Number of entries. The number of elements of actions. */
     uint8_t count;
     /** One entry per action, in the order asked for, or by instance if all were asked for. */
     struct mip_3dm_event_action_status_entry actions[126];
@@ -1700,11 +1701,17 @@ mip_error mip_3dm_get_event_action_status_response_encode(
 
 /** The member of mip_3dm_event_trigger_config that `type` selects. */
 union mip_3dm_event_trigger_config_parameters {
-    /** If type is gpio. */
+    /** If type is MIP_EVENT_TRIGGER_TYPE_GPIO. Watches a GPIO pin. */
     struct mip_event_trigger_gpio gpio;
-    /** If type is threshold. */
+    /**
+     * If type is MIP_EVENT_TRIGGER_TYPE_THRESHOLD. Compares one value of a data field with
+     * thresholds.
+     */
     struct mip_event_trigger_threshold threshold;
-    /** If type is combination. */
+    /**
+     * If type is MIP_EVENT_TRIGGER_TYPE_COMBINATION. Combines up to four other triggers by a truth
+     * table.
+     */
     struct mip_event_trigger_combination combination;
 };
 
@@ -1713,25 +1720,28 @@ union mip_3dm_event_trigger_config_parameters {
  *
  * Kind and condition of an event trigger.
  *
+ * Also called `event_trigger`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_event_trigger_config_response. Supported by 3DM-CV7-GNSS/INS.
+ *
  * The trigger is disabled afterwards; the event control command enables it.
  *
  * A GPIO trigger needs its pin configured by the GPIO configuration command.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_event_trigger_config_response. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
 struct mip_3dm_event_trigger_config {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** Trigger instance; 0 means all (save, load, default). */
     uint8_t instance;
-    /** Kind of trigger. Default: none. For write. */
+    /** Kind of trigger. Default: MIP_EVENT_TRIGGER_TYPE_NONE. Required for write. */
     mip_event_trigger_type type;
-    /** The condition. For write. */
+    /**
+     * The condition. Selected by type. Required for write. Empty if type is
+     * MIP_EVENT_TRIGGER_TYPE_NONE.
+     */
     union mip_3dm_event_trigger_config_parameters parameters;
 };
 
@@ -1744,9 +1754,9 @@ mip_error mip_3dm_event_trigger_config_decode(struct mip_3dm_event_trigger_confi
 mip_error mip_3dm_event_trigger_config_encode(const struct mip_3dm_event_trigger_config *value,
                                               struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_write(
-    uint8_t instance, mip_event_trigger_type type,
-    const union mip_3dm_event_trigger_config_parameters *parameters);
+struct mip_3dm_event_trigger_config
+mip_3dm_event_trigger_config_write(uint8_t instance, mip_event_trigger_type type,
+                                   const union mip_3dm_event_trigger_config_parameters *parameters);
 /** Send the current setting back in a response. */
 struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_read(uint8_t instance);
 /** Save the current setting to non-volatile memory. */
@@ -1758,29 +1768,34 @@ struct mip_3dm_event_trigger_config mip_3dm_event_trigger_config_default(uint8_t
 
 /** The member of mip_3dm_event_trigger_config_response that `type` selects. */
 union mip_3dm_event_trigger_config_response_parameters {
-    /** If type is gpio. */
+    /** If type is MIP_EVENT_TRIGGER_TYPE_GPIO. Watches a GPIO pin. */
     struct mip_event_trigger_gpio gpio;
-    /** If type is threshold. */
+    /**
+     * If type is MIP_EVENT_TRIGGER_TYPE_THRESHOLD. Compares one value of a data field with
+     * thresholds.
+     */
     struct mip_event_trigger_threshold threshold;
-    /** If type is combination. */
+    /**
+     * If type is MIP_EVENT_TRIGGER_TYPE_COMBINATION. Combines up to four other triggers by a truth
+     * table.
+     */
     struct mip_event_trigger_combination combination;
 };
 
 /**
  * Event Trigger Configuration response: response (0x0C,0xB8).
  *
- * Answers Event Trigger Configuration (0x0C,0x2E).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `event_trigger_response`. Answers mip_3dm_event_trigger_config. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
  */
 struct mip_3dm_event_trigger_config_response {
     /** Trigger instance; 0 means all (save, load, default). */
     uint8_t instance;
-    /** Kind of trigger. Default: none. */
+    /** Kind of trigger. Default: MIP_EVENT_TRIGGER_TYPE_NONE. */
     mip_event_trigger_type type;
-    /** The condition. */
+    /** The condition. Selected by type. Empty if type is MIP_EVENT_TRIGGER_TYPE_NONE. */
     union mip_3dm_event_trigger_config_response_parameters parameters;
 };
 
@@ -1795,9 +1810,9 @@ mip_error mip_3dm_event_trigger_config_response_encode(
 
 /** The member of mip_3dm_event_action_config that `type` selects. */
 union mip_3dm_event_action_config_parameters {
-    /** If type is gpio. */
+    /** If type is MIP_EVENT_ACTION_TYPE_GPIO. Controls a GPIO pin. */
     struct mip_event_action_gpio gpio;
-    /** If type is message. */
+    /** If type is MIP_EVENT_ACTION_TYPE_MESSAGE. Sends a data packet. */
     struct mip_event_action_message message;
 };
 
@@ -1806,27 +1821,30 @@ union mip_3dm_event_action_config_parameters {
  *
  * Trigger and effect of an event action.
  *
+ * Also called `event_action`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_event_action_config_response. Supported by 3DM-CV7-GNSS/INS.
+ *
  * A packet holds one descriptor set; for several sets use several actions with the same trigger.
  *
  * A GPIO action needs its pin configured as an output with the gpio feature.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_event_action_config_response.
- * Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  */
 struct mip_3dm_event_action_config {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** Action instance; 0 means all (save, load, default). */
     uint8_t instance;
-    /** Trigger instance that the action follows. For write. */
+    /** Trigger instance that the action follows. Required for write. */
     uint8_t trigger;
-    /** Kind of action. Default: none. For write. */
+    /** Kind of action. Default: MIP_EVENT_ACTION_TYPE_NONE. Required for write. */
     mip_event_action_type type;
-    /** The effect. For write. */
+    /**
+     * The effect. Selected by type. Required for write. Empty if type is
+     * MIP_EVENT_ACTION_TYPE_NONE.
+     */
     union mip_3dm_event_action_config_parameters parameters;
 };
 
@@ -1839,9 +1857,9 @@ mip_error mip_3dm_event_action_config_decode(struct mip_3dm_event_action_config 
 mip_error mip_3dm_event_action_config_encode(const struct mip_3dm_event_action_config *value,
                                              struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_event_action_config mip_3dm_event_action_config_write(
-    uint8_t instance, uint8_t trigger, mip_event_action_type type,
-    const union mip_3dm_event_action_config_parameters *parameters);
+struct mip_3dm_event_action_config
+mip_3dm_event_action_config_write(uint8_t instance, uint8_t trigger, mip_event_action_type type,
+                                  const union mip_3dm_event_action_config_parameters *parameters);
 /** Send the current setting back in a response. */
 struct mip_3dm_event_action_config mip_3dm_event_action_config_read(uint8_t instance);
 /** Save the current setting to non-volatile memory. */
@@ -1853,18 +1871,17 @@ struct mip_3dm_event_action_config mip_3dm_event_action_config_default(uint8_t i
 
 /** The member of mip_3dm_event_action_config_response that `type` selects. */
 union mip_3dm_event_action_config_response_parameters {
-    /** If type is gpio. */
+    /** If type is MIP_EVENT_ACTION_TYPE_GPIO. Controls a GPIO pin. */
     struct mip_event_action_gpio gpio;
-    /** If type is message. */
+    /** If type is MIP_EVENT_ACTION_TYPE_MESSAGE. Sends a data packet. */
     struct mip_event_action_message message;
 };
 
 /**
  * Event Action Configuration response: response (0x0C,0xB9).
  *
- * Answers Event Action Configuration (0x0C,0x2F).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `event_action_response`. Answers mip_3dm_event_action_config. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
  */
@@ -1873,9 +1890,9 @@ struct mip_3dm_event_action_config_response {
     uint8_t instance;
     /** Trigger instance that the action follows. */
     uint8_t trigger;
-    /** Kind of action. Default: none. */
+    /** Kind of action. Default: MIP_EVENT_ACTION_TYPE_NONE. */
     mip_event_action_type type;
-    /** The effect. */
+    /** The effect. Selected by type. Empty if type is MIP_EVENT_ACTION_TYPE_NONE. */
     union mip_3dm_event_action_config_response_parameters parameters;
 };
 
@@ -1893,10 +1910,10 @@ mip_error mip_3dm_event_action_config_response_encode(
  *
  * Saves, loads or resets all settings of the device at once.
  *
- * A save may disturb the data output for a short time.
- *
  * Functions: save, load and default. The device may take 1 s to answer. Supported by
  * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * A save may disturb the data output for a short time.
  *
  * - 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30)
  * - 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
@@ -1926,6 +1943,9 @@ struct mip_3dm_device_settings mip_3dm_device_settings_default(void);
  *
  * Mounting of the sensor in the vehicle as Euler angles.
  *
+ * Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and default.
+ * Answered by mip_3dm_sensor_to_vehicle_transform_euler_response. Supported by 3DM-CV7-GNSS/INS.
+ *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
  *
@@ -1941,21 +1961,18 @@ struct mip_3dm_device_settings mip_3dm_device_settings_default(void);
  *
  * On some older products the setting means the inverse rotation.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_sensor_to_vehicle_transform_euler_response. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
 struct mip_3dm_sensor_to_vehicle_transform_euler {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Rotation about the x axis. Unit: rad. For write. */
+    /** Rotation about the x axis. Unit: rad. Required for write. */
     float roll;
-    /** Rotation about the y axis. Unit: rad. For write. */
+    /** Rotation about the y axis. Unit: rad. Required for write. */
     float pitch;
-    /** Rotation about the z axis. Unit: rad. For write. */
+    /** Rotation about the z axis. Unit: rad. Required for write. */
     float yaw;
 };
 
@@ -1968,8 +1985,8 @@ mip_error mip_3dm_sensor_to_vehicle_transform_euler_decode(
 mip_error mip_3dm_sensor_to_vehicle_transform_euler_encode(
     const struct mip_3dm_sensor_to_vehicle_transform_euler *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_sensor_to_vehicle_transform_euler mip_3dm_sensor_to_vehicle_transform_euler_write(
-    float roll, float pitch, float yaw);
+struct mip_3dm_sensor_to_vehicle_transform_euler
+mip_3dm_sensor_to_vehicle_transform_euler_write(float roll, float pitch, float yaw);
 /** Send the current setting back in a response. */
 struct mip_3dm_sensor_to_vehicle_transform_euler
 mip_3dm_sensor_to_vehicle_transform_euler_read(void);
@@ -1986,9 +2003,8 @@ mip_3dm_sensor_to_vehicle_transform_euler_default(void);
 /**
  * Sensor-to-Vehicle Frame Transformation Euler response: response (0x0C,0xB1).
  *
- * Answers Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `sensor_2_vehicle_transform_euler_response`. Answers
+ * mip_3dm_sensor_to_vehicle_transform_euler. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
  */
@@ -2018,24 +2034,25 @@ mip_error mip_3dm_sensor_to_vehicle_transform_euler_response_encode(
  *
  * Mounting of the sensor in the vehicle as a quaternion.
  *
+ * Also called `sensor_2_vehicle_transform_quaternion`. Functions: write, read, save, load and
+ * default. Answered by mip_3dm_sensor_to_vehicle_transform_quaternion_response. Supported by
+ * 3DM-CV7-GNSS/INS.
+ *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
  *
  * A change resets the low-pass filters, the complementary filter and the estimation filter.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_sensor_to_vehicle_transform_quaternion_response. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
 struct mip_3dm_sensor_to_vehicle_transform_quaternion {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
      * Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
-     * w, x, y, z. Unit: 1. For write.
+     * w, x, y, z. Unit: 1. Required for write.
      */
     float q[4];
 };
@@ -2069,9 +2086,8 @@ mip_3dm_sensor_to_vehicle_transform_quaternion_default(void);
 /**
  * Sensor-to-Vehicle Frame Transformation Quaternion response: response (0x0C,0xB2).
  *
- * Answers Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
+ * mip_3dm_sensor_to_vehicle_transform_quaternion. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
  */
@@ -2100,6 +2116,9 @@ mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode(
  *
  * Mounting of the sensor in the vehicle as a direction cosine matrix.
  *
+ * Also called `sensor_2_vehicle_transform_dcm`. Functions: write, read, save, load and default.
+ * Answered by mip_3dm_sensor_to_vehicle_transform_dcm_response. Supported by 3DM-CV7-GNSS/INS.
+ *
  * The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
  * be another form of it.
  *
@@ -2107,19 +2126,16 @@ mip_error mip_3dm_sensor_to_vehicle_transform_quaternion_response_encode(
  *
  * A change resets the low-pass filters, the complementary filter and the estimation filter.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_sensor_to_vehicle_transform_dcm_response. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
 struct mip_3dm_sensor_to_vehicle_transform_dcm {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
      * The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
-     * 1. For write.
+     * 1. Required for write.
      */
     float dcm[9];
 };
@@ -2133,8 +2149,8 @@ mip_error mip_3dm_sensor_to_vehicle_transform_dcm_decode(
 mip_error mip_3dm_sensor_to_vehicle_transform_dcm_encode(
     const struct mip_3dm_sensor_to_vehicle_transform_dcm *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_write(
-    const float dcm[9]);
+struct mip_3dm_sensor_to_vehicle_transform_dcm
+mip_3dm_sensor_to_vehicle_transform_dcm_write(const float dcm[9]);
 /** Send the current setting back in a response. */
 struct mip_3dm_sensor_to_vehicle_transform_dcm mip_3dm_sensor_to_vehicle_transform_dcm_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -2148,9 +2164,8 @@ mip_3dm_sensor_to_vehicle_transform_dcm_default(void);
 /**
  * Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response: response (0x0C,0xB3).
  *
- * Answers Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `sensor_2_vehicle_transform_dcm_response`. Answers
+ * mip_3dm_sensor_to_vehicle_transform_dcm. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
  */
@@ -2179,17 +2194,20 @@ mip_error mip_3dm_sensor_to_vehicle_transform_dcm_response_encode(
  * Bias that is subtracted from the scaled acceleration.
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
- * mip_3dm_accel_bias_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * mip_3dm_accel_bias_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
+ * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
  */
 struct mip_3dm_accel_bias {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. For write and apply. */
+    /**
+     * Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for write and apply.
+     */
     float bias[3];
 };
 
@@ -2217,9 +2235,7 @@ struct mip_3dm_accel_bias mip_3dm_accel_bias_apply(const float bias[3]);
 /**
  * Accelerometer Bias Configuration response: response (0x0C,0x9A).
  *
- * Answers Accelerometer Bias Configuration (0x0C,0x37).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_3dm_accel_bias. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -2244,17 +2260,20 @@ mip_error mip_3dm_accel_bias_response_encode(const struct mip_3dm_accel_bias_res
  * Bias that is subtracted from the scaled angular rate.
  *
  * For advanced use. Functions: write, read, save, load, default and apply. Answered by
- * mip_3dm_gyro_bias_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * mip_3dm_gyro_bias_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
+ * 3DM-CV7-GNSS/INS: write, read, save, load and default only.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
  */
 struct mip_3dm_gyro_bias {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. For write and apply. */
+    /**
+     * Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for write and apply.
+     */
     float bias[3];
 };
 
@@ -2281,9 +2300,10 @@ struct mip_3dm_gyro_bias mip_3dm_gyro_bias_apply(const float bias[3]);
 /**
  * Gyroscope Bias Configuration response: response (0x0C,0x9B).
  *
- * The bias in use. The capture gyroscope bias command answers with it too.
+ * The bias in use.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `capture_gyro_bias_response`. Answers mip_3dm_gyro_bias and
+ * mip_3dm_capture_gyro_bias. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -2307,6 +2327,9 @@ mip_error mip_3dm_gyro_bias_response_encode(const struct mip_3dm_gyro_bias_respo
  *
  * Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
  *
+ * Answered by mip_3dm_gyro_bias_response. The device may take 31 s to answer. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * The device must stand still, with as little vibration as possible, for the whole time.
  *
  * The reply comes after the averaging time.
@@ -2314,9 +2337,6 @@ mip_error mip_3dm_gyro_bias_response_encode(const struct mip_3dm_gyro_bias_respo
  * The bias is not saved; the gyroscope bias configuration command with save does it.
  *
  * The 3DM-GX5-15 also initializes its orientation from the samples.
- *
- * Answered by mip_3dm_gyro_bias_response. The device may take 31 s to answer. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39)
  * - 3dm-cv7-gnss-ins: Capture Gyroscope Bias (0x0C,0x39)
@@ -2342,19 +2362,19 @@ struct mip_3dm_capture_gyro_bias mip_3dm_capture_gyro_bias_make(uint16_t averagi
  *
  * Offset that corrects the scaled magnetic field for hard iron.
  *
- * The values come from a calibration of the device as it is installed.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_3dm_mag_hard_iron_offset_response. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * The values come from a calibration of the device as it is installed.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  */
 struct mip_3dm_mag_hard_iron_offset {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. For write. */
+    /** Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for write. */
     float offset[3];
 };
 
@@ -2380,9 +2400,7 @@ struct mip_3dm_mag_hard_iron_offset mip_3dm_mag_hard_iron_offset_default(void);
 /**
  * Magnetometer Hard Iron Offset response: response (0x0C,0x9C).
  *
- * Answers Magnetometer Hard Iron Offset (0x0C,0x3A).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_mag_hard_iron_offset. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
  */
@@ -2405,21 +2423,21 @@ mip_error mip_3dm_mag_hard_iron_offset_response_encode(
  *
  * Matrix that corrects the scaled magnetic field for soft iron.
  *
- * The values come from a calibration of the device as it is installed.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_3dm_mag_soft_iron_matrix_response. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * The values come from a calibration of the device as it is installed.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  */
 struct mip_3dm_mag_soft_iron_matrix {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
      * Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-     * Unit: 1. Frame: sensor. For write.
+     * Unit: 1. Frame: sensor. Required for write.
      */
     float matrix[9];
 };
@@ -2446,9 +2464,7 @@ struct mip_3dm_mag_soft_iron_matrix mip_3dm_mag_soft_iron_matrix_default(void);
 /**
  * Magnetometer Soft Iron Matrix response: response (0x0C,0x9D).
  *
- * Answers Magnetometer Soft Iron Matrix (0x0C,0x3B).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_mag_soft_iron_matrix. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
  */
@@ -2480,11 +2496,11 @@ mip_error mip_3dm_mag_soft_iron_matrix_response_encode(
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
 struct mip_3dm_coning_sculling_enable {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Whether the compensation is on. Default: true. For write. */
+    /** Whether the compensation is on. Default: true. Required for write. */
     mip_bool enable;
 };
 
@@ -2510,9 +2526,7 @@ struct mip_3dm_coning_sculling_enable mip_3dm_coning_sculling_enable_default(voi
 /**
  * Coning and Sculling Enable response: response (0x0C,0x9E).
  *
- * Answers Coning and Sculling Enable (0x0C,0x3E).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_3dm_coning_sculling_enable. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
  */
@@ -2535,6 +2549,9 @@ mip_error mip_3dm_coning_sculling_enable_response_encode(
  *
  * Baud rate of the main port.
  *
+ * Also called `uart_baudrate`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_uart_baud_rate_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later.
  *
  * The 3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then nothing is
@@ -2542,18 +2559,15 @@ mip_error mip_3dm_coning_sculling_enable_response_encode(
  *
  * Set the device to idle first, send the command in a packet of its own and wait 250 ms afterwards.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_uart_baud_rate_response.
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
  */
 struct mip_3dm_uart_baud_rate {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Baud rate. Unit: Bd. For write. On 3dm-gx5-15: factory default 115200. */
+    /** Baud rate. Unit: Bd. Required for write. On the 3DM-GX5-15: default 115200. */
     uint32_t baud;
 };
 
@@ -2579,15 +2593,14 @@ struct mip_3dm_uart_baud_rate mip_3dm_uart_baud_rate_default(void);
 /**
  * UART Baud Rate response: response (0x0C,0x87).
  *
- * Answers UART Baud Rate (0x0C,0x40).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `uart_baudrate_response`. Answers mip_3dm_uart_baud_rate. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
  * - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
  */
 struct mip_3dm_uart_baud_rate_response {
-    /** Baud rate. Unit: Bd. On 3dm-gx5-15: factory default 115200. */
+    /** Baud rate. Unit: Bd. */
     uint32_t baud;
 };
 
@@ -2605,6 +2618,9 @@ mip_error mip_3dm_uart_baud_rate_response_encode(
  *
  * What a GPIO pin is used for.
  *
+ * Functions: write, read, save, load and default. Answered by mip_3dm_gpio_config_response.
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * Not every pin has every feature.
  *
  * Configure the function behind an output before its pin, and the pin of an input before its
@@ -2615,29 +2631,28 @@ mip_error mip_3dm_uart_baud_rate_response_encode(
  * With NMEA input at most one pin may be a UART input; set it to unused before another one takes
  * over.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_gpio_config_response.
- * Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
 struct mip_3dm_gpio_config {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** GPIO pin, counted from 1; 0 means all pins (save, load, default). */
     uint8_t pin;
-    /** Use of the pin. Default: unused. For write. */
+    /** Use of the pin. Default: MIP_GPIO_FEATURE_UNUSED. Required for write. */
     mip_gpio_feature feature;
     /**
-     * Role of the pin within the feature; 0 where the feature names none. If feature is unused:
-     * mip_gpio_unused_behavior. If feature is gpio: mip_gpio_behavior. If feature is pps:
-     * mip_gpio_pps_behavior. If feature is encoder: mip_gpio_encoder_behavior. If feature is
-     * timestamp: mip_gpio_timestamp_behavior. If feature is uart: mip_gpio_uart_behavior. For
-     * write.
+     * Role of the pin within the feature; 0 where the feature names none. Required for write. If
+     * feature is MIP_GPIO_FEATURE_UNUSED: values of mip_gpio_unused_behavior. If feature is
+     * MIP_GPIO_FEATURE_GPIO: values of mip_gpio_behavior. If feature is MIP_GPIO_FEATURE_PPS:
+     * values of mip_gpio_pps_behavior. If feature is MIP_GPIO_FEATURE_ENCODER: values of
+     * mip_gpio_encoder_behavior. If feature is MIP_GPIO_FEATURE_TIMESTAMP: values of
+     * mip_gpio_timestamp_behavior. If feature is MIP_GPIO_FEATURE_UART: values of
+     * mip_gpio_uart_behavior.
      */
     uint8_t behavior;
-    /** Electrical options. For write. */
+    /** Electrical options. Required for write. */
     mip_gpio_pin_mode pin_mode;
 };
 
@@ -2664,22 +2679,23 @@ struct mip_3dm_gpio_config mip_3dm_gpio_config_default(uint8_t pin);
 /**
  * GPIO Configuration response: response (0x0C,0xC1).
  *
- * Answers GPIO Configuration (0x0C,0x41).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_gpio_config. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
  */
 struct mip_3dm_gpio_config_response {
     /** GPIO pin, counted from 1; 0 means all pins (save, load, default). */
     uint8_t pin;
-    /** Use of the pin. Default: unused. */
+    /** Use of the pin. Default: MIP_GPIO_FEATURE_UNUSED. */
     mip_gpio_feature feature;
     /**
-     * Role of the pin within the feature; 0 where the feature names none. If feature is unused:
-     * mip_gpio_unused_behavior. If feature is gpio: mip_gpio_behavior. If feature is pps:
-     * mip_gpio_pps_behavior. If feature is encoder: mip_gpio_encoder_behavior. If feature is
-     * timestamp: mip_gpio_timestamp_behavior. If feature is uart: mip_gpio_uart_behavior.
+     * Role of the pin within the feature; 0 where the feature names none. If feature is
+     * MIP_GPIO_FEATURE_UNUSED: values of mip_gpio_unused_behavior. If feature is
+     * MIP_GPIO_FEATURE_GPIO: values of mip_gpio_behavior. If feature is MIP_GPIO_FEATURE_PPS:
+     * values of mip_gpio_pps_behavior. If feature is MIP_GPIO_FEATURE_ENCODER: values of
+     * mip_gpio_encoder_behavior. If feature is MIP_GPIO_FEATURE_TIMESTAMP: values of
+     * mip_gpio_timestamp_behavior. If feature is MIP_GPIO_FEATURE_UART: values of
+     * mip_gpio_uart_behavior.
      */
     uint8_t behavior;
     /** Electrical options. */
@@ -2700,6 +2716,9 @@ mip_error mip_3dm_gpio_config_response_encode(const struct mip_3dm_gpio_config_r
  *
  * Sets or reads the state of a GPIO pin.
  *
+ * Functions: write and read. Answered by mip_3dm_gpio_state_response. Supported by
+ * 3DM-CV7-GNSS/INS.
+ *
  * What is read is the level of the pin itself.
  *
  * Writing shows only on a pin that is configured as an output.
@@ -2710,19 +2729,16 @@ mip_error mip_3dm_gpio_config_response_encode(const struct mip_3dm_gpio_config_r
  *
  * The state at power-up is a matter of the GPIO configuration command.
  *
- * Functions: write and read. Answered by mip_3dm_gpio_state_response. Supported by
- * 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
  */
 struct mip_3dm_gpio_state {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** GPIO pin, counted from 1. At least 1. */
+    /** GPIO pin, counted from 1. Range: at least 1. */
     uint8_t pin;
-    /** True is high. For write. */
+    /** True is high. Required for write. */
     mip_bool state;
 };
 
@@ -2742,14 +2758,12 @@ struct mip_3dm_gpio_state mip_3dm_gpio_state_read(uint8_t pin);
 /**
  * GPIO State response: response (0x0C,0xC2).
  *
- * Answers GPIO State (0x0C,0x42).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_gpio_state. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
  */
 struct mip_3dm_gpio_state_response {
-    /** GPIO pin, counted from 1. At least 1. */
+    /** GPIO pin, counted from 1. Range: at least 1. */
     uint8_t pin;
     /** True is high. */
     mip_bool state;
@@ -2769,24 +2783,26 @@ mip_error mip_3dm_gpio_state_response_encode(const struct mip_3dm_gpio_state_res
  *
  * Input from a wheel encoder.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_odometer_config_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `odometer`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_odometer_config_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
 struct mip_3dm_odometer_config {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** How the input works. For write. */
+    /** How the input works. Required for write. */
     mip_3dm_odometer_mode mode;
     /**
      * Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
-     * For write. Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
+     * Required for write.
+     *
+     * Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
      */
     float scaling;
-    /** Relative uncertainty of the scaling, 1 sigma. Unit: 1. For write. */
+    /** Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for write. */
     float uncertainty;
 };
 
@@ -2813,9 +2829,7 @@ struct mip_3dm_odometer_config mip_3dm_odometer_config_default(void);
 /**
  * Odometer Configuration response: response (0x0C,0xC3).
  *
- * Answers Odometer Configuration (0x0C,0x43).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `odometer_response`. Answers mip_3dm_odometer_config. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
  */
@@ -2824,6 +2838,7 @@ struct mip_3dm_odometer_config_response {
     mip_3dm_odometer_mode mode;
     /**
      * Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
+     *
      * Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
      */
     float scaling;
@@ -2845,41 +2860,41 @@ mip_error mip_3dm_odometer_config_response_encode(
  *
  * Low-pass filter of one quantity of the sensor data.
  *
+ * Deprecated: use mip_3dm_low_pass_filter where the device has it. For advanced use. Also called
+ * `imu_lowpass_filter`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_imu_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * The filter has one pole. By default it is on and its cutoff is half the rate of the message
  * format.
- *
- * Deprecated: use 3dm.low_pass_filter where the device has it. For advanced use. Functions: write,
- * read, save, load and default. Answered by mip_3dm_imu_low_pass_filter_response. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
  */
 struct mip_3dm_imu_low_pass_filter {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
      * Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-     * magnetic field 0x06 or pressure 0x17. On 3dm-cv7-gnss-ins: Field descriptor in the sensor
+     * magnetic field 0x06 or pressure 0x17. On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor
      * data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
      * 0 means all of them, except for read.
      */
     uint8_t target_descriptor;
-    /** Whether the quantity is filtered. Default: true. For write. */
+    /** Whether the quantity is filtered. Default: true. Required for write. */
     mip_bool enable;
     /**
      * True uses the frequency; false follows half the rate of the message format. Default: false.
-     * For write.
+     * Required for write.
      */
     mip_bool manual;
     /**
-     * Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. For write. On 3dm-gx5-15: at
-     * most 250.
+     * Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. Required for write. On the
+     * 3DM-GX5-15: range at most 250.
      */
     uint16_t frequency;
-    /** For write. */
+    /** Reserved: send 0. Required for write. */
     uint8_t reserved;
 };
 
@@ -2908,9 +2923,8 @@ struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_default(uint8_t t
 /**
  * Advanced Low-Pass Filter Settings response: response (0x0C,0x8B).
  *
- * Answers Advanced Low-Pass Filter Settings (0x0C,0x50).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `imu_lowpass_filter_response`. Answers mip_3dm_imu_low_pass_filter. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
  * - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -2918,9 +2932,7 @@ struct mip_3dm_imu_low_pass_filter mip_3dm_imu_low_pass_filter_default(uint8_t t
 struct mip_3dm_imu_low_pass_filter_response {
     /**
      * Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-     * magnetic field 0x06 or pressure 0x17. On 3dm-cv7-gnss-ins: Field descriptor in the sensor
-     * data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
-     * 0 means all of them, except for read.
+     * magnetic field 0x06 or pressure 0x17.
      */
     uint8_t target_descriptor;
     /** Whether the quantity is filtered. Default: true. */
@@ -2929,11 +2941,9 @@ struct mip_3dm_imu_low_pass_filter_response {
      * True uses the frequency; false follows half the rate of the message format. Default: false.
      */
     mip_bool manual;
-    /**
-     * Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. On 3dm-gx5-15: at most 250.
-     */
+    /** Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. */
     uint16_t frequency;
-    /**  */
+    /** Reserved. */
     uint8_t reserved;
 };
 
@@ -2951,6 +2961,9 @@ mip_error mip_3dm_imu_low_pass_filter_response_encode(
  *
  * Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
  *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_3dm_complementary_filter_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
  *
  * The heading follows the magnetometer, if the device has one.
@@ -2959,35 +2972,32 @@ mip_error mip_3dm_imu_low_pass_filter_response_encode(
  *
  * The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for compatibility.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_3dm_complementary_filter_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
  */
 struct mip_3dm_complementary_filter {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
-     * Corrects pitch and roll (up, in terms of the 5-series). For write. On 3dm-gx5-15: factory
-     * default true.
+     * Corrects pitch and roll (up, in terms of the 5-series). Required for write. On the
+     * 3DM-GX5-15: default true.
      */
     mip_bool pitch_roll_enable;
     /**
-     * Corrects the heading (north, in terms of the 5-series). For write. On 3dm-gx5-15: factory
-     * default true.
+     * Corrects the heading (north, in terms of the 5-series). Required for write. On the
+     * 3DM-GX5-15: default true.
      */
     mip_bool heading_enable;
     /**
      * Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
-     * For write.
+     * Required for write.
      */
     float pitch_roll_time_constant;
     /**
-     * Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10. For
-     * write.
+     * Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10.
+     * Required for write.
      */
     float heading_time_constant;
 };
@@ -3001,9 +3011,9 @@ mip_error mip_3dm_complementary_filter_decode(struct mip_3dm_complementary_filte
 mip_error mip_3dm_complementary_filter_encode(const struct mip_3dm_complementary_filter *value,
                                               struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_3dm_complementary_filter mip_3dm_complementary_filter_write(
-    mip_bool pitch_roll_enable, mip_bool heading_enable, float pitch_roll_time_constant,
-    float heading_time_constant);
+struct mip_3dm_complementary_filter
+mip_3dm_complementary_filter_write(mip_bool pitch_roll_enable, mip_bool heading_enable,
+                                   float pitch_roll_time_constant, float heading_time_constant);
 /** Send the current setting back in a response. */
 struct mip_3dm_complementary_filter mip_3dm_complementary_filter_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -3016,21 +3026,15 @@ struct mip_3dm_complementary_filter mip_3dm_complementary_filter_default(void);
 /**
  * Complementary Filter Configuration response: response (0x0C,0x97).
  *
- * Answers Complementary Filter Configuration (0x0C,0x51).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_3dm_complementary_filter. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
  * - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
  */
 struct mip_3dm_complementary_filter_response {
-    /**
-     * Corrects pitch and roll (up, in terms of the 5-series). On 3dm-gx5-15: factory default true.
-     */
+    /** Corrects pitch and roll (up, in terms of the 5-series). */
     mip_bool pitch_roll_enable;
-    /**
-     * Corrects the heading (north, in terms of the 5-series). On 3dm-gx5-15: factory default true.
-     */
+    /** Corrects the heading (north, in terms of the 5-series). */
     mip_bool heading_enable;
     /**
      * Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
@@ -3054,22 +3058,22 @@ mip_error mip_3dm_complementary_filter_response_encode(
  *
  * Measuring range of a sensor.
  *
- * The get calibrated sensor ranges command lists the settings. The device may refuse others or
- * measure wrongly.
- *
  * Functions: write, read, save, load and default. Answered by mip_3dm_sensor_range_response.
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * The get calibrated sensor ranges command lists the settings. The device may refuse others or
+ * measure wrongly.
  *
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
 struct mip_3dm_sensor_range {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** The sensor. */
     mip_3dm_sensor_range_type sensor;
-    /** Number of the range. For write. */
+    /** Number of the range. Required for write. */
     uint8_t setting;
 };
 
@@ -3096,9 +3100,7 @@ struct mip_3dm_sensor_range mip_3dm_sensor_range_default(mip_3dm_sensor_range_ty
 /**
  * Sensor Range response: response (0x0C,0xD2).
  *
- * Answers Sensor Range (0x0C,0x52).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_3dm_sensor_range. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
  */
@@ -3123,7 +3125,8 @@ mip_error mip_3dm_sensor_range_response_encode(const struct mip_3dm_sensor_range
  *
  * Asks for the ranges that a sensor supports.
  *
- * Answered by mip_3dm_get_calibrated_sensor_ranges_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `calibrated_sensor_ranges`. Answered by
+ * mip_3dm_get_calibrated_sensor_ranges_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
  */
@@ -3141,14 +3144,13 @@ mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
 mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
     const struct mip_3dm_get_calibrated_sensor_ranges *value, struct mip_builder *builder);
 /** Get Calibrated Sensor Ranges. */
-struct mip_3dm_get_calibrated_sensor_ranges mip_3dm_get_calibrated_sensor_ranges_make(
-    mip_3dm_sensor_range_type sensor);
+struct mip_3dm_get_calibrated_sensor_ranges
+mip_3dm_get_calibrated_sensor_ranges_make(mip_3dm_sensor_range_type sensor);
 
 /**
  * Get Calibrated Sensor Ranges response: response (0x0C,0xD3).
  *
- * Answers Get Calibrated Sensor Ranges (0x0C,0x53).
- *
+ * Also called `calibrated_sensor_ranges_response`. Answers mip_3dm_get_calibrated_sensor_ranges.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
@@ -3156,7 +3158,7 @@ struct mip_3dm_get_calibrated_sensor_ranges mip_3dm_get_calibrated_sensor_ranges
 struct mip_3dm_get_calibrated_sensor_ranges_response {
     /** Sensor of the command. */
     mip_3dm_sensor_range_type sensor;
-    /** Number of ranges. */
+    /** Number of ranges. The number of elements of ranges. */
     uint8_t num_ranges;
     /** The ranges. */
     struct mip_3dm_sensor_range_entry ranges[50];
@@ -3177,15 +3179,15 @@ mip_error mip_3dm_get_calibrated_sensor_ranges_response_encode(
  *
  * Low-pass filter of a data field.
  *
- * Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
+ * Also called `lowpass_filter`. Functions: write, read, save, load and default. Answered by
+ * mip_3dm_low_pass_filter_response. Supported by 3DM-CV7-GNSS/INS.
  *
- * Functions: write, read, save, load and default. Answered by mip_3dm_low_pass_filter_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
 struct mip_3dm_low_pass_filter {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
@@ -3193,16 +3195,16 @@ struct mip_3dm_low_pass_filter {
     uint8_t descriptor_set;
     /** Field descriptor; 0 if the set is 0. */
     uint8_t field_descriptor;
-    /** Whether the field is filtered. For write. */
+    /** Whether the field is filtered. Required for write. */
     mip_bool enable;
     /**
-     * True uses the frequency; false follows half the rate of the field in the message format. For
-     * write.
+     * True uses the frequency; false follows half the rate of the field in the message format.
+     * Required for write.
      */
     mip_bool manual;
     /**
-     * Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz. For
-     * write.
+     * Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz.
+     * Required for write.
      */
     float frequency;
 };
@@ -3236,9 +3238,8 @@ struct mip_3dm_low_pass_filter mip_3dm_low_pass_filter_default(uint8_t descripto
 /**
  * Low-Pass Anti-Aliasing Filter response: response (0x0C,0xD4).
  *
- * Answers Low-Pass Anti-Aliasing Filter (0x0C,0x54).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `lowpass_filter_response`. Answers mip_3dm_low_pass_filter. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
  */
@@ -3269,10 +3270,13 @@ mip_error mip_3dm_low_pass_filter_response_encode(
  *
  * Asks for the state of the device, in one of two layouts.
  *
- * The layouts hold for this model number only; other models answer with layouts of their own.
- *
  * For advanced use. Answered by mip_3dm_device_status_basic_response or
  * mip_3dm_device_status_diagnostic_response. Supported by 3DM-GX5-15.
+ *
+ * The layouts hold for this model number only; other models answer with layouts of their own.
+ *
+ * On the wire only, without a member:
+ * - model_number: Model number of the 3DM-GX5-15. Always 6254.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  */
@@ -3290,15 +3294,20 @@ mip_error mip_3dm_device_status_decode(struct mip_3dm_device_status *value,
 mip_error mip_3dm_device_status_encode(const struct mip_3dm_device_status *value,
                                        struct mip_builder *builder);
 /** Device Status. */
-struct mip_3dm_device_status mip_3dm_device_status_make(
-    mip_3dm_device_status_selector status_selector);
+struct mip_3dm_device_status
+mip_3dm_device_status_make(mip_3dm_device_status_selector status_selector);
 
 /**
  * Basic Device Status: response (0x0C,0x90).
  *
  * State and timer.
  *
- * Sent if status_selector is basic. Supported by 3DM-GX5-15.
+ * Answers mip_3dm_device_status. Sent if status_selector is MIP_3DM_DEVICE_STATUS_SELECTOR_BASIC.
+ * Supported by 3DM-GX5-15.
+ *
+ * On the wire only, without a member:
+ * - model_number: Model number of the 3DM-GX5-15. Always 6254.
+ * - status_selector: Basic status. Always 1.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  */
@@ -3325,7 +3334,12 @@ mip_error mip_3dm_device_status_basic_response_encode(
  *
  * State and timer with the counters of streams and port.
  *
- * Sent if status_selector is diagnostic. Supported by 3DM-GX5-15.
+ * Answers mip_3dm_device_status. Sent if status_selector is
+ * MIP_3DM_DEVICE_STATUS_SELECTOR_DIAGNOSTIC. Supported by 3DM-GX5-15.
+ *
+ * On the wire only, without a member:
+ * - model_number: Model number of the 3DM-GX5-15. Always 6254.
+ * - status_selector: Diagnostic status. Always 2.
  *
  * - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
  */

@@ -9,17 +9,20 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/filter.h and mip/core.h are not of one version"
+#error "mip/filter.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_FILTER_SET 0x0D
 
 /**
- * Kind of vehicle that the filter is tuned for.
+ * Kind of vehicle that the filter is tuned for. Uncertain: The SDK names the modes only; the
+ * descriptions follow from the names. Uncertain: The filter status (0x82,0x10) reports a mode too,
+ * but is known to have the values 1 to 3 only.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -35,7 +38,7 @@ typedef uint8_t mip_filter_dynamics_mode;
 
 /** States that the filter estimates. */
 typedef uint16_t mip_filter_estimated_states;
-/** Bit 0: Estimate the gyroscope bias (recommended). */
+/** Bit 0. Estimate the gyroscope bias (recommended). */
 #define MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS 0x0001U
 
 /** Where the filter takes GNSS data from. */
@@ -65,23 +68,23 @@ typedef uint8_t mip_filter_heading_update_source;
 
 /** Axes to tare; 0 resets all axes. */
 typedef uint8_t mip_filter_tare_axes;
-/** Bit 0: Tare roll. */
+/** Bit 0. Tare roll. */
 #define MIP_FILTER_TARE_AXES_ROLL 0x01U
-/** Bit 1: Tare pitch. */
+/** Bit 1. Tare pitch. */
 #define MIP_FILTER_TARE_AXES_PITCH 0x02U
-/** Bit 2: Tare yaw. */
+/** Bit 2. Tare yaw. */
 #define MIP_FILTER_TARE_AXES_YAW 0x04U
 
 /** Measurements that the filter uses. */
 typedef uint16_t mip_filter_measurement_flags;
-/** Bit 0: Accelerometer measurements. */
+/** Bit 0. Accelerometer measurements. */
 #define MIP_FILTER_MEASUREMENT_FLAGS_ACCEL 0x0001U
-/** Bit 1: Magnetometer measurements, on models that have a magnetometer. */
+/** Bit 1. Magnetometer measurements, on models that have a magnetometer. */
 #define MIP_FILTER_MEASUREMENT_FLAGS_MAG 0x0002U
 
 /** Where the declination, the inclination or the magnitude of the magnetic field comes from. */
 typedef uint8_t mip_filter_mag_parameter_source;
-/** No source. */
+/** No source. Uncertain: What the device does without a source. */
 #define MIP_FILTER_MAG_PARAMETER_SOURCE_NONE 1
 /** The World Magnetic Model, at the estimated position. */
 #define MIP_FILTER_MAG_PARAMETER_SOURCE_WMM 2
@@ -186,13 +189,13 @@ typedef uint8_t mip_filter_initial_condition_source;
 
 /** Ways in which the device may find its initial heading. */
 typedef uint8_t mip_filter_heading_alignment;
-/** Bit 0: From the baseline between two GNSS antennas. */
+/** Bit 0. From the baseline between two GNSS antennas. */
 #define MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA 0x01U
-/** Bit 1: From the GNSS velocity; assumes motion along the positive x axis of the vehicle. */
+/** Bit 1. From the GNSS velocity; assumes motion along the positive x axis of the vehicle. */
 #define MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC 0x02U
-/** Bit 2: From the built-in magnetometer. */
+/** Bit 2. From the built-in magnetometer. */
 #define MIP_FILTER_HEADING_ALIGNMENT_MAG 0x04U
-/** Bit 3: From the heading that the user sends. */
+/** Bit 3. From the heading that the user sends. */
 #define MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL 0x08U
 
 /** Frame in which a position is given. */
@@ -230,12 +233,12 @@ typedef uint8_t mip_filter_reference_point;
  *
  * Puts the filter back into its initialization state.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * If automatic initialization is off, the attitude or heading must be set before the filter runs
  * again.
  *
  * 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first found.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01)
  * - 3dm-gx5-15: 4.3.1 Reset Filter (0x0D, 0x01)
@@ -258,9 +261,9 @@ mip_error mip_filter_reset_encode(const struct mip_filter_reset *value,
  *
  * Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
  *
- * Accepted only in the initialization state.
- *
  * Supported by 3DM-GX5-15.
+ *
+ * Accepted only in the initialization state.
  *
  * - 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02)
  */
@@ -292,12 +295,12 @@ struct mip_filter_set_initial_attitude mip_filter_set_initial_attitude_make(floa
  *
  * Gives the filter its initial heading; pitch and roll come from the accelerometers.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * 3DM-GX5: accepted only in the initialization state.
  *
  * 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
  * ignored.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03)
  * - 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
@@ -323,10 +326,10 @@ struct mip_filter_set_initial_heading mip_filter_set_initial_heading_make(float 
  *
  * Starts a filter that was set up to wait for this command.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * The filter waits in its initialization state if `wait_for_run_command` of `initialization_config`
  * is set.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
  */
@@ -353,11 +356,11 @@ mip_error mip_filter_run_encode(const struct mip_filter_run *value, struct mip_b
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
 struct mip_filter_vehicle_dynamics_mode {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Kind of vehicle. For write. */
+    /** Kind of vehicle. Required for write. */
     mip_filter_dynamics_mode mode;
 };
 
@@ -370,8 +373,8 @@ mip_error mip_filter_vehicle_dynamics_mode_decode(struct mip_filter_vehicle_dyna
 mip_error mip_filter_vehicle_dynamics_mode_encode(
     const struct mip_filter_vehicle_dynamics_mode *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_write(
-    mip_filter_dynamics_mode mode);
+struct mip_filter_vehicle_dynamics_mode
+mip_filter_vehicle_dynamics_mode_write(mip_filter_dynamics_mode mode);
 /** Send the current setting back in a response. */
 struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -384,7 +387,7 @@ struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_default
 /**
  * Vehicle dynamics mode response: response (0x0D,0x80).
  *
- * Answers Vehicle dynamics mode (0x0D,0x10).
+ * Answers mip_filter_vehicle_dynamics_mode.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -407,27 +410,27 @@ mip_error mip_filter_vehicle_dynamics_mode_response_encode(
  *
  * Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
  *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_sensor_to_vehicle_rotation_euler_response. Supported by 3DM-GX5-15.
+ *
  * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
  * vector of the filter.
  *
- * The 3DM-CV7 takes the inverse instead: `3dm.sensor_to_vehicle_transform_euler`.
- *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_rotation_euler_response. Supported by 3DM-GX5-15.
+ * The 3DM-CV7 takes the inverse instead: mip_3dm_sensor_to_vehicle_transform_euler.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
 struct mip_filter_sensor_to_vehicle_rotation_euler {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Roll angle. Unit: rad. For write. */
+    /** Roll angle. Unit: rad. Required for write. */
     float roll;
-    /** Pitch angle. Unit: rad. For write. */
+    /** Pitch angle. Unit: rad. Required for write. */
     float pitch;
-    /** Yaw angle. Unit: rad. For write. */
+    /** Yaw angle. Unit: rad. Required for write. */
     float yaw;
 };
 
@@ -458,9 +461,7 @@ mip_filter_sensor_to_vehicle_rotation_euler_default(void);
 /**
  * Sensor to vehicle frame transformation response: response (0x0D,0x81).
  *
- * Answers Sensor to vehicle frame transformation (0x0D,0x11).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_filter_sensor_to_vehicle_rotation_euler. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
@@ -490,25 +491,26 @@ mip_error mip_filter_sensor_to_vehicle_rotation_euler_response_encode(
  *
  * Origin of the vehicle frame, as seen from the sensor.
  *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_sensor_to_vehicle_offset_response. Uncertain: The direction, from the sensor to the
+ * origin of the vehicle frame, is inferred from the name.
+ *
  * It shifts the estimated position (0x82,0x01) and nothing else.
  *
  * The shift is constant. It does not follow the attitude, as a lever arm would.
  *
  * The magnitude of the vector is limited to 10 m.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_offset_response.
- *
  * - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
  */
 struct mip_filter_sensor_to_vehicle_offset {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
      * From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
-     * sensor. Range: -10 to 10. For write.
+     * sensor. Range: -10 to 10. Required for write.
      */
     float offset[3];
 };
@@ -522,8 +524,8 @@ mip_error mip_filter_sensor_to_vehicle_offset_decode(
 mip_error mip_filter_sensor_to_vehicle_offset_encode(
     const struct mip_filter_sensor_to_vehicle_offset *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_write(
-    const float offset[3]);
+struct mip_filter_sensor_to_vehicle_offset
+mip_filter_sensor_to_vehicle_offset_write(const float offset[3]);
 /** Send the current setting back in a response. */
 struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -536,7 +538,7 @@ struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_d
 /**
  * Sensor to vehicle offset response: response (0x0D,0x82).
  *
- * Answers Sensor to vehicle offset (0x0D,0x12).
+ * Answers mip_filter_sensor_to_vehicle_offset.
  *
  * - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
  */
@@ -562,26 +564,26 @@ mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
  *
  * Position of the GNSS antenna relative to the origin of the sensor.
  *
+ * Functions: write, read, save, load and default. Answered by mip_filter_antenna_offset_response.
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * The magnitude of the vector is limited to 10.
  *
  * 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
  *
  * On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding commands use
- * `aiding.frame_config`.
- *
- * Functions: write, read, save, load and default. Answered by mip_filter_antenna_offset_response.
- * Supported by 3DM-CV7-GNSS/INS.
+ * mip_aiding_frame_config.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
 struct mip_filter_antenna_offset {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
      * From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-     * vehicle. Range: -10 to 10. For write.
+     * vehicle. Range: -10 to 10. Required for write.
      */
     float offset[3];
 };
@@ -608,9 +610,7 @@ struct mip_filter_antenna_offset mip_filter_antenna_offset_default(void);
 /**
  * GNSS antenna offset response: response (0x0D,0x83).
  *
- * Answers GNSS antenna offset (0x0D,0x13).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_antenna_offset. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
@@ -642,11 +642,11 @@ mip_error mip_filter_antenna_offset_response_encode(
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
 struct mip_filter_estimation_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** States to estimate. For write. */
+    /** States to estimate. Required for write. */
     mip_filter_estimated_states flags;
 };
 
@@ -659,8 +659,8 @@ mip_error mip_filter_estimation_control_decode(struct mip_filter_estimation_cont
 mip_error mip_filter_estimation_control_encode(const struct mip_filter_estimation_control *value,
                                                struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_estimation_control mip_filter_estimation_control_write(
-    mip_filter_estimated_states flags);
+struct mip_filter_estimation_control
+mip_filter_estimation_control_write(mip_filter_estimated_states flags);
 /** Send the current setting back in a response. */
 struct mip_filter_estimation_control mip_filter_estimation_control_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -673,9 +673,7 @@ struct mip_filter_estimation_control mip_filter_estimation_control_default(void)
 /**
  * Estimation control flags response: response (0x0D,0x84).
  *
- * Answers Estimation control flags (0x0D,0x14).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_filter_estimation_control. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -698,20 +696,20 @@ mip_error mip_filter_estimation_control_response_encode(
  *
  * Which GNSS receiver aids the filter.
  *
- * A change while the filter runs may put it back into initialization until the new source gives
- * data.
- *
  * Functions: write, read, save, load and default. Answered by mip_filter_gnss_source_response.
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * A change while the filter runs may put it back into initialization until the new source gives
+ * data.
  *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
 struct mip_filter_gnss_source {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the GNSS data. For write. */
+    /** Source of the GNSS data. Required for write. */
     mip_filter_gnss_aiding_source source;
 };
 
@@ -737,9 +735,7 @@ struct mip_filter_gnss_source mip_filter_gnss_source_default(void);
 /**
  * GNSS aiding source response: response (0x0D,0x86).
  *
- * Answers GNSS aiding source (0x0D,0x15).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_gnss_source. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
@@ -806,6 +802,8 @@ struct mip_filter_external_gnss_update mip_filter_external_gnss_update_make(
  *
  * Gives the filter one measurement of the heading of the sensor frame in the NED frame.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5 and by
  * `aiding_measurement_enable` on the 3DM-CV7.
  *
@@ -813,8 +811,6 @@ struct mip_filter_external_gnss_update mip_filter_external_gnss_update_make(
  *
  * If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
  * ones.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17)
  * - 3dm-gx5-15: 4.3.7 External Heading Update (0x0D, 0x17)
@@ -825,7 +821,10 @@ struct mip_filter_external_heading_update {
      * -3.141592653589793 to 3.141592653589793.
      */
     float heading;
-    /** Standard deviation; the device refuses a value out of bounds. Unit: rad. */
+    /**
+     * Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
+     * 0.
+     */
     float heading_uncertainty;
     /** North that the heading refers to. */
     mip_filter_heading_type type;
@@ -854,11 +853,11 @@ struct mip_filter_external_heading_update mip_filter_external_heading_update_mak
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
 struct mip_filter_heading_source {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the heading. For write. */
+    /** Source of the heading. Required for write. */
     mip_filter_heading_update_source source;
 };
 
@@ -871,8 +870,8 @@ mip_error mip_filter_heading_source_decode(struct mip_filter_heading_source *val
 mip_error mip_filter_heading_source_encode(const struct mip_filter_heading_source *value,
                                            struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_heading_source mip_filter_heading_source_write(
-    mip_filter_heading_update_source source);
+struct mip_filter_heading_source
+mip_filter_heading_source_write(mip_filter_heading_update_source source);
 /** Send the current setting back in a response. */
 struct mip_filter_heading_source mip_filter_heading_source_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -885,9 +884,7 @@ struct mip_filter_heading_source mip_filter_heading_source_default(void);
 /**
  * Heading update control response: response (0x0D,0x87).
  *
- * Answers Heading update control (0x0D,0x18).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_filter_heading_source. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -910,19 +907,19 @@ mip_error mip_filter_heading_source_response_encode(
  *
  * Whether the filter initializes by itself when the device starts.
  *
- * It needs a valid heading source.
- *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `auto_init_control`. Functions: write, read, save, load and default. Answered by
  * mip_filter_auto_initialization_control_response. Supported by 3DM-GX5-15.
+ *
+ * It needs a valid heading source.
  *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
  */
 struct mip_filter_auto_initialization_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
 };
 
@@ -935,8 +932,8 @@ mip_error mip_filter_auto_initialization_control_decode(
 mip_error mip_filter_auto_initialization_control_encode(
     const struct mip_filter_auto_initialization_control *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_write(
-    uint8_t enable);
+struct mip_filter_auto_initialization_control
+mip_filter_auto_initialization_control_write(uint8_t enable);
 /** Send the current setting back in a response. */
 struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -949,8 +946,7 @@ struct mip_filter_auto_initialization_control mip_filter_auto_initialization_con
 /**
  * Automatic initialization response: response (0x0D,0x88).
  *
- * Answers Automatic initialization (0x0D,0x19).
- *
+ * Also called `auto_init_control_response`. Answers mip_filter_auto_initialization_control.
  * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
@@ -976,20 +972,23 @@ mip_error mip_filter_auto_initialization_control_response_encode(
  *
  * Standard deviation of the accelerometer noise that the filter assumes (process noise).
  *
- * The factory values suit most laboratory conditions.
- *
  * Functions: write, read, save, load and default. Answered by mip_filter_accel_noise_response.
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * The factory values suit most laboratory conditions.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
  */
 struct mip_filter_accel_noise {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. For write. */
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0. Required
+     * for write.
+     */
     float noise[3];
 };
 
@@ -1015,15 +1014,13 @@ struct mip_filter_accel_noise mip_filter_accel_noise_default(void);
 /**
  * Accelerometer noise response: response (0x0D,0x89).
  *
- * Answers Accelerometer noise (0x0D,0x1A).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_accel_noise. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
  */
 struct mip_filter_accel_noise_response {
-    /** Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. */
+    /** Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0. */
     float noise[3];
 };
 
@@ -1041,20 +1038,23 @@ mip_error mip_filter_accel_noise_response_encode(
  *
  * Standard deviation of the gyroscope noise that the filter assumes (process noise).
  *
- * The factory values suit most laboratory conditions.
- *
  * Functions: write, read, save, load and default. Answered by mip_filter_gyro_noise_response.
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * The factory values suit most laboratory conditions.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
  */
 struct mip_filter_gyro_noise {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Standard deviation per axis. Elements: x, y, z. Unit: rad/s. For write. */
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0. Required
+     * for write.
+     */
     float noise[3];
 };
 
@@ -1080,15 +1080,13 @@ struct mip_filter_gyro_noise mip_filter_gyro_noise_default(void);
 /**
  * Gyroscope noise response: response (0x0D,0x8A).
  *
- * Answers Gyroscope noise (0x0D,0x1B).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_gyro_noise. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
  */
 struct mip_filter_gyro_noise_response {
-    /** Standard deviation per axis. Elements: x, y, z. Unit: rad/s. */
+    /** Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0. */
     float noise[3];
 };
 
@@ -1112,13 +1110,19 @@ mip_error mip_filter_gyro_noise_response_encode(const struct mip_filter_gyro_noi
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
 struct mip_filter_accel_bias_model {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. For write. */
+    /**
+     * Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+     * write.
+     */
     float beta[3];
-    /** Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. For write. */
+    /**
+     * Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than
+     * 0. Required for write.
+     */
     float noise[3];
 };
 
@@ -1145,16 +1149,17 @@ struct mip_filter_accel_bias_model mip_filter_accel_bias_model_default(void);
 /**
  * Accelerometer bias model response: response (0x0D,0x8B).
  *
- * Answers Accelerometer bias model (0x0D,0x1C).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_accel_bias_model. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
 struct mip_filter_accel_bias_model_response {
     /** Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. */
     float beta[3];
-    /** Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. */
+    /**
+     * Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than
+     * 0.
+     */
     float noise[3];
 };
 
@@ -1179,13 +1184,19 @@ mip_error mip_filter_accel_bias_model_response_encode(
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
  */
 struct mip_filter_gyro_bias_model {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. For write. */
+    /**
+     * Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+     * write.
+     */
     float beta[3];
-    /** Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. For write. */
+    /**
+     * Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater than
+     * 0. Required for write.
+     */
     float noise[3];
 };
 
@@ -1212,9 +1223,7 @@ struct mip_filter_gyro_bias_model mip_filter_gyro_bias_model_default(void);
 /**
  * Gyroscope bias model response: response (0x0D,0x8C).
  *
- * Answers Gyroscope bias model (0x0D,0x1D).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_gyro_bias_model. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -1222,7 +1231,10 @@ struct mip_filter_gyro_bias_model mip_filter_gyro_bias_model_default(void);
 struct mip_filter_gyro_bias_model_response {
     /** Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. */
     float beta[3];
-    /** Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. */
+    /**
+     * Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater than
+     * 0.
+     */
     float noise[3];
 };
 
@@ -1240,22 +1252,22 @@ mip_error mip_filter_gyro_bias_model_response_encode(
  *
  * Lets the filter take the device as standing still while its GNSS speed is small.
  *
+ * Functions: write, read, save, load and default. Answered by mip_filter_auto_zupt_response.
+ *
  * The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
  *
  * The device refuses a negative threshold.
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_auto_zupt_response.
- *
  * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
  */
 struct mip_filter_auto_zupt {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
-    /** Largest speed that is taken as zero. Unit: m/s. At least 0. For write. */
+    /** Largest speed that is taken as zero. Unit: m/s. Range: at least 0. Required for write. */
     float threshold;
 };
 
@@ -1281,14 +1293,14 @@ struct mip_filter_auto_zupt mip_filter_auto_zupt_default(void);
 /**
  * Automatic zero velocity update response: response (0x0D,0x8D).
  *
- * Answers Automatic zero velocity update (0x0D,0x1E).
+ * Answers mip_filter_auto_zupt.
  *
  * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
  */
 struct mip_filter_auto_zupt_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
-    /** Largest speed that is taken as zero. Unit: m/s. At least 0. */
+    /** Largest speed that is taken as zero. Unit: m/s. Range: at least 0. */
     float threshold;
 };
 
@@ -1306,6 +1318,8 @@ mip_error mip_filter_auto_zupt_response_encode(const struct mip_filter_auto_zupt
  *
  * Gives the filter one measurement of the heading of the sensor frame with its GPS time.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * Better than `external_heading_update` where the heading changes quickly; the time must be
  * accurate.
  *
@@ -1316,8 +1330,6 @@ mip_error mip_filter_auto_zupt_response_encode(const struct mip_filter_auto_zupt
  *
  * If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
  * ones.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
  * - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
@@ -1332,7 +1344,10 @@ struct mip_filter_external_heading_update_with_time {
      * -3.141592653589793 to 3.141592653589793.
      */
     float heading;
-    /** Standard deviation; the device refuses a value out of bounds. Unit: rad. */
+    /**
+     * Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
+     * 0.
+     */
     float heading_uncertainty;
     /** North that the heading refers to. */
     mip_filter_heading_type type;
@@ -1357,22 +1372,25 @@ mip_filter_external_heading_update_with_time_make(double tow, uint16_t week_numb
  *
  * Lets the filter take the device as not rotating while its angular rate is small.
  *
- * The update applies while the magnitude of the angular rate vector is at or below the threshold.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_auto_angular_zupt_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * The update applies while the magnitude of the angular rate vector is at or below the threshold.
  *
  * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
  */
 struct mip_filter_auto_angular_zupt {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
-    /** Largest angular rate that is taken as zero. Unit: rad/s. At least 0. For write. */
+    /**
+     * Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. Required for
+     * write.
+     */
     float threshold;
 };
 
@@ -1399,9 +1417,7 @@ struct mip_filter_auto_angular_zupt mip_filter_auto_angular_zupt_default(void);
 /**
  * Zero angular rate update response: response (0x0D,0x8E).
  *
- * Answers Zero angular rate update (0x0D,0x20).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_auto_angular_zupt. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -1409,7 +1425,7 @@ struct mip_filter_auto_angular_zupt mip_filter_auto_angular_zupt_default(void);
 struct mip_filter_auto_angular_zupt_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
-    /** Largest angular rate that is taken as zero. Unit: rad/s. At least 0. */
+    /** Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. */
     float threshold;
 };
 
@@ -1427,20 +1443,20 @@ mip_error mip_filter_auto_angular_zupt_response_encode(
  *
  * Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
  *
- * Refused while the filter has no valid attitude.
- *
  * Functions: write, read, save, load and default. Answered by mip_filter_tare_orientation_response.
- * Supported by 3DM-GX5-15.
+ * Supported by 3DM-GX5-15. On the 3DM-GX5-15: write, save, load and default only.
+ *
+ * Refused while the filter has no valid attitude.
  *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
  * - mip-sdk-4: Tare Orientation (0x0D,0x21)
  */
 struct mip_filter_tare_orientation {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Axes to tare; 0 resets all axes. For write. */
+    /** Axes to tare; 0 resets all axes. Required for write. */
     mip_filter_tare_axes axes;
 };
 
@@ -1466,9 +1482,9 @@ struct mip_filter_tare_orientation mip_filter_tare_orientation_default(void);
 /**
  * Tare orientation response: response (0x0D,0xA1).
  *
- * Answers Tare orientation (0x0D,0x21).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_filter_tare_orientation. Uncertain: Which devices send it. The SDK reads the setting
+ * back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the
+ * response.
  *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
  * - mip-sdk-4: Tare Orientation (0x0D,0x21)
@@ -1515,9 +1531,9 @@ mip_error mip_filter_commanded_zupt_encode(const struct mip_filter_commanded_zup
  *
  * Tells the filter once that the device is not rotating.
  *
- * At most 10 per second.
- *
  * Supported by 3DM-GX5-15.
+ *
+ * At most 10 per second.
  *
  * - 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23)
  */
@@ -1546,17 +1562,17 @@ mip_error mip_filter_commanded_angular_zupt_encode(
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
 struct mip_filter_reference_position {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
-    /** Latitude. Unit: deg. Frame: llh. For write. */
+    /** Latitude. Unit: deg. Frame: llh. Required for write. */
     double latitude;
-    /** Longitude. Unit: deg. Frame: llh. For write. */
+    /** Longitude. Unit: deg. Frame: llh. Required for write. */
     double longitude;
-    /** Altitude. Unit: m. Frame: llh. For write. */
+    /** Altitude. Unit: m. Frame: llh. Required for write. */
     double altitude;
 };
 
@@ -1585,9 +1601,7 @@ struct mip_filter_reference_position mip_filter_reference_position_default(void)
 /**
  * Set reference position response: response (0x0D,0x90).
  *
- * Answers Set reference position (0x0D,0x26).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_filter_reference_position. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
@@ -1616,12 +1630,12 @@ mip_error mip_filter_reference_position_response_encode(
  *
  * Makes the automatic magnetometer calibration part of the fixed one.
  *
+ * Also called `mag_capture_auto_cal`. Functions: write and save.
+ *
  * A write combines the automatic calibration with the hard iron offset (0x0C,0x3A) and the soft
  * iron matrix (0x0C,0x3B), and resets it.
  *
  * A save does the same as the save of both of these commands.
- *
- * Functions: write and save.
  *
  * - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
  */
@@ -1648,20 +1662,23 @@ struct mip_filter_mag_capture_auto_calibration mip_filter_mag_capture_auto_calib
  *
  * Standard deviation of the gravity noise that the filter assumes (process noise).
  *
- * The factory values suit most laboratory conditions.
- *
  * Functions: write, read, save, load and default. Answered by mip_filter_gravity_noise_response.
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * The factory values suit most laboratory conditions.
  *
  * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
  */
 struct mip_filter_gravity_noise {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Standard deviation per axis. Elements: x, y, z. Unit: g. For write. */
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. Required for
+     * write.
+     */
     float noise[3];
 };
 
@@ -1687,15 +1704,13 @@ struct mip_filter_gravity_noise mip_filter_gravity_noise_default(void);
 /**
  * Gravity noise response: response (0x0D,0x93).
  *
- * Answers Gravity noise (0x0D,0x28).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_filter_gravity_noise. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
  */
 struct mip_filter_gravity_noise_response {
-    /** Standard deviation per axis. Elements: x, y, z. Unit: g. */
+    /** Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. */
     float noise[3];
 };
 
@@ -1713,19 +1728,19 @@ mip_error mip_filter_gravity_noise_response_encode(
  *
  * Standard deviation of the noise of the pressure altitude model that the filter assumes.
  *
- * A small value follows the pressure faster, and takes weather and draughts for changes of height.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_pressure_altitude_noise_response.
+ *
+ * A small value follows the pressure faster, and takes weather and draughts for changes of height.
  *
  * - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
  */
 struct mip_filter_pressure_altitude_noise {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Standard deviation. Unit: m. For write. */
+    /** Standard deviation. Unit: m. Range: greater than 0. Required for write. */
     float noise;
 };
 
@@ -1751,12 +1766,12 @@ struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_def
 /**
  * Pressure altitude noise response: response (0x0D,0x94).
  *
- * Answers Pressure altitude noise (0x0D,0x29).
+ * Answers mip_filter_pressure_altitude_noise.
  *
  * - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
  */
 struct mip_filter_pressure_altitude_noise_response {
-    /** Standard deviation. Unit: m. */
+    /** Standard deviation. Unit: m. Range: greater than 0. */
     float noise;
 };
 
@@ -1780,11 +1795,14 @@ mip_error mip_filter_pressure_altitude_noise_response_encode(
  * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
  */
 struct mip_filter_hard_iron_offset_noise {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Standard deviation per axis. Elements: x, y, z. Unit: gauss. For write. */
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
+     * for write.
+     */
     float noise[3];
 };
 
@@ -1797,8 +1815,8 @@ mip_error mip_filter_hard_iron_offset_noise_decode(struct mip_filter_hard_iron_o
 mip_error mip_filter_hard_iron_offset_noise_encode(
     const struct mip_filter_hard_iron_offset_noise *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_write(
-    const float noise[3]);
+struct mip_filter_hard_iron_offset_noise
+mip_filter_hard_iron_offset_noise_write(const float noise[3]);
 /** Send the current setting back in a response. */
 struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -1811,12 +1829,12 @@ struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_defau
 /**
  * Hard iron offset noise response: response (0x0D,0x96).
  *
- * Answers Hard iron offset noise (0x0D,0x2B).
+ * Answers mip_filter_hard_iron_offset_noise.
  *
  * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
  */
 struct mip_filter_hard_iron_offset_noise_response {
-    /** Standard deviation per axis. Elements: x, y, z. Unit: gauss. */
+    /** Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. */
     float noise[3];
 };
 
@@ -1840,13 +1858,13 @@ mip_error mip_filter_hard_iron_offset_noise_response_encode(
  * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
  */
 struct mip_filter_soft_iron_matrix_noise {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
      * Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
-     * 1. For write.
+     * 1. Range: greater than 0. Required for write.
      */
     float noise[9];
 };
@@ -1860,8 +1878,8 @@ mip_error mip_filter_soft_iron_matrix_noise_decode(struct mip_filter_soft_iron_m
 mip_error mip_filter_soft_iron_matrix_noise_encode(
     const struct mip_filter_soft_iron_matrix_noise *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_write(
-    const float noise[9]);
+struct mip_filter_soft_iron_matrix_noise
+mip_filter_soft_iron_matrix_noise_write(const float noise[9]);
 /** Send the current setting back in a response. */
 struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -1874,14 +1892,14 @@ struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_defau
 /**
  * Soft iron matrix noise response: response (0x0D,0x97).
  *
- * Answers Soft iron matrix noise (0x0D,0x2C).
+ * Answers mip_filter_soft_iron_matrix_noise.
  *
  * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
  */
 struct mip_filter_soft_iron_matrix_noise_response {
     /**
      * Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
-     * 1.
+     * 1. Range: greater than 0.
      */
     float noise[9];
 };
@@ -1906,11 +1924,11 @@ mip_error mip_filter_soft_iron_matrix_noise_response_encode(
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
 struct mip_filter_enable_measurements {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Measurements to use. For write. */
+    /** Measurements to use. Required for write. */
     mip_filter_measurement_flags control;
 };
 
@@ -1923,8 +1941,8 @@ mip_error mip_filter_enable_measurements_decode(struct mip_filter_enable_measure
 mip_error mip_filter_enable_measurements_encode(const struct mip_filter_enable_measurements *value,
                                                 struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_enable_measurements mip_filter_enable_measurements_write(
-    mip_filter_measurement_flags control);
+struct mip_filter_enable_measurements
+mip_filter_enable_measurements_write(mip_filter_measurement_flags control);
 /** Send the current setting back in a response. */
 struct mip_filter_enable_measurements mip_filter_enable_measurements_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -1937,9 +1955,7 @@ struct mip_filter_enable_measurements mip_filter_enable_measurements_default(voi
 /**
  * Enable or disable measurements response: response (0x0D,0xB0).
  *
- * Answers Enable or disable measurements (0x0D,0x41).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_filter_enable_measurements. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
@@ -1963,15 +1979,19 @@ mip_error mip_filter_enable_measurements_response_encode(
  * Standard deviation of the magnetometer noise that the filter assumes.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_mag_noise_response.
+ * Uncertain: The SDK calls it process noise, although the noise is that of a measurement.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
 struct mip_filter_mag_noise {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Standard deviation per axis. Elements: x, y, z. Unit: gauss. For write. */
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
+     * for write.
+     */
     float noise[3];
 };
 
@@ -1997,12 +2017,12 @@ struct mip_filter_mag_noise mip_filter_mag_noise_default(void);
 /**
  * Magnetometer noise response: response (0x0D,0xB1).
  *
- * Answers Magnetometer noise (0x0D,0x42).
+ * Answers mip_filter_mag_noise.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
 struct mip_filter_mag_noise_response {
-    /** Standard deviation per axis. Elements: x, y, z. Unit: gauss. */
+    /** Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. */
     float noise[3];
 };
 
@@ -2020,21 +2040,21 @@ mip_error mip_filter_mag_noise_response_encode(const struct mip_filter_mag_noise
  *
  * Source of the local declination of the magnetic field.
  *
- * Without a good declination source, keep automatic magnetometer calibration off.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_magnetic_declination_source_response. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * Without a good declination source, keep automatic magnetometer calibration off.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  */
 struct mip_filter_magnetic_declination_source {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the declination. For write. */
+    /** Source of the declination. Required for write. */
     mip_filter_mag_parameter_source source;
-    /** Declination; used only if `source` is manual. Unit: rad. For write. */
+    /** Declination; used only if `source` is manual. Unit: rad. Required for write. */
     float declination;
 };
 
@@ -2061,9 +2081,7 @@ struct mip_filter_magnetic_declination_source mip_filter_magnetic_declination_so
 /**
  * Magnetic declination source response: response (0x0D,0xB2).
  *
- * Answers Magnetic declination source (0x0D,0x43).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_magnetic_declination_source. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  */
@@ -2090,6 +2108,9 @@ mip_error mip_filter_magnetic_declination_source_response_encode(
  *
  * How far the filter trusts gravity measurements whose magnitude is not that of gravity.
  *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_accel_magnitude_error_adaptive_measurement_response. Supported by 3DM-GX5-15.
+ *
  * Also called accelerometer magnitude error adaptive measurement.
  *
  * All parameters after the selector keep their values if they are left out.
@@ -2099,17 +2120,14 @@ mip_error mip_filter_magnetic_declination_source_response_encode(
  * Raise the limits where vibration is strong, lower them where it is weak. High limits cost pitch
  * and roll accuracy under linear acceleration, low limits cost heading accuracy.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_accel_magnitude_error_adaptive_measurement_response. Supported by 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
 struct mip_filter_accel_magnitude_error_adaptive_measurement {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Kind of adaptation. For write. */
+    /** Kind of adaptation. Required for write. */
     mip_filter_adaptive_measurement_selector adaptive_measurement;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Optional. */
     float frequency;
@@ -2168,9 +2186,7 @@ mip_filter_accel_magnitude_error_adaptive_measurement_default(void);
 /**
  * Gravity magnitude error adaptive measurement response: response (0x0D,0xB3).
  *
- * Answers Gravity magnitude error adaptive measurement (0x0D,0x44).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_filter_accel_magnitude_error_adaptive_measurement. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
@@ -2208,35 +2224,56 @@ mip_error mip_filter_accel_magnitude_error_adaptive_measurement_response_encode(
  *
  * How far the filter trusts a magnetic field whose magnitude is not as expected.
  *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_mag_magnitude_error_adaptive_measurement_response. Uncertain: Whether the parameters
+ * behind the selector may be left out on write, as those of (0x0D,0x44) may.
+ *
  * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
  * limits.
  *
  * High limits suit high dynamics but let disturbances of the field through; low limits can spoil
  * the heading.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_magnitude_error_adaptive_measurement_response.
- *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
 struct mip_filter_mag_magnitude_error_adaptive_measurement {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Kind of adaptation. For write. */
+    /** Kind of adaptation. Required for write. */
     mip_filter_adaptive_measurement_selector adaptive_measurement;
-    /** Cut-off frequency of the low-pass filter. Unit: Hz. For write. */
+    /** Cut-off frequency of the low-pass filter. Unit: Hz. Required for write. */
     float frequency;
-    /** Lower limit of the error. Unit: gauss. For write. */
+    /**
+     * Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK
+     * prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
+     * response.
+     */
     float low_limit;
-    /** Upper limit of the error. Unit: gauss. For write. */
+    /**
+     * Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK
+     * prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
+     * response.
+     */
     float high_limit;
-    /** Standard deviation at the lower limit. Unit: gauss. For write. */
+    /**
+     * Standard deviation at the lower limit. Unit: gauss. Required for write. Uncertain: The unit.
+     * The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
+     * response.
+     */
     float low_limit_uncertainty;
-    /** Standard deviation at the upper limit. Unit: gauss. For write. */
+    /**
+     * Standard deviation at the upper limit. Unit: gauss. Required for write. Uncertain: The unit.
+     * The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
+     * response.
+     */
     float high_limit_uncertainty;
-    /** Smallest standard deviation. Unit: gauss. For write. */
+    /**
+     * Smallest standard deviation. Unit: gauss. Required for write. Uncertain: The unit. The SDK
+     * prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
+     * response.
+     */
     float minimum_uncertainty;
 };
 
@@ -2273,7 +2310,7 @@ mip_filter_mag_magnitude_error_adaptive_measurement_default(void);
 /**
  * Magnetometer magnitude error adaptive measurement response: response (0x0D,0xB4).
  *
- * Answers Magnetometer magnitude error adaptive measurement (0x0D,0x45).
+ * Answers mip_filter_mag_magnitude_error_adaptive_measurement.
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
@@ -2282,15 +2319,30 @@ struct mip_filter_mag_magnitude_error_adaptive_measurement_response {
     mip_filter_adaptive_measurement_selector adaptive_measurement;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. */
     float frequency;
-    /** Lower limit of the error. Unit: gauss. */
+    /**
+     * Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of
+     * the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     */
     float low_limit;
-    /** Upper limit of the error. Unit: gauss. */
+    /**
+     * Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of
+     * the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     */
     float high_limit;
-    /** Standard deviation at the lower limit. Unit: gauss. */
+    /**
+     * Standard deviation at the lower limit. Unit: gauss. Uncertain: The unit. The SDK prints
+     * m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     */
     float low_limit_uncertainty;
-    /** Standard deviation at the upper limit. Unit: gauss. */
+    /**
+     * Standard deviation at the upper limit. Unit: gauss. Uncertain: The unit. The SDK prints
+     * m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     */
     float high_limit_uncertainty;
-    /** Smallest standard deviation. Unit: gauss. */
+    /**
+     * Smallest standard deviation. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual
+     * of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     */
     float minimum_uncertainty;
 };
 
@@ -2311,30 +2363,39 @@ mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_encode(
  *
  * How far the filter trusts a magnetic field whose dip angle is not as expected.
  *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_mag_dip_angle_error_adaptive_measurement_response.
+ *
  * It has no effect while (0x0D,0x44) or (0x0D,0x45) is set to `auto`.
  *
  * High limits suit high dynamics but let disturbances of the field through; low limits can spoil
  * the heading.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_dip_angle_error_adaptive_measurement_response.
- *
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
 struct mip_filter_mag_dip_angle_error_adaptive_measurement {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Whether the adaptation is on. For write. */
+    /** Whether the adaptation is on. Required for write. */
     mip_bool enable;
-    /** Cut-off frequency of the low-pass filter. Unit: Hz. For write. */
+    /** Cut-off frequency of the low-pass filter. Unit: Hz. Required for write. */
     float frequency;
-    /** Upper limit of the error. Unit: rad. For write. */
+    /**
+     * Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The SDK prints
+     * m/s^2; rad is inferred from the quantity.
+     */
     float high_limit;
-    /** Standard deviation at the upper limit. Unit: rad. For write. */
+    /**
+     * Standard deviation at the upper limit. Unit: rad. Required for write. Uncertain: The unit.
+     * The SDK prints m/s^2; rad is inferred from the quantity.
+     */
     float high_limit_uncertainty;
-    /** Smallest standard deviation. Unit: rad. For write. */
+    /**
+     * Smallest standard deviation. Unit: rad. Required for write. Uncertain: The unit. The SDK
+     * prints m/s^2; rad is inferred from the quantity.
+     */
     float minimum_uncertainty;
 };
 
@@ -2371,7 +2432,7 @@ mip_filter_mag_dip_angle_error_adaptive_measurement_default(void);
 /**
  * Magnetometer dip angle error adaptive measurement response: response (0x0D,0xB5).
  *
- * Answers Magnetometer dip angle error adaptive measurement (0x0D,0x46).
+ * Answers mip_filter_mag_dip_angle_error_adaptive_measurement.
  *
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
@@ -2380,11 +2441,20 @@ struct mip_filter_mag_dip_angle_error_adaptive_measurement_response {
     mip_bool enable;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. */
     float frequency;
-    /** Upper limit of the error. Unit: rad. */
+    /**
+     * Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
+     * inferred from the quantity.
+     */
     float high_limit;
-    /** Standard deviation at the upper limit. Unit: rad. */
+    /**
+     * Standard deviation at the upper limit. Unit: rad. Uncertain: The unit. The SDK prints m/s^2;
+     * rad is inferred from the quantity.
+     */
     float high_limit_uncertainty;
-    /** Smallest standard deviation. Unit: rad. */
+    /**
+     * Smallest standard deviation. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
+     * inferred from the quantity.
+     */
     float minimum_uncertainty;
 };
 
@@ -2405,20 +2475,20 @@ mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_encode(
  *
  * What aids the altitude beside GNSS.
  *
+ * Functions: write, read, save, load and default. Answered by mip_filter_altitude_aiding_response.
+ *
  * GNSS stays the main source of altitude; the aid improves it and bridges outages.
  *
  * Weather and place shift the pressure altitude, at times by more than 40 m.
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_altitude_aiding_response.
- *
  * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
  */
 struct mip_filter_altitude_aiding {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the aiding. For write. */
+    /** Source of the aiding. Required for write. */
     mip_filter_altitude_aiding_source selector;
 };
 
@@ -2431,8 +2501,8 @@ mip_error mip_filter_altitude_aiding_decode(struct mip_filter_altitude_aiding *v
 mip_error mip_filter_altitude_aiding_encode(const struct mip_filter_altitude_aiding *value,
                                             struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_altitude_aiding mip_filter_altitude_aiding_write(
-    mip_filter_altitude_aiding_source selector);
+struct mip_filter_altitude_aiding
+mip_filter_altitude_aiding_write(mip_filter_altitude_aiding_source selector);
 /** Send the current setting back in a response. */
 struct mip_filter_altitude_aiding mip_filter_altitude_aiding_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -2445,7 +2515,7 @@ struct mip_filter_altitude_aiding mip_filter_altitude_aiding_default(void);
 /**
  * Altitude aiding response: response (0x0D,0xB7).
  *
- * Answers Altitude aiding (0x0D,0x47).
+ * Answers mip_filter_altitude_aiding.
  *
  * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
  */
@@ -2474,11 +2544,11 @@ mip_error mip_filter_altitude_aiding_response_encode(
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
 struct mip_filter_pitch_roll_aiding {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the aiding. For write. */
+    /** Source of the aiding. Required for write. */
     mip_filter_pitch_roll_aiding_source aiding;
 };
 
@@ -2491,8 +2561,8 @@ mip_error mip_filter_pitch_roll_aiding_decode(struct mip_filter_pitch_roll_aidin
 mip_error mip_filter_pitch_roll_aiding_encode(const struct mip_filter_pitch_roll_aiding *value,
                                               struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_pitch_roll_aiding mip_filter_pitch_roll_aiding_write(
-    mip_filter_pitch_roll_aiding_source aiding);
+struct mip_filter_pitch_roll_aiding
+mip_filter_pitch_roll_aiding_write(mip_filter_pitch_roll_aiding_source aiding);
 /** Send the current setting back in a response. */
 struct mip_filter_pitch_roll_aiding mip_filter_pitch_roll_aiding_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -2505,9 +2575,7 @@ struct mip_filter_pitch_roll_aiding mip_filter_pitch_roll_aiding_default(void);
 /**
  * Pitch and roll aiding response: response (0x0D,0xBB).
  *
- * Answers Pitch and roll aiding (0x0D,0x4B).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_filter_pitch_roll_aiding. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
@@ -2530,21 +2598,24 @@ mip_error mip_filter_pitch_roll_aiding_response_encode(
  *
  * Source of the local inclination (dip angle) of the magnetic field.
  *
- * Without a good inclination source, keep automatic magnetometer calibration off.
- *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `inclination_source`. Functions: write, read, save, load and default. Answered by
  * mip_filter_magnetic_inclination_source_response.
+ *
+ * Without a good inclination source, keep automatic magnetometer calibration off.
  *
  * - mip-sdk-4: Inclination Source (0x0D,0x4C)
  */
 struct mip_filter_magnetic_inclination_source {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the inclination. For write. */
+    /** Source of the inclination. Required for write. */
     mip_filter_mag_parameter_source source;
-    /** Inclination; used only if `source` is manual. Unit: rad. For write. */
+    /**
+     * Inclination; used only if `source` is manual. Unit: rad. Required for write. Uncertain:
+     * Whether it may be left out if `source` is not manual. The SDK sends it always.
+     */
     float inclination;
 };
 
@@ -2571,14 +2642,17 @@ struct mip_filter_magnetic_inclination_source mip_filter_magnetic_inclination_so
 /**
  * Magnetic inclination source response: response (0x0D,0xBC).
  *
- * Answers Magnetic inclination source (0x0D,0x4C).
+ * Also called `inclination_source_response`. Answers mip_filter_magnetic_inclination_source.
  *
  * - mip-sdk-4: Inclination Source (0x0D,0x4C)
  */
 struct mip_filter_magnetic_inclination_source_response {
     /** Source of the inclination. */
     mip_filter_mag_parameter_source source;
-    /** Inclination; used only if `source` is manual. Unit: rad. */
+    /**
+     * Inclination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
+     * out if `source` is not manual. The SDK sends it always.
+     */
     float inclination;
 };
 
@@ -2598,23 +2672,26 @@ mip_error mip_filter_magnetic_inclination_source_response_encode(
  *
  * Source of the local magnitude of the magnetic field.
  *
+ * Also called `mag_field_magnitude_source`. Functions: write, read, save, load and default.
+ * Answered by mip_filter_magnetic_magnitude_source_response.
+ *
  * Without a good magnitude source, keep automatic magnetometer calibration off.
  *
  * The adaptive measurement (0x0D,0x45) relies on it too.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_magnetic_magnitude_source_response.
- *
  * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
  */
 struct mip_filter_magnetic_magnitude_source {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the magnitude. For write. */
+    /** Source of the magnitude. Required for write. */
     mip_filter_mag_parameter_source source;
-    /** Magnitude; used only if `source` is manual. Unit: gauss. For write. */
+    /**
+     * Magnitude; used only if `source` is manual. Unit: gauss. Required for write. Uncertain:
+     * Whether it may be left out if `source` is not manual. The SDK sends it always.
+     */
     float magnitude;
 };
 
@@ -2627,8 +2704,8 @@ mip_error mip_filter_magnetic_magnitude_source_decode(
 mip_error mip_filter_magnetic_magnitude_source_encode(
     const struct mip_filter_magnetic_magnitude_source *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_magnetic_magnitude_source mip_filter_magnetic_magnitude_source_write(
-    mip_filter_mag_parameter_source source, float magnitude);
+struct mip_filter_magnetic_magnitude_source
+mip_filter_magnetic_magnitude_source_write(mip_filter_mag_parameter_source source, float magnitude);
 /** Send the current setting back in a response. */
 struct mip_filter_magnetic_magnitude_source mip_filter_magnetic_magnitude_source_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -2641,14 +2718,17 @@ struct mip_filter_magnetic_magnitude_source mip_filter_magnetic_magnitude_source
 /**
  * Magnetic field magnitude source response: response (0x0D,0xBD).
  *
- * Answers Magnetic field magnitude source (0x0D,0x4D).
+ * Also called `mag_field_magnitude_source_response`. Answers mip_filter_magnetic_magnitude_source.
  *
  * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
  */
 struct mip_filter_magnetic_magnitude_source_response {
     /** Source of the magnitude. */
     mip_filter_mag_parameter_source source;
-    /** Magnitude; used only if `source` is manual. Unit: gauss. */
+    /**
+     * Magnitude; used only if `source` is manual. Unit: gauss. Uncertain: Whether it may be left
+     * out if `source` is not manual. The SDK sends it always.
+     */
     float magnitude;
 };
 
@@ -2667,6 +2747,9 @@ mip_error mip_filter_magnetic_magnitude_source_response_encode(
  *
  * Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
  *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_sensor_to_vehicle_rotation_dcm_response.
+ *
  * It is the inverse of the matrix that (0x0C,0x33) takes.
  *
  * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
@@ -2677,19 +2760,16 @@ mip_error mip_filter_magnetic_magnitude_source_response_encode(
  *
  * The device keeps a quaternion, so the elements read back may differ a little from those written.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_rotation_dcm_response.
- *
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
 struct mip_filter_sensor_to_vehicle_rotation_dcm {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
      * Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
-     * Unit: 1. For write.
+     * Unit: 1. Required for write.
      */
     float dcm[9];
 };
@@ -2703,8 +2783,8 @@ mip_error mip_filter_sensor_to_vehicle_rotation_dcm_decode(
 mip_error mip_filter_sensor_to_vehicle_rotation_dcm_encode(
     const struct mip_filter_sensor_to_vehicle_rotation_dcm *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_sensor_to_vehicle_rotation_dcm mip_filter_sensor_to_vehicle_rotation_dcm_write(
-    const float dcm[9]);
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_write(const float dcm[9]);
 /** Send the current setting back in a response. */
 struct mip_filter_sensor_to_vehicle_rotation_dcm
 mip_filter_sensor_to_vehicle_rotation_dcm_read(void);
@@ -2721,7 +2801,7 @@ mip_filter_sensor_to_vehicle_rotation_dcm_default(void);
 /**
  * Sensor to vehicle rotation, matrix response: response (0x0D,0xBE).
  *
- * Answers Sensor to vehicle rotation, matrix (0x0D,0x4E).
+ * Answers mip_filter_sensor_to_vehicle_rotation_dcm.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
@@ -2750,6 +2830,9 @@ mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
  *
  * Rotation from the sensor frame to the vehicle frame as a quaternion.
  *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_sensor_to_vehicle_rotation_quaternion_response.
+ *
  * It is the inverse of the quaternion that (0x0C,0x32) takes.
  *
  * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
@@ -2760,17 +2843,14 @@ mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
  *
  * The device normalizes it, so the elements read back may differ a little from those written.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_rotation_quaternion_response.
- *
  * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
  */
 struct mip_filter_sensor_to_vehicle_rotation_quaternion {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. For write. */
+    /** Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Required for write. */
     float q[4];
 };
 
@@ -2803,7 +2883,7 @@ mip_filter_sensor_to_vehicle_rotation_quaternion_default(void);
 /**
  * Sensor to vehicle rotation, quaternion response: response (0x0D,0xBF).
  *
- * Answers Sensor to vehicle rotation, quaternion (0x0D,0x4F).
+ * Answers mip_filter_sensor_to_vehicle_rotation_quaternion.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
  */
@@ -2835,13 +2915,13 @@ mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_encode(
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
 struct mip_filter_aiding_measurement_enable {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** The source; `all` is for save, load and default. */
     mip_filter_aiding_source aiding_source;
-    /** Whether the filter uses the source. For write. */
+    /** Whether the filter uses the source. Required for write. */
     mip_bool enable;
 };
 
@@ -2854,27 +2934,25 @@ mip_error mip_filter_aiding_measurement_enable_decode(
 mip_error mip_filter_aiding_measurement_enable_encode(
     const struct mip_filter_aiding_measurement_enable *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_aiding_measurement_enable mip_filter_aiding_measurement_enable_write(
-    mip_filter_aiding_source aiding_source, mip_bool enable);
+struct mip_filter_aiding_measurement_enable
+mip_filter_aiding_measurement_enable_write(mip_filter_aiding_source aiding_source, mip_bool enable);
 /** Send the current setting back in a response. */
-struct mip_filter_aiding_measurement_enable mip_filter_aiding_measurement_enable_read(
-    mip_filter_aiding_source aiding_source);
+struct mip_filter_aiding_measurement_enable
+mip_filter_aiding_measurement_enable_read(mip_filter_aiding_source aiding_source);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_aiding_measurement_enable mip_filter_aiding_measurement_enable_save(
-    mip_filter_aiding_source aiding_source);
+struct mip_filter_aiding_measurement_enable
+mip_filter_aiding_measurement_enable_save(mip_filter_aiding_source aiding_source);
 /** Load the saved setting. */
-struct mip_filter_aiding_measurement_enable mip_filter_aiding_measurement_enable_load(
-    mip_filter_aiding_source aiding_source);
+struct mip_filter_aiding_measurement_enable
+mip_filter_aiding_measurement_enable_load(mip_filter_aiding_source aiding_source);
 /** Load the factory default setting. */
-struct mip_filter_aiding_measurement_enable mip_filter_aiding_measurement_enable_default(
-    mip_filter_aiding_source aiding_source);
+struct mip_filter_aiding_measurement_enable
+mip_filter_aiding_measurement_enable_default(mip_filter_aiding_source aiding_source);
 
 /**
  * Aiding measurement control response: response (0x0D,0xD0).
  *
- * Answers Aiding measurement control (0x0D,0x50).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_aiding_measurement_enable. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
@@ -2901,20 +2979,30 @@ mip_error mip_filter_aiding_measurement_enable_response_encode(
  * Assumptions about the motion that the filter uses as measurements.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_kinematic_constraint_response.
+ * mip_filter_kinematic_constraint_response. Uncertain: Whether there are further values. The SDK
+ * has plain numbers and gives the values in remarks.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
 struct mip_filter_kinematic_constraint {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Assumption about the acceleration. Default: none. For write. */
+    /**
+     * Assumption about the acceleration. Default: MIP_FILTER_ACCEL_CONSTRAINT_NONE. Required for
+     * write.
+     */
     mip_filter_accel_constraint accel_constraint;
-    /** Assumption about the velocity. Default: none. For write. */
+    /**
+     * Assumption about the velocity. Default: MIP_FILTER_VELOCITY_CONSTRAINT_NONE. Required for
+     * write.
+     */
     mip_filter_velocity_constraint velocity_constraint;
-    /** Assumption about the angular rate. Default: none. For write. */
+    /**
+     * Assumption about the angular rate. Default: MIP_FILTER_ANGULAR_CONSTRAINT_NONE. Required for
+     * write.
+     */
     mip_filter_angular_constraint angular_constraint;
 };
 
@@ -2927,10 +3015,10 @@ mip_error mip_filter_kinematic_constraint_decode(struct mip_filter_kinematic_con
 mip_error mip_filter_kinematic_constraint_encode(
     const struct mip_filter_kinematic_constraint *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_write(
-    mip_filter_accel_constraint accel_constraint,
-    mip_filter_velocity_constraint velocity_constraint,
-    mip_filter_angular_constraint angular_constraint);
+struct mip_filter_kinematic_constraint
+mip_filter_kinematic_constraint_write(mip_filter_accel_constraint accel_constraint,
+                                      mip_filter_velocity_constraint velocity_constraint,
+                                      mip_filter_angular_constraint angular_constraint);
 /** Send the current setting back in a response. */
 struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -2943,16 +3031,16 @@ struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_default(v
 /**
  * Kinematic constraint response: response (0x0D,0xD1).
  *
- * Answers Kinematic constraint (0x0D,0x51).
+ * Answers mip_filter_kinematic_constraint.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
 struct mip_filter_kinematic_constraint_response {
-    /** Assumption about the acceleration. Default: none. */
+    /** Assumption about the acceleration. Default: MIP_FILTER_ACCEL_CONSTRAINT_NONE. */
     mip_filter_accel_constraint accel_constraint;
-    /** Assumption about the velocity. Default: none. */
+    /** Assumption about the velocity. Default: MIP_FILTER_VELOCITY_CONSTRAINT_NONE. */
     mip_filter_velocity_constraint velocity_constraint;
-    /** Assumption about the angular rate. Default: none. */
+    /** Assumption about the angular rate. Default: MIP_FILTER_ANGULAR_CONSTRAINT_NONE. */
     mip_filter_angular_constraint angular_constraint;
 };
 
@@ -2970,6 +3058,9 @@ mip_error mip_filter_kinematic_constraint_response_encode(
  *
  * Sources and values of the initial attitude, position and velocity of the filter.
  *
+ * Also called `initialization_configuration`. Functions: write, read, save, load and default.
+ * Answered by mip_filter_initialization_config_response. Supported by 3DM-CV7-GNSS/INS.
+ *
  * Single precision resolves the latitude and longitude of the initial position to about a metre
  * only.
  *
@@ -2977,39 +3068,41 @@ mip_error mip_filter_kinematic_constraint_response_encode(
  *
  * External alignment needs a heading at least every 5 seconds.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_initialization_config_response. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
 struct mip_filter_initialization_config {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 1: the filter starts only after `run`; 0: as soon as it can. Range: 0 to 1. For write. */
+    /**
+     * 1: the filter starts only after `run`; 0: as soon as it can. Range: 0 to 1. Required for
+     * write.
+     */
     uint8_t wait_for_run_command;
-    /** Which initial conditions are found and which are given. For write. */
+    /** Which initial conditions are found and which are given. Required for write. */
     mip_filter_initial_condition_source initial_condition_source;
-    /** Ways in which the initial heading may be found. For write. */
+    /** Ways in which the initial heading may be found. Required for write. */
     mip_filter_heading_alignment auto_heading_alignment_selector;
-    /** Given heading. Unit: deg. For write. */
+    /** Given heading. Unit: deg. Required for write. */
     float initial_heading;
-    /** Given pitch. Unit: deg. For write. */
+    /** Given pitch. Unit: deg. Required for write. */
     float initial_pitch;
-    /** Given roll. Unit: deg. For write. */
+    /** Given roll. Unit: deg. Required for write. */
     float initial_roll;
     /**
-     * Given position. Elements: x, y, z. For write. If reference_frame_selector is ecef: unit m,
-     * frame ecef. If reference_frame_selector is llh: unit deg, deg, m, frame llh.
+     * Given position. Elements: x, y, z. Required for write. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
      */
     float initial_position[3];
     /**
-     * Given velocity. Elements: x, y, z. Unit: m/s. For write. If reference_frame_selector is ecef:
-     * frame ecef. If reference_frame_selector is llh: frame ned.
+     * Given velocity. Elements: x, y, z. Unit: m/s. Required for write. If reference_frame_selector
+     * is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
      */
     float initial_velocity[3];
-    /** Frame of the given position and velocity. For write. */
+    /** Frame of the given position and velocity. Required for write. */
     mip_filter_reference_frame reference_frame_selector;
 };
 
@@ -3039,8 +3132,7 @@ struct mip_filter_initialization_config mip_filter_initialization_config_default
 /**
  * Navigation filter initialization response: response (0x0D,0xD2).
  *
- * Answers Navigation filter initialization (0x0D,0x52).
- *
+ * Also called `initialization_configuration_response`. Answers mip_filter_initialization_config.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
@@ -3059,13 +3151,15 @@ struct mip_filter_initialization_config_response {
     /** Given roll. Unit: deg. */
     float initial_roll;
     /**
-     * Given position. Elements: x, y, z. If reference_frame_selector is ecef: unit m, frame ecef.
-     * If reference_frame_selector is llh: unit deg, deg, m, frame llh.
+     * Given position. Elements: x, y, z. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
      */
     float initial_position[3];
     /**
-     * Given velocity. Elements: x, y, z. Unit: m/s. If reference_frame_selector is ecef: frame
-     * ecef. If reference_frame_selector is llh: frame ned.
+     * Given velocity. Elements: x, y, z. Unit: m/s. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
      */
     float initial_velocity[3];
     /** Frame of the given position and velocity. */
@@ -3092,15 +3186,15 @@ mip_error mip_filter_initialization_config_response_encode(
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
 struct mip_filter_adaptive_filter_options {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Strength of the adaptation. Default: 2. For write. */
+    /** Strength of the adaptation. Default: 2. Required for write. */
     mip_filter_adaptive_level level;
     /**
-     * Longest time for which measurements are rejected before the filter recovers. Unit: ms. For
-     * write.
+     * Longest time for which measurements are rejected before the filter recovers. Unit: ms.
+     * Required for write.
      */
     uint16_t time_limit;
 };
@@ -3114,8 +3208,8 @@ mip_error mip_filter_adaptive_filter_options_decode(
 mip_error mip_filter_adaptive_filter_options_encode(
     const struct mip_filter_adaptive_filter_options *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_adaptive_filter_options mip_filter_adaptive_filter_options_write(
-    mip_filter_adaptive_level level, uint16_t time_limit);
+struct mip_filter_adaptive_filter_options
+mip_filter_adaptive_filter_options_write(mip_filter_adaptive_level level, uint16_t time_limit);
 /** Send the current setting back in a response. */
 struct mip_filter_adaptive_filter_options mip_filter_adaptive_filter_options_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -3128,9 +3222,7 @@ struct mip_filter_adaptive_filter_options mip_filter_adaptive_filter_options_def
 /**
  * Adaptive filter control response: response (0x0D,0xD3).
  *
- * Answers Adaptive filter control (0x0D,0x53).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_adaptive_filter_options. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
@@ -3155,23 +3247,23 @@ mip_error mip_filter_adaptive_filter_options_response_encode(
  *
  * Position of the antenna of one receiver on devices with several antennas.
  *
- * The magnitude of the vector is limited to 10.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_multi_antenna_offset_response. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * The magnitude of the vector is limited to 10.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
 struct mip_filter_multi_antenna_offset {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Number of the receiver, from 1. At least 1. */
+    /** Number of the receiver, from 1. Range: at least 1. */
     uint8_t receiver_id;
     /**
      * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
-     * For write.
+     * Required for write.
      */
     float antenna_offset[3];
 };
@@ -3185,8 +3277,8 @@ mip_error mip_filter_multi_antenna_offset_decode(struct mip_filter_multi_antenna
 mip_error mip_filter_multi_antenna_offset_encode(
     const struct mip_filter_multi_antenna_offset *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_multi_antenna_offset mip_filter_multi_antenna_offset_write(
-    uint8_t receiver_id, const float antenna_offset[3]);
+struct mip_filter_multi_antenna_offset
+mip_filter_multi_antenna_offset_write(uint8_t receiver_id, const float antenna_offset[3]);
 /** Send the current setting back in a response. */
 struct mip_filter_multi_antenna_offset mip_filter_multi_antenna_offset_read(uint8_t receiver_id);
 /** Save the current setting to non-volatile memory. */
@@ -3199,14 +3291,12 @@ struct mip_filter_multi_antenna_offset mip_filter_multi_antenna_offset_default(u
 /**
  * GNSS multi-antenna offset response: response (0x0D,0xD4).
  *
- * Answers GNSS multi-antenna offset (0x0D,0x54).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_multi_antenna_offset. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
 struct mip_filter_multi_antenna_offset_response {
-    /** Number of the receiver, from 1. At least 1. */
+    /** Number of the receiver, from 1. Range: at least 1. */
     uint8_t receiver_id;
     /**
      * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
@@ -3228,23 +3318,24 @@ mip_error mip_filter_multi_antenna_offset_response_encode(
  *
  * Reference point of the relative position that the filter reports.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `rel_pos_configuration`. Functions: write, read, save, load and default. Answered by
  * mip_filter_relative_position_config_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
 struct mip_filter_relative_position_config {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the reference point. For write. */
+    /** Source of the reference point. Required for write. */
     mip_filter_relative_position_source source;
-    /** Frame of the coordinates. For write. */
+    /** Frame of the coordinates. Required for write. */
     mip_filter_reference_frame reference_frame_selector;
     /**
-     * Reference point. Elements: x, y, z. For write. If reference_frame_selector is ecef: unit m,
-     * frame ecef. If reference_frame_selector is llh: unit deg, deg, m, frame llh.
+     * Reference point. Elements: x, y, z. Required for write. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
      */
     double reference_coordinates[3];
 };
@@ -3273,8 +3364,7 @@ struct mip_filter_relative_position_config mip_filter_relative_position_config_d
 /**
  * Relative position configuration response: response (0x0D,0xD5).
  *
- * Answers Relative position configuration (0x0D,0x55).
- *
+ * Also called `rel_pos_configuration_response`. Answers mip_filter_relative_position_config.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
@@ -3285,8 +3375,9 @@ struct mip_filter_relative_position_config_response {
     /** Frame of the coordinates. */
     mip_filter_reference_frame reference_frame_selector;
     /**
-     * Reference point. Elements: x, y, z. If reference_frame_selector is ecef: unit m, frame ecef.
-     * If reference_frame_selector is llh: unit deg, deg, m, frame llh.
+     * Reference point. Elements: x, y, z. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
      */
     double reference_coordinates[3];
 };
@@ -3305,27 +3396,27 @@ mip_error mip_filter_relative_position_config_response_encode(
  *
  * Moves the point to which the position and the velocity of the filter refer.
  *
+ * Also called `ref_point_lever_arm`. Functions: write, read, save, load and default. Answered by
+ * mip_filter_reference_point_lever_arm_response. Supported by 3DM-CV7-GNSS/INS.
+ *
  * It shifts `llh_position`, `ned_velocity`, `ecef_position`, `ecef_velocity` and
  * `ned_relative_position` of set `filter_data`, depending on the attitude and, for velocities, on
  * the angular rate.
  *
  * The magnitude of the vector is limited to 10.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_reference_point_lever_arm_response. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
 struct mip_filter_reference_point_lever_arm {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Point to move; it must be 1. For write. */
+    /** Point to move; it must be 1. Required for write. */
     mip_filter_reference_point reference_point;
     /**
      * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
-     * For write.
+     * Required for write.
      */
     float lever_arm_offset[3];
 };
@@ -3353,8 +3444,7 @@ struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm
 /**
  * Reference point lever arm response: response (0x0D,0xD6).
  *
- * Answers Reference point lever arm (0x0D,0x56).
- *
+ * Also called `ref_point_lever_arm_response`. Answers mip_filter_reference_point_lever_arm.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
@@ -3383,6 +3473,8 @@ mip_error mip_filter_reference_point_lever_arm_response_encode(
  *
  * Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
  *
+ * Uncertain: The SDK names a response (0x0D,0xE0) but has no layout of it.
+ *
  * It must not be used together with the odometer of the device.
  *
  * Single precision resolves the time of week to 0.0625 s at the end of the week.
@@ -3390,9 +3482,9 @@ mip_error mip_filter_reference_point_lever_arm_response_encode(
  * - mip-sdk-4: Speed Measurement (0x0D,0x60)
  */
 struct mip_filter_speed_measurement {
-    /** Send 1. Send 1. */
+    /** Send 1. Reserved: send 1. */
     uint8_t source;
-    /** GPS time of week of the measurement. Unit: s. */
+    /** GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK prints none. */
     float tow;
     /** Speed, negative in reverse. Unit: m/s. Frame: vehicle. */
     float speed;
@@ -3417,23 +3509,23 @@ struct mip_filter_speed_measurement mip_filter_speed_measurement_make(float tow,
  *
  * Position of the point whose speed is measured, such as the wheel that an odometer is on.
  *
- * It corrects for the speed that such a point has only because the vehicle turns.
- *
  * Functions: write, read, save, load and default. Answered by mip_filter_speed_lever_arm_response.
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * It corrects for the speed that such a point has only because the vehicle turns.
  *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
 struct mip_filter_speed_lever_arm {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Send 1. Send 1. */
+    /** Reserved: send 1. */
     uint8_t source;
     /**
-     * From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle. For
-     * write.
+     * From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle.
+     * Required for write.
      */
     float lever_arm_offset[3];
 };
@@ -3460,14 +3552,12 @@ struct mip_filter_speed_lever_arm mip_filter_speed_lever_arm_default(void);
 /**
  * Speed measurement lever arm response: response (0x0D,0xE1).
  *
- * Answers Speed measurement lever arm (0x0D,0x61).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_speed_lever_arm. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
 struct mip_filter_speed_lever_arm_response {
-    /** Send 1. Send 1. */
+    /** Reserved. */
     uint8_t source;
     /** From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle. */
     float lever_arm_offset[3];
@@ -3487,19 +3577,19 @@ mip_error mip_filter_speed_lever_arm_response_encode(
  *
  * Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
  *
- * It takes the linear acceleration as zero.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_vertical_gyro_constraint_control_response.
+ *
+ * It takes the linear acceleration as zero.
  *
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */
 struct mip_filter_vertical_gyro_constraint_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
 };
 
@@ -3530,7 +3620,7 @@ mip_filter_vertical_gyro_constraint_control_default(void);
 /**
  * Vertical gyro constraint response: response (0x0D,0xE2).
  *
- * Answers Vertical gyro constraint (0x0D,0x62).
+ * Answers mip_filter_vertical_gyro_constraint_control.
  *
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */
@@ -3556,20 +3646,20 @@ mip_error mip_filter_vertical_gyro_constraint_control_response_encode(
  *
  * Lets the filter assume that the vehicle moves only along its x axis.
  *
- * It improves the heading of cars and the like, above all when GNSS comes and goes. It is wrong for
- * vehicles that move sideways, such as aircraft.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_wheeled_vehicle_constraint_control_response. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * It improves the heading of cars and the like, above all when GNSS comes and goes. It is wrong for
+ * vehicles that move sideways, such as aircraft.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
 struct mip_filter_wheeled_vehicle_constraint_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
 };
 
@@ -3601,9 +3691,7 @@ mip_filter_wheeled_vehicle_constraint_control_default(void);
 /**
  * Wheeled vehicle constraint response: response (0x0D,0xE3).
  *
- * Answers Wheeled vehicle constraint (0x0D,0x63).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_wheeled_vehicle_constraint_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
@@ -3629,22 +3717,22 @@ mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
  *
  * Lets the filter track the error of the antenna offset.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_gnss_antenna_calibration_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default. Answered
+ * by mip_filter_gnss_antenna_calibration_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
  */
 struct mip_filter_gnss_antenna_calibration_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
     /**
      * Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
-     * vehicle. Range: 0 to 0.5. Default: 0.1. For write.
+     * vehicle. Range: 0 to 0.5. Default: 0.1. Required for write.
      */
     float max_offset;
 };
@@ -3676,9 +3764,8 @@ mip_filter_gnss_antenna_calibration_control_default(void);
 /**
  * GNSS antenna offset calibration response: response (0x0D,0xE4).
  *
- * Answers GNSS antenna offset calibration (0x0D,0x64).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `gnss_antenna_cal_control_response`. Answers
+ * mip_filter_gnss_antenna_calibration_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration

@@ -9,153 +9,154 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/gnss_1.h and mip/core.h are not of one version"
+#error "mip/gnss_1.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_GNSS_1_SET 0x91
 
 /** Which parts of the position are valid. */
 typedef uint16_t mip_gnss_1_llh_position_flags;
-/** Bit 0: Latitude and longitude. */
+/** Bit 0. Latitude and longitude. */
 #define MIP_GNSS_1_LLH_POSITION_FLAGS_LAT_LON 0x0001U
-/** Bit 1: Height above the ellipsoid. */
+/** Bit 1. Height above the ellipsoid. */
 #define MIP_GNSS_1_LLH_POSITION_FLAGS_ELLIPSOID_HEIGHT 0x0002U
-/** Bit 2: Height above mean sea level. */
+/** Bit 2. Height above mean sea level. */
 #define MIP_GNSS_1_LLH_POSITION_FLAGS_MSL_HEIGHT 0x0004U
-/** Bit 3: Horizontal accuracy. */
+/** Bit 3. Horizontal accuracy. */
 #define MIP_GNSS_1_LLH_POSITION_FLAGS_HORIZONTAL_ACCURACY 0x0008U
-/** Bit 4: Vertical accuracy. */
+/** Bit 4. Vertical accuracy. */
 #define MIP_GNSS_1_LLH_POSITION_FLAGS_VERTICAL_ACCURACY 0x0010U
-/** Bits 0 to 4: All of them. */
+/** Bits 0 to 4. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_LLH_POSITION_FLAGS_FLAGS 0x001FU
 
 /** Which parts of the position are valid. */
 typedef uint16_t mip_gnss_1_ecef_position_flags;
-/** Bit 0: Position. */
+/** Bit 0. Position. */
 #define MIP_GNSS_1_ECEF_POSITION_FLAGS_POSITION 0x0001U
-/** Bit 1: Accuracy of the position. */
+/** Bit 1. Accuracy of the position. */
 #define MIP_GNSS_1_ECEF_POSITION_FLAGS_POSITION_ACCURACY 0x0002U
-/** Bits 0 to 1: All of them. */
+/** Bits 0 to 1. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_ECEF_POSITION_FLAGS_FLAGS 0x0003U
 
 /** Which parts of the velocity are valid. */
 typedef uint16_t mip_gnss_1_ned_velocity_flags;
-/** Bit 0: Velocity vector. */
+/** Bit 0. Velocity vector. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_VELOCITY 0x0001U
-/** Bit 1: Speed in space. */
+/** Bit 1. Speed in space. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_SPEED_3D 0x0002U
-/** Bit 2: Speed over ground. */
+/** Bit 2. Speed over ground. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_GROUND_SPEED 0x0004U
-/** Bit 3: Heading. */
+/** Bit 3. Heading. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_HEADING 0x0008U
-/** Bit 4: Accuracy of the speed. */
+/** Bit 4. Accuracy of the speed. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_SPEED_ACCURACY 0x0010U
-/** Bit 5: Accuracy of the heading. */
+/** Bit 5. Accuracy of the heading. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_HEADING_ACCURACY 0x0020U
-/** Bits 0 to 5: All of them. */
+/** Bits 0 to 5. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_NED_VELOCITY_FLAGS_FLAGS 0x003FU
 
 /** Which parts of the velocity are valid. */
 typedef uint16_t mip_gnss_1_ecef_velocity_flags;
-/** Bit 0: Velocity. */
+/** Bit 0. Velocity. */
 #define MIP_GNSS_1_ECEF_VELOCITY_FLAGS_VELOCITY 0x0001U
-/** Bit 1: Accuracy of the velocity. */
+/** Bit 1. Accuracy of the velocity. */
 #define MIP_GNSS_1_ECEF_VELOCITY_FLAGS_VELOCITY_ACCURACY 0x0002U
-/** Bits 0 to 1: All of them. */
+/** Bits 0 to 1. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_ECEF_VELOCITY_FLAGS_FLAGS 0x0003U
 
 /** Which dilutions of precision are valid. */
 typedef uint16_t mip_gnss_1_dop_flags;
-/** Bit 0: Geometric. */
+/** Bit 0. Geometric. */
 #define MIP_GNSS_1_DOP_FLAGS_GDOP 0x0001U
-/** Bit 1: Position. */
+/** Bit 1. Position. */
 #define MIP_GNSS_1_DOP_FLAGS_PDOP 0x0002U
-/** Bit 2: Horizontal. */
+/** Bit 2. Horizontal. */
 #define MIP_GNSS_1_DOP_FLAGS_HDOP 0x0004U
-/** Bit 3: Vertical. */
+/** Bit 3. Vertical. */
 #define MIP_GNSS_1_DOP_FLAGS_VDOP 0x0008U
-/** Bit 4: Time. */
+/** Bit 4. Time. */
 #define MIP_GNSS_1_DOP_FLAGS_TDOP 0x0010U
-/** Bit 5: Northing. */
+/** Bit 5. Northing. */
 #define MIP_GNSS_1_DOP_FLAGS_NDOP 0x0020U
-/** Bit 6: Easting. */
+/** Bit 6. Easting. */
 #define MIP_GNSS_1_DOP_FLAGS_EDOP 0x0040U
-/** Bits 0 to 6: All of them. */
+/** Bits 0 to 6. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_DOP_FLAGS_FLAGS 0x007FU
 
 /** How far the UTC time is valid. */
 typedef uint16_t mip_gnss_1_utc_time_flags;
-/** Bit 0: Date and time come from GNSS. */
+/** Bit 0. Date and time come from GNSS. */
 #define MIP_GNSS_1_UTC_TIME_FLAGS_GNSS_DATE_TIME 0x0001U
-/** Bit 1: The leap seconds between GPS time and UTC are known. */
+/** Bit 1. The leap seconds between GPS time and UTC are known. */
 #define MIP_GNSS_1_UTC_TIME_FLAGS_LEAP_SECONDS_KNOWN 0x0002U
-/** Bits 0 to 1: All of them. */
+/** Bits 0 to 1. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_UTC_TIME_FLAGS_FLAGS 0x0003U
 
 /** Which parts of the time are valid. */
 typedef uint16_t mip_gnss_1_gps_time_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_1_GPS_TIME_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_1_GPS_TIME_FLAGS_WEEK_NUMBER 0x0002U
-/** Bits 0 to 1: All of them. */
+/** Bits 0 to 1. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_GPS_TIME_FLAGS_FLAGS 0x0003U
 
 /** Which clock parameters are valid. */
 typedef uint16_t mip_gnss_1_clock_info_flags;
-/** Bit 0: Bias. */
+/** Bit 0. Bias. */
 #define MIP_GNSS_1_CLOCK_INFO_FLAGS_BIAS 0x0001U
-/** Bit 1: Drift. */
+/** Bit 1. Drift. */
 #define MIP_GNSS_1_CLOCK_INFO_FLAGS_DRIFT 0x0002U
-/** Bit 2: Accuracy. */
+/** Bit 2. Accuracy. */
 #define MIP_GNSS_1_CLOCK_INFO_FLAGS_ACCURACY_ESTIMATE 0x0004U
-/** Bits 0 to 2: All of them. */
+/** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_CLOCK_INFO_FLAGS_FLAGS 0x0007U
 
 /** What the fix makes use of. */
 typedef uint16_t mip_gnss_1_fix_flags;
-/** Bit 0: Satellite based augmentation. */
+/** Bit 0. Satellite based augmentation. */
 #define MIP_GNSS_1_FIX_FLAGS_SBAS_USED 0x0001U
-/** Bit 1: Differential corrections. */
+/** Bit 1. Differential corrections. */
 #define MIP_GNSS_1_FIX_FLAGS_DGNSS_USED 0x0002U
 
 /** Which parts of the fix information are valid. */
 typedef uint16_t mip_gnss_1_fix_info_flags;
-/** Bit 0: Type of the fix. */
+/** Bit 0. Type of the fix. */
 #define MIP_GNSS_1_FIX_INFO_FLAGS_FIX_TYPE 0x0001U
-/** Bit 1: Number of satellites. */
+/** Bit 1. Number of satellites. */
 #define MIP_GNSS_1_FIX_INFO_FLAGS_NUM_SV 0x0002U
-/** Bit 2: Fix flags. */
+/** Bit 2. Fix flags. */
 #define MIP_GNSS_1_FIX_INFO_FLAGS_FIX_FLAGS 0x0004U
-/** Bits 0 to 2: All of them. */
+/** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_FIX_INFO_FLAGS_FLAGS 0x0007U
 
 /** State of a satellite. */
 typedef uint16_t mip_gnss_1_sv_flags;
-/** Bit 0: The position fix uses it. */
+/** Bit 0. The position fix uses it. */
 #define MIP_GNSS_1_SV_FLAGS_USED_FOR_NAVIGATION 0x0001U
-/** Bit 1: It is healthy. */
+/** Bit 1. It is healthy. */
 #define MIP_GNSS_1_SV_FLAGS_HEALTHY 0x0002U
 
 /** Which parts of the satellite info are valid. */
 typedef uint16_t mip_gnss_1_sv_info_flags;
-/** Bit 0: Channel. */
+/** Bit 0. Channel. */
 #define MIP_GNSS_1_SV_INFO_FLAGS_CHANNEL 0x0001U
-/** Bit 1: Satellite. */
+/** Bit 1. Satellite. */
 #define MIP_GNSS_1_SV_INFO_FLAGS_SATELLITE_ID 0x0002U
-/** Bit 2: Carrier to noise density ratio. */
+/** Bit 2. Carrier to noise density ratio. */
 #define MIP_GNSS_1_SV_INFO_FLAGS_CARRIER_NOISE_RATIO 0x0004U
-/** Bit 3: Azimuth. */
+/** Bit 3. Azimuth. */
 #define MIP_GNSS_1_SV_INFO_FLAGS_AZIMUTH 0x0008U
-/** Bit 4: Elevation. */
+/** Bit 4. Elevation. */
 #define MIP_GNSS_1_SV_INFO_FLAGS_ELEVATION 0x0010U
-/** Bit 5: State of the satellite. */
+/** Bit 5. State of the satellite. */
 #define MIP_GNSS_1_SV_INFO_FLAGS_SV_FLAGS 0x0020U
-/** Bits 0 to 5: All of them. */
+/** Bits 0 to 5. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_SV_INFO_FLAGS_FLAGS 0x003FU
 
 /** Whether the receiver works. */
@@ -191,57 +192,57 @@ typedef uint8_t mip_gnss_1_antenna_power;
 
 /** Which parts of the hardware status are valid. */
 typedef uint16_t mip_gnss_1_hardware_status_flags;
-/** Bit 0: State of the receiver. */
+/** Bit 0. State of the receiver. */
 #define MIP_GNSS_1_HARDWARE_STATUS_FLAGS_SENSOR_STATE 0x0001U
-/** Bit 1: State of the antenna. */
+/** Bit 1. State of the antenna. */
 #define MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_STATE 0x0002U
-/** Bit 2: Supply of the antenna. */
+/** Bit 2. Supply of the antenna. */
 #define MIP_GNSS_1_HARDWARE_STATUS_FLAGS_ANTENNA_POWER 0x0004U
-/** Bits 0 to 2: All of them. */
+/** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_HARDWARE_STATUS_FLAGS_FLAGS 0x0007U
 
 /** Which parts of the state of the corrections are valid. */
 typedef uint16_t mip_gnss_1_dgps_info_flags;
-/** Bit 0: Age. */
+/** Bit 0. Age. */
 #define MIP_GNSS_1_DGPS_INFO_FLAGS_AGE 0x0001U
-/** Bit 1: Number of the base station. */
+/** Bit 1. Number of the base station. */
 #define MIP_GNSS_1_DGPS_INFO_FLAGS_BASE_STATION_ID 0x0002U
-/** Bit 2: State of the base station. */
+/** Bit 2. State of the base station. */
 #define MIP_GNSS_1_DGPS_INFO_FLAGS_BASE_STATION_STATUS 0x0004U
-/** Bit 3: Number of channels. */
+/** Bit 3. Number of channels. */
 #define MIP_GNSS_1_DGPS_INFO_FLAGS_NUM_CHANNELS 0x0008U
-/** Bits 0 to 3: All of them. */
+/** Bits 0 to 3. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_DGPS_INFO_FLAGS_FLAGS 0x000FU
 
 /** Which parts of a differential correction are valid. */
 typedef uint16_t mip_gnss_1_dgps_channel_flags;
-/** Bit 0: Satellite. */
+/** Bit 0. Satellite. */
 #define MIP_GNSS_1_DGPS_CHANNEL_FLAGS_SATELLITE_ID 0x0001U
-/** Bit 1: Age. */
+/** Bit 1. Age. */
 #define MIP_GNSS_1_DGPS_CHANNEL_FLAGS_AGE 0x0002U
-/** Bit 2: Correction of the range. */
+/** Bit 2. Correction of the range. */
 #define MIP_GNSS_1_DGPS_CHANNEL_FLAGS_RANGE_CORRECTION 0x0004U
-/** Bit 3: Correction of the range rate. */
+/** Bit 3. Correction of the range rate. */
 #define MIP_GNSS_1_DGPS_CHANNEL_FLAGS_RANGE_RATE_CORRECTION 0x0008U
-/** Bits 0 to 3: All of them. */
+/** Bits 0 to 3. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_DGPS_CHANNEL_FLAGS_FLAGS 0x000FU
 
 /** Which clock parameters are valid. */
 typedef uint16_t mip_gnss_1_clock_info_2_flags;
-/** Bit 0: Bias. */
+/** Bit 0. Bias. */
 #define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_BIAS 0x0001U
-/** Bit 1: Drift. */
+/** Bit 1. Drift. */
 #define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT 0x0002U
-/** Bit 2: Accuracy of the bias. */
+/** Bit 2. Accuracy of the bias. */
 #define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_BIAS_ACCURACY 0x0004U
-/** Bit 3: Accuracy of the drift. */
+/** Bit 3. Accuracy of the drift. */
 #define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_DRIFT_ACCURACY 0x0008U
-/** Bits 0 to 3: All of them. */
+/** Bits 0 to 3. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_CLOCK_INFO_2_FLAGS_FLAGS 0x000FU
 
 /** Whether the leap seconds are valid. Bit 0 is not used. */
 typedef uint16_t mip_gnss_1_gps_leap_seconds_flags;
-/** Bit 1: Leap seconds. */
+/** Bit 1. Leap seconds. */
 #define MIP_GNSS_1_GPS_LEAP_SECONDS_FLAGS_LEAP_SECONDS 0x0002U
 
 /** Satellite based augmentation system. */
@@ -259,41 +260,41 @@ typedef uint8_t mip_gnss_1_sbas_system;
 
 /** What the SBAS service offers. */
 typedef uint8_t mip_gnss_1_sbas_status;
-/** Bit 0: Ranging is available. */
+/** Bit 0. Ranging is available. */
 #define MIP_GNSS_1_SBAS_STATUS_RANGE_AVAILABLE 0x01U
-/** Bit 1: Corrections are available. */
+/** Bit 1. Corrections are available. */
 #define MIP_GNSS_1_SBAS_STATUS_CORRECTIONS_AVAILABLE 0x02U
-/** Bit 2: Integrity information is available. */
+/** Bit 2. Integrity information is available. */
 #define MIP_GNSS_1_SBAS_STATUS_INTEGRITY_AVAILABLE 0x04U
-/** Bit 3: The service is in test mode. */
+/** Bit 3. The service is in test mode. */
 #define MIP_GNSS_1_SBAS_STATUS_TEST_MODE 0x08U
 
 /** Which parts of the SBAS status are valid. */
 typedef uint16_t mip_gnss_1_sbas_info_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2: System. */
+/** Bit 2. System. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_SYSTEM 0x0004U
-/** Bit 3: Satellite. */
+/** Bit 3. Satellite. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_ID 0x0008U
-/** Bit 4: Number of corrections. */
+/** Bit 4. Number of corrections. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_COUNT 0x0010U
-/** Bit 5: Status of the service. */
+/** Bit 5. Status of the service. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_SBAS_STATUS 0x0020U
-/** Bits 0 to 5: All of them. */
+/** Bits 0 to 5. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_SBAS_INFO_FLAGS_FLAGS 0x003FU
 
 /** Which parts of an SBAS correction are valid. */
 typedef uint16_t mip_gnss_1_sbas_correction_flags;
-/** Bit 0: Indicator of the range error. */
+/** Bit 0. Indicator of the range error. */
 #define MIP_GNSS_1_SBAS_CORRECTION_FLAGS_UDREI 0x0001U
-/** Bit 1: Correction of the pseudorange. */
+/** Bit 1. Correction of the pseudorange. */
 #define MIP_GNSS_1_SBAS_CORRECTION_FLAGS_PSEUDORANGE_CORRECTION 0x0002U
-/** Bit 2: Correction of the ionospheric delay. */
+/** Bit 2. Correction of the ionospheric delay. */
 #define MIP_GNSS_1_SBAS_CORRECTION_FLAGS_IONO_CORRECTION 0x0004U
-/** Bits 0 to 2: All of them. */
+/** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_SBAS_CORRECTION_FLAGS_FLAGS 0x0007U
 
 /** Frequency band of GNSS signals. */
@@ -331,32 +332,32 @@ typedef uint8_t mip_gnss_1_spoofing_state;
 
 /** Which parts of the detection are valid. */
 typedef uint16_t mip_gnss_1_rf_error_detection_flags;
-/** Bit 0: Band. */
+/** Bit 0. Band. */
 #define MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_RF_BAND 0x0001U
-/** Bit 1: Jamming. */
+/** Bit 1. Jamming. */
 #define MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_JAMMING_STATE 0x0002U
-/** Bit 2: Spoofing. */
+/** Bit 2. Spoofing. */
 #define MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE 0x0004U
-/** Bits 0 to 2: All of them. */
+/** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_FLAGS 0x0007U
 
 /** Which parts of the satellite status are valid. */
 typedef uint16_t mip_gnss_1_satellite_status_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2: Constellation. */
+/** Bit 2. Constellation. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_GNSS_ID 0x0004U
-/** Bit 3: Satellite. */
+/** Bit 3. Satellite. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_SATELLITE_ID 0x0008U
-/** Bit 4: Elevation. */
+/** Bit 4. Elevation. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_ELEVATION 0x0010U
-/** Bit 5: Azimuth. */
+/** Bit 5. Azimuth. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_AZIMUTH 0x0020U
-/** Bit 6: Health. */
+/** Bit 6. Health. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_HEALTH 0x0040U
-/** Bits 0 to 6: All of them. */
+/** Bits 0 to 6. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_SATELLITE_STATUS_FLAGS_FLAGS 0x007FU
 
 /** How well a signal is tracked. */
@@ -376,130 +377,130 @@ typedef uint8_t mip_gnss_1_signal_quality;
 
 /** Which parts of the observation are valid. */
 typedef uint16_t mip_gnss_1_raw_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_1_RAW_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_1_RAW_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2: Receiver or reference station. */
+/** Bit 2. Receiver or reference station. */
 #define MIP_GNSS_1_RAW_FLAGS_RECEIVER_ID 0x0004U
-/** Bit 3: Tracking channel. */
+/** Bit 3. Tracking channel. */
 #define MIP_GNSS_1_RAW_FLAGS_TRACKING_CHANNEL 0x0008U
-/** Bit 4: Constellation. */
+/** Bit 4. Constellation. */
 #define MIP_GNSS_1_RAW_FLAGS_GNSS_ID 0x0010U
-/** Bit 5: Satellite. */
+/** Bit 5. Satellite. */
 #define MIP_GNSS_1_RAW_FLAGS_SATELLITE_ID 0x0020U
-/** Bit 6: Signal. */
+/** Bit 6. Signal. */
 #define MIP_GNSS_1_RAW_FLAGS_SIGNAL_ID 0x0040U
-/** Bit 7: Signal strength. */
+/** Bit 7. Signal strength. */
 #define MIP_GNSS_1_RAW_FLAGS_SIGNAL_STRENGTH 0x0080U
-/** Bit 8: Signal quality. */
+/** Bit 8. Signal quality. */
 #define MIP_GNSS_1_RAW_FLAGS_QUALITY 0x0100U
-/** Bit 9: Pseudorange. */
+/** Bit 9. Pseudorange. */
 #define MIP_GNSS_1_RAW_FLAGS_PSEUDORANGE 0x0200U
-/** Bit 10: Carrier phase. */
+/** Bit 10. Carrier phase. */
 #define MIP_GNSS_1_RAW_FLAGS_CARRIER_PHASE 0x0400U
-/** Bit 11: Doppler shift. */
+/** Bit 11. Doppler shift. */
 #define MIP_GNSS_1_RAW_FLAGS_DOPPLER 0x0800U
-/** Bit 12: Uncertainty of the pseudorange. */
+/** Bit 12. Uncertainty of the pseudorange. */
 #define MIP_GNSS_1_RAW_FLAGS_RANGE_UNCERTAINTY 0x1000U
-/** Bit 13: Uncertainty of the carrier phase. */
+/** Bit 13. Uncertainty of the carrier phase. */
 #define MIP_GNSS_1_RAW_FLAGS_CARRIER_PHASE_UNCERTAINTY 0x2000U
-/** Bit 14: Uncertainty of the Doppler shift. */
+/** Bit 14. Uncertainty of the Doppler shift. */
 #define MIP_GNSS_1_RAW_FLAGS_DOPPLER_UNCERTAINTY 0x4000U
-/** Bit 15: Lock time. */
+/** Bit 15. Lock time. */
 #define MIP_GNSS_1_RAW_FLAGS_LOCK_TIME 0x8000U
-/** Bits 0 to 15: All of them. */
+/** Bits 0 to 15. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_RAW_FLAGS_FLAGS 0xFFFFU
 
 /** Properties of a base station, as its RTCM message gives them. */
 typedef uint16_t mip_gnss_1_base_station_indicators;
-/** Bit 0: GPS is supported. */
+/** Bit 0. GPS is supported. */
 #define MIP_GNSS_1_BASE_STATION_INDICATORS_GPS 0x0001U
-/** Bit 1: GLONASS is supported. */
+/** Bit 1. GLONASS is supported. */
 #define MIP_GNSS_1_BASE_STATION_INDICATORS_GLONASS 0x0002U
-/** Bit 2: Galileo is supported. */
+/** Bit 2. Galileo is supported. */
 #define MIP_GNSS_1_BASE_STATION_INDICATORS_GALILEO 0x0004U
-/** Bit 3: BeiDou is supported. */
+/** Bit 3. BeiDou is supported. */
 #define MIP_GNSS_1_BASE_STATION_INDICATORS_BEIDOU 0x0008U
-/** Bit 4: Reference station indicator. */
+/** Bit 4. Reference station indicator. */
 #define MIP_GNSS_1_BASE_STATION_INDICATORS_REFERENCE_STATION 0x0010U
-/** Bit 5: Single receiver oscillator indicator. */
+/** Bit 5. Single receiver oscillator indicator. */
 #define MIP_GNSS_1_BASE_STATION_INDICATORS_SINGLE_RECEIVER 0x0020U
-/** Bit 6: First bit of the quarter cycle indicator. */
+/** Bit 6. First bit of the quarter cycle indicator. */
 #define MIP_GNSS_1_BASE_STATION_INDICATORS_QUARTER_CYCLE_BIT1 0x0040U
-/** Bit 7: Second bit of the quarter cycle indicator. */
+/** Bit 7. Second bit of the quarter cycle indicator. */
 #define MIP_GNSS_1_BASE_STATION_INDICATORS_QUARTER_CYCLE_BIT2 0x0080U
-/** Bits 6 to 7: Quarter cycle indicator. */
+/** Bits 6 to 7. Quarter cycle indicator. Overlaps other bits. */
 #define MIP_GNSS_1_BASE_STATION_INDICATORS_QUARTER_CYCLE_BITS 0x00C0U
 
 /** Which values are valid. */
 typedef uint16_t mip_gnss_1_base_station_info_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2: Position. */
+/** Bit 2. Position. */
 #define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_ECEF_POSITION 0x0004U
-/** Bit 3: Antenna height. */
+/** Bit 3. Antenna height. */
 #define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_HEIGHT 0x0008U
-/** Bit 4: Station. */
+/** Bit 4. Station. */
 #define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_STATION_ID 0x0010U
-/** Bit 5: Indicators. */
+/** Bit 5. Indicators. */
 #define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_INDICATORS 0x0020U
-/** Bits 0 to 5: All of them. */
+/** Bits 0 to 5. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_BASE_STATION_INFO_FLAGS_FLAGS 0x003FU
 
 /** Corrections that came during an epoch. */
 typedef uint16_t mip_gnss_1_rtk_epoch_status;
-/** Bit 0: Antenna location. */
+/** Bit 0. Antenna location. */
 #define MIP_GNSS_1_RTK_EPOCH_STATUS_ANTENNA_LOCATION_RECEIVED 0x0001U
-/** Bit 1: Antenna description. */
+/** Bit 1. Antenna description. */
 #define MIP_GNSS_1_RTK_EPOCH_STATUS_ANTENNA_DESCRIPTION_RECEIVED 0x0002U
-/** Bit 2: GPS corrections. */
+/** Bit 2. GPS corrections. */
 #define MIP_GNSS_1_RTK_EPOCH_STATUS_GPS_RECEIVED 0x0004U
-/** Bit 3: GLONASS corrections. */
+/** Bit 3. GLONASS corrections. */
 #define MIP_GNSS_1_RTK_EPOCH_STATUS_GLONASS_RECEIVED 0x0008U
-/** Bit 4: Galileo corrections. */
+/** Bit 4. Galileo corrections. */
 #define MIP_GNSS_1_RTK_EPOCH_STATUS_GALILEO_RECEIVED 0x0010U
-/** Bit 5: BeiDou corrections. */
+/** Bit 5. BeiDou corrections. */
 #define MIP_GNSS_1_RTK_EPOCH_STATUS_BEIDOU_RECEIVED 0x0020U
-/** Bit 6: GPS corrections come in MSM messages, not in the RTCM messages 1001-1004. */
+/** Bit 6. GPS corrections come in MSM messages, not in the RTCM messages 1001-1004. */
 #define MIP_GNSS_1_RTK_EPOCH_STATUS_USING_GPS_MSM_MESSAGES 0x0040U
-/** Bit 7: GLONASS corrections come in MSM messages, not in the RTCM messages 1009-1012. */
+/** Bit 7. GLONASS corrections come in MSM messages, not in the RTCM messages 1009-1012. */
 #define MIP_GNSS_1_RTK_EPOCH_STATUS_USING_GLONASS_MSM_MESSAGES 0x0080U
-/** Bit 8: The status of the dongle could not be read. */
+/** Bit 8. The status of the dongle could not be read. */
 #define MIP_GNSS_1_RTK_EPOCH_STATUS_DONGLE_STATUS_READ_FAILED 0x0100U
 
 /** Which values are valid. */
 typedef uint16_t mip_gnss_1_rtk_corrections_status_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2: Epoch status. */
+/** Bit 2. Epoch status. */
 #define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_EPOCH_STATUS 0x0004U
-/** Bit 3: Status of the dongle. */
+/** Bit 3. Status of the dongle. */
 #define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS 0x0008U
-/** Bit 4: Latency of GPS corrections. */
+/** Bit 4. Latency of GPS corrections. */
 #define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GPS_LATENCY 0x0010U
-/** Bit 5: Latency of GLONASS corrections. */
+/** Bit 5. Latency of GLONASS corrections. */
 #define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GLONASS_LATENCY 0x0020U
-/** Bit 6: Latency of Galileo corrections. */
+/** Bit 6. Latency of Galileo corrections. */
 #define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_GALILEO_LATENCY 0x0040U
-/** Bit 7: Latency of BeiDou corrections. */
+/** Bit 7. Latency of BeiDou corrections. */
 #define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY 0x0080U
-/** Bits 0 to 7: All of them. */
+/** Bits 0 to 7. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_FLAGS 0x00FFU
 
 /** What an ephemeris of GPS, Galileo or BeiDou holds. */
 typedef uint16_t mip_gnss_1_ephemeris_flags;
-/** Bit 0: The ephemeris is valid. */
+/** Bit 0. The ephemeris is valid. */
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
-/** Bit 1: The data of the modernized navigation message are included. */
+/** Bit 1. The data of the modernized navigation message are included. */
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_MODERN_DATA 0x0002U
-/** Bit 2: isc_l2c is the correction for L5, not for L2. */
+/** Bit 2. isc_l2c is the correction for L5, not for L2. */
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_ISC_L5 0x0004U
-/** Bits 0 to 2: All of them. */
+/** Bits 0 to 2. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_EPHEMERIS_FLAGS_FLAGS 0x0007U
 
 /** Generation of a GLONASS satellite. */
@@ -511,50 +512,50 @@ typedef uint8_t mip_gnss_1_glonass_satellite_type;
 
 /** Whether the ephemeris is valid. */
 typedef uint16_t mip_gnss_1_glonass_ephemeris_flags;
-/** Bit 0: The ephemeris is valid. */
+/** Bit 0. The ephemeris is valid. */
 #define MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_EPHEMERIS 0x0001U
-/** Bit 0: All of them. */
+/** Bit 0. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_GLONASS_EPHEMERIS_FLAGS_FLAGS 0x0001U
 
 /** Which parts of the model are valid. */
 typedef uint16_t mip_gnss_1_gps_iono_correction_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2: Coefficients alpha. */
+/** Bit 2. Coefficients alpha. */
 #define MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_ALPHA 0x0004U
-/** Bit 3: Coefficients beta. */
+/** Bit 3. Coefficients beta. */
 #define MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_BETA 0x0008U
-/** Bits 0 to 3: All of them. */
+/** Bits 0 to 3. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_FLAGS 0x000FU
 
 /** Which parts of the model are valid. */
 typedef uint16_t mip_gnss_1_galileo_iono_correction_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2: Coefficients. */
+/** Bit 2. Coefficients. */
 #define MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_ALPHA 0x0004U
-/** Bit 3: Storm flags. */
+/** Bit 3. Storm flags. */
 #define MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS 0x0008U
-/** Bits 0 to 3: All of them. */
+/** Bits 0 to 3. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_FLAGS 0x000FU
 
 /** Which parts of the model are valid. */
 typedef uint16_t mip_gnss_1_beidou_iono_correction_flags;
-/** Bit 0: Time of week. */
+/** Bit 0. Time of week. */
 #define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_TOW 0x0001U
-/** Bit 1: Week number. */
+/** Bit 1. Week number. */
 #define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_WEEK_NUMBER 0x0002U
-/** Bit 2: Coefficients alpha. */
+/** Bit 2. Coefficients alpha. */
 #define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA 0x0004U
-/** Bit 3: Coefficients beta. */
+/** Bit 3. Coefficients beta. */
 #define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_BETA 0x0008U
-/** Bit 4: Further coefficients. */
+/** Bit 4. Further coefficients. */
 #define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA_CORRECTION 0x0010U
-/** Bits 0 to 4: All of them. */
+/** Bits 0 to 4. All of them. Overlaps other bits. */
 #define MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_FLAGS 0x001FU
 
 /**
@@ -562,7 +563,7 @@ typedef uint16_t mip_gnss_1_beidou_iono_correction_flags;
  *
  * GNSS position as latitude, longitude and height.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03)
  */
@@ -615,7 +616,7 @@ mip_error mip_gnss_1_llh_position_encode(const struct mip_gnss_1_llh_position *v
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `pos_ecef`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04)
  */
@@ -648,7 +649,7 @@ mip_error mip_gnss_1_ecef_position_encode(const struct mip_gnss_1_ecef_position 
  *
  * GNSS velocity in the local level frame.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `vel_ned`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: NED Velocity (0x91,0x05)
  */
@@ -701,7 +702,7 @@ mip_error mip_gnss_1_ned_velocity_encode(const struct mip_gnss_1_ned_velocity *v
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `vel_ecef`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06)
  */
@@ -923,6 +924,8 @@ mip_error mip_gnss_1_fix_info_encode(const struct mip_gnss_1_fix_info *value,
  *
  * One satellite that is tracked.
  *
+ * Uncertain: Whether a packet holds one of these fields or several.
+ *
  * The satellites come as one field each, in packets apart from other GNSS data.
  *
  * - mip-sdk-4: Sv Info (0x81,0x0C)
@@ -967,7 +970,7 @@ mip_error mip_gnss_1_sv_info_encode(const struct mip_gnss_1_sv_info *value,
  *
  * State of the receiver and of its antenna.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `hw_status`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D)
  */
@@ -1005,13 +1008,18 @@ mip_error mip_gnss_1_hardware_status_encode(const struct mip_gnss_1_hardware_sta
  *
  * State of the differential corrections.
  *
+ * Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another library of the
+ * vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8, three floats and
+ * u16, which is that of dgps_channel and does not agree with its own valid flags (age, base station
+ * id, base station status, number of channels).
+ *
  * - 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
  * - mip-sdk-4: Dgps Info (0x81,0x0E)
  */
 struct mip_gnss_1_dgps_info {
     /**
      * Age of the corrections. Unit: s. Valid if MIP_GNSS_1_DGPS_INFO_FLAGS_AGE in valid_flags is
-     * set.
+     * set. Uncertain: The unit, which follows from dgps_channel.
      */
     float age;
     /**
@@ -1091,9 +1099,9 @@ mip_error mip_gnss_1_dgps_channel_encode(const struct mip_gnss_1_dgps_channel *v
  *
  * Bias and drift of the receiver clock.
  *
- * It supersedes clock info.
- *
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * It supersedes clock info.
  *
  * - 3dm-cv7-gnss-ins: Clock Info 2 (0x91,0x10)
  */
@@ -1274,7 +1282,7 @@ struct mip_gnss_1_rf_error_detection {
      * Spoofing. Valid if MIP_GNSS_1_RF_ERROR_DETECTION_FLAGS_SPOOFING_STATE in valid_flags is set.
      */
     mip_gnss_1_spoofing_state spoofing_state;
-    /**  */
+    /** Reserved. */
     uint8_t reserved[4];
     /** Which values are valid. */
     mip_gnss_1_rf_error_detection_flags valid_flags;
@@ -1294,9 +1302,9 @@ mip_error mip_gnss_1_rf_error_detection_encode(const struct mip_gnss_1_rf_error_
  *
  * Where one satellite stands, and its health.
  *
- * An epoch is sent as one field for each satellite; index and count number the fields.
- *
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * An epoch is sent as one field for each satellite; index and count number the fields.
  *
  * - 3dm-cv7-gnss-ins: Satellite Status (0x91,0x20)
  */
@@ -1355,11 +1363,11 @@ mip_error mip_gnss_1_satellite_status_encode(const struct mip_gnss_1_satellite_s
  *
  * Raw observation of one signal of one satellite.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * An epoch is sent as one field for each signal; index and count number the fields.
  *
  * The greatest lock time depends on the receiver.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Raw (0x91,0x22)
  */
@@ -1518,8 +1526,9 @@ struct mip_gnss_1_rtk_corrections_status {
     mip_gnss_1_rtk_epoch_status epoch_status;
     /**
      * Status flags of the RTK dongle; of use only with a dongle. Valid if
-     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS in valid_flags is set. The same word as
-     * that of get status flags (0x0F,0x01), in one of its two forms.
+     * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_DONGLE_STATUS in valid_flags is set.
+     *
+     * The same word as that of get status flags (0x0F,0x01), in one of its two forms.
      */
     mip_rtk_status_flags dongle_status;
     /**
@@ -1542,7 +1551,7 @@ struct mip_gnss_1_rtk_corrections_status {
      * MIP_GNSS_1_RTK_CORRECTIONS_STATUS_FLAGS_BEIDOU_LATENCY in valid_flags is set.
      */
     float beidou_correction_latency;
-    /**  */
+    /** Reserved. */
     uint32_t reserved[4];
     /** Which values are valid. */
     mip_gnss_1_rtk_corrections_status_flags valid_flags;
@@ -1562,9 +1571,9 @@ mip_error mip_gnss_1_rtk_corrections_status_encode(
  *
  * Broadcast orbit and clock of one GPS satellite.
  *
- * iodc changes with the clock data; the manual has it roll over at 4.
- *
  * Supported by 3DM-CV7-GNSS/INS.
+ *
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61)
  */
@@ -1728,11 +1737,11 @@ mip_error mip_gnss_1_gps_ephemeris_encode(const struct mip_gnss_1_gps_ephemeris 
  *
  * Broadcast orbit and clock of one GLONASS satellite.
  *
+ * Also called `glo_ephemeris`. Supported by 3DM-CV7-GNSS/INS.
+ *
  * The interface control document of GLONASS explains p and ft.
  *
  * A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Glonass Ephemeris (0x91,0x62)
  */
@@ -1860,12 +1869,12 @@ mip_error mip_gnss_1_glonass_ephemeris_encode(const struct mip_gnss_1_glonass_ep
  *
  * Broadcast orbit and clock of one Galileo satellite.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
  * iodc changes with the clock data; the manual has it roll over at 4.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63)
  */
@@ -2029,12 +2038,12 @@ mip_error mip_gnss_1_galileo_ephemeris_encode(const struct mip_gnss_1_galileo_ep
  *
  * Broadcast orbit and clock of one BeiDou satellite.
  *
+ * Supported by 3DM-CV7-GNSS/INS.
+ *
  * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
  * corrections hold here.
  *
  * iodc changes with the clock data; the manual has it roll over at 4.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64)
  */
@@ -2198,6 +2207,8 @@ mip_error mip_gnss_1_beidou_ephemeris_encode(const struct mip_gnss_1_beidou_ephe
  *
  * Model of the ionosphere that GPS broadcasts.
  *
+ * Also called `gps_iono_corr`.
+ *
  * - mip-sdk-4: Gps Iono Corr (0x81,0x71)
  */
 struct mip_gnss_1_gps_iono_correction {
@@ -2213,12 +2224,12 @@ struct mip_gnss_1_gps_iono_correction {
     uint16_t week_number;
     /**
      * Coefficients alpha 0 to 3. Valid if MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_ALPHA in valid_flags
-     * is set.
+     * is set. Uncertain: The units.
      */
     double alpha[4];
     /**
      * Coefficients beta 0 to 3. Valid if MIP_GNSS_1_GPS_IONO_CORRECTION_FLAGS_BETA in valid_flags
-     * is set.
+     * is set. Uncertain: The units.
      */
     double beta[4];
     /** Which values are valid. */
@@ -2239,6 +2250,8 @@ mip_error mip_gnss_1_gps_iono_correction_encode(const struct mip_gnss_1_gps_iono
  *
  * Model of the ionosphere that Galileo broadcasts.
  *
+ * Also called `galileo_iono_corr`.
+ *
  * - mip-sdk-4: Galileo Iono Corr (0x81,0x73)
  */
 struct mip_gnss_1_galileo_iono_correction {
@@ -2254,12 +2267,13 @@ struct mip_gnss_1_galileo_iono_correction {
     uint16_t week_number;
     /**
      * The three coefficients of the model. Valid if MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_ALPHA
-     * in valid_flags is set.
+     * in valid_flags is set. Uncertain: The units.
      */
     double alpha[3];
     /**
      * Storm flags of five regions, in bits 1 to 5. Valid if
-     * MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS in valid_flags is set.
+     * MIP_GNSS_1_GALILEO_IONO_CORRECTION_FLAGS_DISTURBANCE_FLAGS in valid_flags is set. Uncertain:
+     * Whether the bits count from 0 or from 1, and which region each stands for.
      */
     uint8_t disturbance_flags;
     /** Which values are valid. */
@@ -2280,6 +2294,8 @@ mip_error mip_gnss_1_galileo_iono_correction_encode(
  *
  * Model of the ionosphere that BeiDou broadcasts.
  *
+ * Also called `beidou_iono_corr`.
+ *
  * - mip-sdk-4: Beidou Iono Corr (0x81,0x74)
  */
 struct mip_gnss_1_beidou_iono_correction {
@@ -2295,17 +2311,18 @@ struct mip_gnss_1_beidou_iono_correction {
     uint16_t week_number;
     /**
      * Coefficients alpha 0 to 3. Valid if MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA in
-     * valid_flags is set.
+     * valid_flags is set. Uncertain: The units.
      */
     double alpha[4];
     /**
      * Coefficients beta 0 to 3. Valid if MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_BETA in
-     * valid_flags is set.
+     * valid_flags is set. Uncertain: The units.
      */
     double beta[4];
     /**
      * Nine further coefficients of the delay. Valid if
-     * MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA_CORRECTION in valid_flags is set.
+     * MIP_GNSS_1_BEIDOU_IONO_CORRECTION_FLAGS_ALPHA_CORRECTION in valid_flags is set. Uncertain:
+     * The units.
      */
     double alpha_correction[9];
     /** Which values are valid. */

@@ -11,19 +11,22 @@
 #include "mip/gnss_1.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/gnss_corrections.h and mip/core.h are not of one version"
+#error "mip/gnss_corrections.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_GNSS_CORRECTIONS_SET 0x93
 
 /**
  * GNSS LLH position: data (0x93,0x03).
  *
- * The same field as mip_gnss_1_llh_position.
+ * GNSS position as latitude, longitude and height.
+ *
+ * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -37,7 +40,9 @@ extern "C" {
 /**
  * GNSS ECEF position: data (0x93,0x04).
  *
- * The same field as mip_gnss_1_ecef_position.
+ * GNSS position in Earth-fixed coordinates.
+ *
+ * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -51,7 +56,9 @@ extern "C" {
 /**
  * NED velocity: data (0x93,0x05).
  *
- * The same field as mip_gnss_1_ned_velocity.
+ * GNSS velocity in the local level frame.
+ *
+ * Has the layout of mip_gnss_1_ned_velocity. Also called `vel_ned`.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -65,7 +72,9 @@ extern "C" {
 /**
  * GNSS ECEF velocity: data (0x93,0x06).
  *
- * The same field as mip_gnss_1_ecef_velocity.
+ * GNSS velocity in Earth-fixed coordinates.
+ *
+ * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -79,7 +88,9 @@ extern "C" {
 /**
  * DOP: data (0x93,0x07).
  *
- * The same field as mip_gnss_1_dop.
+ * Dilution of precision of the satellite geometry.
+ *
+ * Has the layout of mip_gnss_1_dop.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -93,7 +104,9 @@ extern "C" {
 /**
  * UTC time: data (0x93,0x08).
  *
- * The same field as mip_gnss_1_utc_time.
+ * Coordinated universal time as the receiver knows it.
+ *
+ * Has the layout of mip_gnss_1_utc_time.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -107,7 +120,9 @@ extern "C" {
 /**
  * GPS time: data (0x93,0x09).
  *
- * The same field as mip_gnss_1_gps_time.
+ * GPS time as the receiver knows it.
+ *
+ * Has the layout of mip_gnss_1_gps_time.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -121,7 +136,11 @@ extern "C" {
 /**
  * Clock info: data (0x93,0x0A).
  *
- * The same field as mip_gnss_1_clock_info.
+ * Bias and drift of the receiver clock.
+ *
+ * Has the layout of mip_gnss_1_clock_info.
+ *
+ * Clock info 2 replaces it and tells more.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -135,7 +154,9 @@ extern "C" {
 /**
  * Fix info: data (0x93,0x0B).
  *
- * The same field as mip_gnss_1_fix_info.
+ * Type of the position fix and what it is made of.
+ *
+ * Has the layout of mip_gnss_1_fix_info.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -149,7 +170,12 @@ extern "C" {
 /**
  * Satellite info: data (0x93,0x0C).
  *
- * The same field as mip_gnss_1_sv_info.
+ * One satellite that is tracked.
+ *
+ * Has the layout of mip_gnss_1_sv_info. Uncertain: Whether a packet holds one of these fields or
+ * several.
+ *
+ * The satellites come as one field each, in packets apart from other GNSS data.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -163,7 +189,9 @@ extern "C" {
 /**
  * GNSS hardware status: data (0x93,0x0D).
  *
- * The same field as mip_gnss_1_hardware_status.
+ * State of the receiver and of its antenna.
+ *
+ * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -177,7 +205,12 @@ extern "C" {
 /**
  * DGPS info: data (0x93,0x0E).
  *
- * The same field as mip_gnss_1_dgps_info.
+ * State of the differential corrections.
+ *
+ * Has the layout of mip_gnss_1_dgps_info. Uncertain: The layout is that of a manual of the
+ * 3DM-GX5-35 and of MSCL, another library of the vendor. It agrees with the valid flags. Uncertain:
+ * The SDK has another one, u8, three floats and u16, which is that of dgps_channel and does not
+ * agree with its own valid flags (age, base station id, base station status, number of channels).
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -191,7 +224,11 @@ extern "C" {
 /**
  * DGPS channel: data (0x93,0x0F).
  *
- * The same field as mip_gnss_1_dgps_channel.
+ * Differential correction for one satellite.
+ *
+ * Has the layout of mip_gnss_1_dgps_channel.
+ *
+ * The active satellites come as one field each, all in one packet.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -205,7 +242,11 @@ extern "C" {
 /**
  * Clock info 2: data (0x93,0x10).
  *
- * The same field as mip_gnss_1_clock_info_2.
+ * Bias and drift of the receiver clock.
+ *
+ * Has the layout of mip_gnss_1_clock_info_2.
+ *
+ * It supersedes clock info.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -219,7 +260,9 @@ extern "C" {
 /**
  * GPS leap seconds: data (0x93,0x11).
  *
- * The same field as mip_gnss_1_gps_leap_seconds.
+ * Difference between GPS time and UTC.
+ *
+ * Has the layout of mip_gnss_1_gps_leap_seconds.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -233,7 +276,9 @@ extern "C" {
 /**
  * SBAS info: data (0x93,0x12).
  *
- * The same field as mip_gnss_1_sbas_info.
+ * Status of the satellite based augmentation.
+ *
+ * Has the layout of mip_gnss_1_sbas_info.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -247,7 +292,14 @@ extern "C" {
 /**
  * SBAS correction: data (0x93,0x13).
  *
- * The same field as mip_gnss_1_sbas_correction.
+ * SBAS correction for one satellite.
+ *
+ * Has the layout of mip_gnss_1_sbas_correction.
+ *
+ * An epoch is sent as one field for each satellite; index and count number the fields.
+ *
+ * udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315, 1.2992,
+ * 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -261,7 +313,9 @@ extern "C" {
 /**
  * RF error detection: data (0x93,0x14).
  *
- * The same field as mip_gnss_1_rf_error_detection.
+ * Jamming and spoofing as the receiver detects them in one band.
+ *
+ * Has the layout of mip_gnss_1_rf_error_detection.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -275,7 +329,11 @@ extern "C" {
 /**
  * Satellite status: data (0x93,0x20).
  *
- * The same field as mip_gnss_1_satellite_status.
+ * Where one satellite stands, and its health.
+ *
+ * Has the layout of mip_gnss_1_satellite_status.
+ *
+ * An epoch is sent as one field for each satellite; index and count number the fields.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -289,7 +347,13 @@ extern "C" {
 /**
  * Raw: data (0x93,0x22).
  *
- * The same field as mip_gnss_1_raw.
+ * Raw observation of one signal of one satellite.
+ *
+ * Has the layout of mip_gnss_1_raw.
+ *
+ * An epoch is sent as one field for each signal; index and count number the fields.
+ *
+ * The greatest lock time depends on the receiver.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -303,7 +367,9 @@ extern "C" {
 /**
  * Base station info: data (0x93,0x30).
  *
- * The same field as mip_gnss_1_base_station_info.
+ * The base station of the corrections, from an RTCM message 1005 or 1006.
+ *
+ * Has the layout of mip_gnss_1_base_station_info. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Base Station Info (0x93,0x30)
  */
@@ -317,7 +383,9 @@ extern "C" {
 /**
  * RTK corrections status: data (0x93,0x31).
  *
- * The same field as mip_gnss_1_rtk_corrections_status.
+ * Which corrections come, and how old they are.
+ *
+ * Has the layout of mip_gnss_1_rtk_corrections_status. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: RTK Corrections Status (0x93,0x31)
  */
@@ -331,7 +399,11 @@ extern "C" {
 /**
  * GPS ephemeris: data (0x93,0x61).
  *
- * The same field as mip_gnss_1_gps_ephemeris.
+ * Broadcast orbit and clock of one GPS satellite.
+ *
+ * Has the layout of mip_gnss_1_gps_ephemeris.
+ *
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -345,7 +417,13 @@ extern "C" {
 /**
  * GLONASS ephemeris: data (0x93,0x62).
  *
- * The same field as mip_gnss_1_glonass_ephemeris.
+ * Broadcast orbit and clock of one GLONASS satellite.
+ *
+ * Has the layout of mip_gnss_1_glonass_ephemeris. Also called `glo_ephemeris`.
+ *
+ * The interface control document of GLONASS explains p and ft.
+ *
+ * A period of four years has 1461 days; the manual does not say how nt, a u8, counts them.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -359,7 +437,14 @@ extern "C" {
 /**
  * Galileo ephemeris: data (0x93,0x63).
  *
- * The same field as mip_gnss_1_galileo_ephemeris.
+ * Broadcast orbit and clock of one Galileo satellite.
+ *
+ * Has the layout of mip_gnss_1_galileo_ephemeris.
+ *
+ * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+ * corrections hold here.
+ *
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -373,7 +458,14 @@ extern "C" {
 /**
  * BeiDou ephemeris: data (0x93,0x64).
  *
- * The same field as mip_gnss_1_beidou_ephemeris.
+ * Broadcast orbit and clock of one BeiDou satellite.
+ *
+ * Has the layout of mip_gnss_1_beidou_ephemeris.
+ *
+ * The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
+ * corrections hold here.
+ *
+ * iodc changes with the clock data; the manual has it roll over at 4.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -387,7 +479,9 @@ extern "C" {
 /**
  * GPS ionospheric correction: data (0x93,0x71).
  *
- * The same field as mip_gnss_1_gps_iono_correction.
+ * Model of the ionosphere that GPS broadcasts.
+ *
+ * Has the layout of mip_gnss_1_gps_iono_correction. Also called `gps_iono_corr`.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -401,7 +495,9 @@ extern "C" {
 /**
  * Galileo ionospheric correction: data (0x93,0x73).
  *
- * The same field as mip_gnss_1_galileo_iono_correction.
+ * Model of the ionosphere that Galileo broadcasts.
+ *
+ * Has the layout of mip_gnss_1_galileo_iono_correction. Also called `galileo_iono_corr`.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
@@ -417,7 +513,9 @@ extern "C" {
 /**
  * BeiDou ionospheric correction: data (0x93,0x74).
  *
- * The same field as mip_gnss_1_beidou_iono_correction.
+ * Model of the ionosphere that BeiDou broadcasts.
+ *
+ * Has the layout of mip_gnss_1_beidou_iono_correction. Also called `beidou_iono_corr`.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */

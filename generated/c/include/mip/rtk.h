@@ -9,13 +9,14 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/rtk.h and mip/core.h are not of one version"
+#error "mip/rtk.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_RTK_SET 0x0F
 
 /**
@@ -35,9 +36,9 @@ typedef uint8_t mip_rtk_connected_device;
  * - mip-sdk-4: Service Status (0x0F,0x0A)
  */
 typedef uint8_t mip_rtk_service_flags;
-/** Bit 0: The server limits the rate. */
+/** Bit 0. The server limits the rate. */
 #define MIP_RTK_SERVICE_FLAGS_THROTTLE 0x01U
-/** Bit 1: There are no corrections. */
+/** Bit 1. There are no corrections. */
 #define MIP_RTK_SERVICE_FLAGS_CORRECTIONS_UNAVAILABLE 0x02U
 
 /**
@@ -69,9 +70,9 @@ typedef uint8_t mip_rtk_led_action;
  *
  * Asks for the state of the modem and of the corrections.
  *
- * The word of the response has two forms, rtk_status_flags and rtk_status_flags_legacy.
- *
  * Answered by mip_rtk_get_status_flags_response.
+ *
+ * The word of the response has two forms, rtk_status_flags and rtk_status_flags_legacy.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */
@@ -92,7 +93,7 @@ mip_error mip_rtk_get_status_flags_encode(const struct mip_rtk_get_status_flags 
 /**
  * Get status flags response: response (0x0F,0x81).
  *
- * Answers Get status flags (0x0F,0x01).
+ * Answers mip_rtk_get_status_flags.
  *
  * - mip-sdk-4: Get Status Flags (0x0F,0x01)
  */
@@ -135,7 +136,7 @@ mip_error mip_rtk_get_imei_encode(const struct mip_rtk_get_imei *value,
 /**
  * Get IMEI response: response (0x0F,0x82).
  *
- * Answers Get IMEI (0x0F,0x02).
+ * Answers mip_rtk_get_imei.
  *
  * - mip-sdk-4: Get Imei (0x0F,0x02)
  */
@@ -178,7 +179,7 @@ mip_error mip_rtk_get_imsi_encode(const struct mip_rtk_get_imsi *value,
 /**
  * Get IMSI response: response (0x0F,0x83).
  *
- * Answers Get IMSI (0x0F,0x03).
+ * Answers mip_rtk_get_imsi.
  *
  * - mip-sdk-4: Get Imsi (0x0F,0x03)
  */
@@ -221,7 +222,7 @@ mip_error mip_rtk_get_iccid_encode(const struct mip_rtk_get_iccid *value,
 /**
  * Get ICCID response: response (0x0F,0x84).
  *
- * Answers Get ICCID (0x0F,0x04).
+ * Answers mip_rtk_get_iccid.
  *
  * - mip-sdk-4: Get Iccid (0x0F,0x04)
  */
@@ -264,16 +265,16 @@ mip_error mip_rtk_get_rssi_encode(const struct mip_rtk_get_rssi *value,
 /**
  * Get RSSI response: response (0x0F,0x85).
  *
- * Answers Get RSSI (0x0F,0x05).
+ * Answers mip_rtk_get_rssi. Uncertain: That `valid` vouches for the other values is inferred.
  *
  * - mip-sdk-4: Get Rssi (0x0F,0x05)
  */
 struct mip_rtk_get_rssi_response {
     /** Whether the modem is connected. */
     mip_bool valid;
-    /** Received signal strength. Valid if in valid is set. */
+    /** Received signal strength. Valid if valid is true. Uncertain: The unit; dBm is likely. */
     int32_t rssi;
-    /** Signal quality. Valid if in valid is set. */
+    /** Signal quality. Valid if valid is true. Uncertain: The unit. */
     int32_t signal_quality;
 };
 
@@ -297,11 +298,11 @@ mip_error mip_rtk_get_rssi_response_encode(const struct mip_rtk_get_rssi_respons
  * - mip-sdk-4: Connected Device Type (0x0F,0x06)
  */
 struct mip_rtk_connected_device_type {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Type of the device. For write. */
+    /** Type of the device. Required for write. */
     mip_rtk_connected_device device_type;
 };
 
@@ -314,8 +315,8 @@ mip_error mip_rtk_connected_device_type_decode(struct mip_rtk_connected_device_t
 mip_error mip_rtk_connected_device_type_encode(const struct mip_rtk_connected_device_type *value,
                                                struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_rtk_connected_device_type mip_rtk_connected_device_type_write(
-    mip_rtk_connected_device device_type);
+struct mip_rtk_connected_device_type
+mip_rtk_connected_device_type_write(mip_rtk_connected_device device_type);
 /** Send the current setting back in a response. */
 struct mip_rtk_connected_device_type mip_rtk_connected_device_type_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -328,7 +329,7 @@ struct mip_rtk_connected_device_type mip_rtk_connected_device_type_default(void)
 /**
  * Connected device type response: response (0x0F,0x86).
  *
- * Answers Connected device type (0x0F,0x06).
+ * Answers mip_rtk_connected_device_type.
  *
  * - mip-sdk-4: Connected Device Type (0x0F,0x06)
  */
@@ -351,7 +352,7 @@ mip_error mip_rtk_connected_device_type_response_encode(
  *
  * Asks for the activation code.
  *
- * Answered by mip_rtk_get_activation_code_response.
+ * Also called `get_act_code`. Answered by mip_rtk_get_activation_code_response.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
  */
@@ -372,7 +373,7 @@ mip_error mip_rtk_get_activation_code_encode(const struct mip_rtk_get_activation
 /**
  * Get activation code response: response (0x0F,0x87).
  *
- * Answers Get activation code (0x0F,0x07).
+ * Also called `get_act_code_response`. Answers mip_rtk_get_activation_code.
  *
  * - mip-sdk-4: Get Act Code (0x0F,0x07)
  */
@@ -416,7 +417,7 @@ mip_error mip_rtk_get_modem_firmware_version_encode(
 /**
  * Get modem firmware version response: response (0x0F,0x88).
  *
- * Answers Get modem firmware version (0x0F,0x08).
+ * Answers mip_rtk_get_modem_firmware_version.
  *
  * - mip-sdk-4: Get Modem Firmware Version (0x0F,0x08)
  */
@@ -439,16 +440,16 @@ mip_error mip_rtk_get_modem_firmware_version_response_encode(
  *
  * Asks a correction server about the connection, and so keeps it open.
  *
- * The modem sends it as a host would, and the server answers as a device would.
+ * Answered by mip_rtk_service_status_response. The device sends it, and the host answers.
  *
- * Answered by mip_rtk_service_status_response.
+ * The modem sends it as a host would, and the server answers as a device would.
  *
  * - mip-sdk-4: Service Status (0x0F,0x0A)
  */
 struct mip_rtk_service_status {
-    /**  */
+    /** Reserved: send 0. Uncertain: What the modem sends; 0 is assumed. */
     uint32_t reserved1;
-    /**  */
+    /** Reserved: send 0. Uncertain: What the modem sends; 0 is assumed. */
     uint32_t reserved2;
 };
 
@@ -466,6 +467,8 @@ mip_error mip_rtk_service_status_encode(const struct mip_rtk_service_status *val
  *
  * What the server knows of the connection.
  *
+ * Answers mip_rtk_service_status. Uncertain: What exactly the counters count.
+ *
  * - mip-sdk-4: Service Status (0x0F,0x0A)
  */
 struct mip_rtk_service_status_response {
@@ -475,7 +478,7 @@ struct mip_rtk_service_status_response {
     uint32_t received_bytes;
     /** Bytes of the last transfer. Unit: byte. */
     uint32_t last_bytes;
-    /** Time of the last transfer. */
+    /** Time of the last transfer. Uncertain: The unit and the epoch. */
     uint64_t last_bytes_time;
 };
 
@@ -493,11 +496,11 @@ mip_error mip_rtk_service_status_response_encode(
  *
  * Erases a storage medium down to its raw state.
  *
+ * For advanced use. Also called `prod_erase_storage`.
+ *
  * All that is stored is lost. The command is for production.
  *
  * Accepted in calibration mode only.
- *
- * For advanced use.
  *
  * - mip-sdk-4: Prod Erase Storage (0x0F,0x20)
  */
@@ -522,20 +525,20 @@ struct mip_rtk_erase_storage mip_rtk_erase_storage_make(mip_rtk_storage_medium m
  *
  * Colours and pattern of the LED.
  *
- * Accepted in calibration mode and production test mode only.
- *
  * For advanced use.
+ *
+ * Accepted in calibration mode and production test mode only.
  *
  * - mip-sdk-4: Led Control (0x0F,0x21)
  */
 struct mip_rtk_led_control {
-    /** First colour. */
+    /** First colour. Uncertain: The order of its parts; red, green, blue is likely. */
     uint8_t primary_color[3];
-    /** Second colour. */
+    /** Second colour. Uncertain: The order of its parts; red, green, blue is likely. */
     uint8_t alternate_color[3];
     /** Pattern. */
     mip_rtk_led_action action;
-    /** Period of the pattern. */
+    /** Period of the pattern. Uncertain: The unit; ms is likely. */
     uint32_t period;
 };
 
@@ -557,11 +560,11 @@ struct mip_rtk_led_control mip_rtk_led_control_make(const uint8_t primary_color[
  *
  * Clears the flash memory of the modem.
  *
+ * For advanced use.
+ *
  * It wears the flash memory out; use it rarely.
  *
  * Accepted in calibration mode only.
- *
- * For advanced use.
  *
  * - mip-sdk-4: Modem Hard Reset (0x0F,0x22)
  */

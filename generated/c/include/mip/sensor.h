@@ -10,41 +10,42 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/sensor.h and mip/core.h are not of one version"
+#error "mip/sensor.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_SENSOR_SET 0x80
 
 /** Sensor axes that were near or outside their range. */
 typedef uint16_t mip_sensor_overrange_flags;
-/** Bit 0: Accelerometer X axis. */
+/** Bit 0. Accelerometer X axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_X 0x0001U
-/** Bit 1: Accelerometer Y axis. */
+/** Bit 1. Accelerometer Y axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_Y 0x0002U
-/** Bit 2: Accelerometer Z axis. */
+/** Bit 2. Accelerometer Z axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_ACCEL_Z 0x0004U
-/** Bit 4: Gyroscope X axis. */
+/** Bit 4. Gyroscope X axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_GYRO_X 0x0010U
-/** Bit 5: Gyroscope Y axis. */
+/** Bit 5. Gyroscope Y axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_GYRO_Y 0x0020U
-/** Bit 6: Gyroscope Z axis. */
+/** Bit 6. Gyroscope Z axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_GYRO_Z 0x0040U
-/** Bit 8: Magnetometer X axis. */
+/** Bit 8. Magnetometer X axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_X 0x0100U
-/** Bit 9: Magnetometer Y axis. */
+/** Bit 9. Magnetometer Y axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_Y 0x0200U
-/** Bit 10: Magnetometer Z axis. */
+/** Bit 10. Magnetometer Z axis. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_MAG_Z 0x0400U
-/** Bit 12: Pressure sensor. */
+/** Bit 12. Pressure sensor. */
 #define MIP_SENSOR_OVERRANGE_FLAGS_PRESSURE 0x1000U
 
 /** Whether the odometer values are valid. */
 typedef uint16_t mip_sensor_odometer_flags;
-/** Bit 0: The odometer is configured. */
+/** Bit 0. The odometer is configured. */
 #define MIP_SENSOR_ODOMETER_FLAGS_ODOMETER 0x0001U
 
 /**
@@ -97,7 +98,11 @@ mip_error mip_sensor_raw_gyro_encode(const struct mip_sensor_raw_gyro *value,
  * - mip-sdk-4: Raw Mag (0x80,0x03)
  */
 struct mip_sensor_raw_mag {
-    /** Magnetic field in counts. Elements: x, y, z. Unit: 1. Frame: vehicle. */
+    /**
+     * Magnetic field in counts. Elements: x, y, z. Unit: 1. Frame: vehicle. Uncertain: The frame.
+     * The SDK has the vehicle frame here, but the sensor frame for raw acceleration and raw angular
+     * rate.
+     */
     float raw_mag[3];
 };
 
@@ -210,9 +215,9 @@ mip_error mip_sensor_delta_theta_encode(const struct mip_sensor_delta_theta *val
  *
  * Time integral of the acceleration over the period that the message format sets.
  *
- * Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
- *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * Multiply by 9.80665 m/s^2 for a change of velocity in metres per second.
  *
  * - 3dm-gx5-15: 5.1.5 Delta Velocity Vector (0x80, 0x08)
  * - 3dm-cv7-gnss-ins: Delta Velocity (0x80,0x08)
@@ -236,9 +241,9 @@ mip_error mip_sensor_delta_velocity_encode(const struct mip_sensor_delta_velocit
  *
  * Attitude by the complementary filter as a direction cosine matrix, relative to the NED frame.
  *
- * v_vehicle = M * v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
- *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * v_vehicle = M * v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09)
  * - 3dm-cv7-gnss-ins: Complementary Filter Orientation Matrix (0x80,0x09)
@@ -246,7 +251,7 @@ mip_error mip_sensor_delta_velocity_encode(const struct mip_sensor_delta_velocit
 struct mip_sensor_comp_orientation_matrix {
     /**
      * Rotation from the NED frame to the vehicle frame. Elements: m11, m12, m13, m21, m22, m23,
-     * m31, m32, m33. Unit: 1. On 3dm-gx5-15: From the NED frame to the sensor frame.
+     * m31, m32, m33. Unit: 1. On the 3DM-GX5-15: From the NED frame to the sensor frame.
      */
     float m[9];
 };
@@ -265,17 +270,17 @@ mip_error mip_sensor_comp_orientation_matrix_encode(
  *
  * Attitude by the complementary filter as a quaternion, relative to the NED frame.
  *
- * v_vehicle = q^-1 * v_ned * q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
- *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * v_vehicle = q^-1 * v_ned * q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A)
  * - 3dm-cv7-gnss-ins: Complementary Filter Quaternion (0x80,0x0A)
  */
 struct mip_sensor_comp_quaternion {
     /**
-     * Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1. On
-     * 3dm-gx5-15: Between NED and the sensor frame.
+     * Rotation between the NED frame and the vehicle frame. Elements: w, x, y, z. Unit: 1. On the
+     * 3DM-GX5-15: Between NED and the sensor frame.
      */
     float q[4];
 };
@@ -294,7 +299,8 @@ mip_error mip_sensor_comp_quaternion_encode(const struct mip_sensor_comp_quatern
  *
  * Change of the attitude by the complementary filter as a matrix.
  *
- * Deprecated: the SDK marks it so and names no replacement.
+ * Deprecated: the SDK marks it so and names no replacement. Uncertain: The interval of the change
+ * and the frames. The SDK gives the name only.
  *
  * - mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
  */
@@ -319,9 +325,9 @@ mip_error mip_sensor_comp_orientation_update_matrix_encode(
  *
  * Attitude by the complementary filter as Euler angles, relative to the NED frame.
  *
- * The rotations are in the order yaw, pitch, roll (3-2-1).
- *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * The rotations are in the order yaw, pitch, roll (3-2-1).
  *
  * - 3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C)
  * - 3dm-cv7-gnss-ins: Complementary Filter Euler Angles (0x80,0x0C)
@@ -349,12 +355,14 @@ mip_error mip_sensor_comp_euler_angles_encode(const struct mip_sensor_comp_euler
  *
  * Raw readings of four temperature sensors.
  *
- * Deprecated: the SDK marks it so and names no replacement.
+ * Deprecated: the SDK marks it so and names no replacement. Also called `orientation_raw_temp`.
  *
  * - mip-sdk-4: Orientation Raw Temp (0x80,0x0D)
  */
 struct mip_sensor_orientation_raw_temperature {
-    /** Temperatures in counts. Unit: 1. */
+    /**
+     * Temperatures in counts. Unit: 1. Uncertain: The scale. Uncertain: and which sensor is which.
+     */
     uint16_t raw_temperature[4];
 };
 
@@ -377,7 +385,7 @@ mip_error mip_sensor_orientation_raw_temperature_encode(
  * - mip-sdk-4: Internal Timestamp (0x80,0x0E)
  */
 struct mip_sensor_internal_timestamp {
-    /** Counter. Unit: 1. */
+    /** Counter. Unit: 1. Uncertain: The period of one count. */
     uint32_t counts;
 };
 
@@ -395,14 +403,14 @@ mip_error mip_sensor_internal_timestamp_encode(const struct mip_sensor_internal_
  *
  * Time that is counted with the pulse per second.
  *
- * Deprecated: the SDK marks it so and names no replacement.
+ * Deprecated: the SDK marks it so and names no replacement. Uncertain: The epoch.
  *
  * - mip-sdk-4: Pps Timestamp (0x80,0x0F)
  */
 struct mip_sensor_pps_timestamp {
-    /** Whole seconds. Unit: s. */
+    /** Whole seconds. Unit: s. Uncertain: The unit; it follows from the name. */
     uint32_t seconds;
-    /** Fraction of the second. Unit: us. */
+    /** Fraction of the second. Unit: us. Uncertain: The unit; it follows from the name. */
     uint32_t useconds;
 };
 
@@ -420,11 +428,11 @@ mip_error mip_sensor_pps_timestamp_encode(const struct mip_sensor_pps_timestamp 
  *
  * Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
  *
+ * Supported by 3DM-GX5-15.
+ *
  * Without magnetic disturbance it equals the measured magnetic field.
  *
  * A lasting disturbance is not compensated.
- *
- * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10)
  */
@@ -447,9 +455,9 @@ mip_error mip_sensor_north_vector_encode(const struct mip_sensor_north_vector *v
  *
  * Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
  *
- * At rest it equals the measured acceleration.
- *
  * Supported by 3DM-GX5-15.
+ *
+ * At rest it equals the measured acceleration.
  *
  * - 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11)
  */
@@ -475,6 +483,8 @@ mip_error mip_sensor_up_vector_encode(const struct mip_sensor_up_vector *value,
  *
  * GPS time of the sensor data.
  *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * Without a PPS the time runs on the internal clock and jumps when the PPS comes back.
  *
  * The fraction of the time of week is the time since the last pulse.
@@ -483,8 +493,6 @@ mip_error mip_sensor_up_vector_encode(const struct mip_sensor_up_vector *value,
  *
  * Where the device has it, use the shared GPS timestamp (0xFF,0xD3) instead; this field may be
  * deprecated.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12)
  * - 3dm-cv7-gnss-ins: GPS Timestamp (0x80,0x12)
@@ -500,7 +508,7 @@ struct mip_sensor_gps_timestamp {
      * valid_flags is set.
      */
     uint16_t week_number;
-    /** State of the time. */
+    /** State of the time. On the 3DM-GX5-15: values of mip_gx5_sensor_gps_timestamp_flags. */
     mip_sensor_gps_timestamp_flags valid_flags;
 };
 
@@ -518,9 +526,9 @@ mip_error mip_sensor_gps_timestamp_encode(const struct mip_sensor_gps_timestamp 
  *
  * Temperatures since the last power-on or reset.
  *
- * The values come from the inertial sensors, alone or together with sensors on the board.
+ * Also called `temperature_abs`. Supported by 3DM-CV7-GNSS/INS.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * The values come from the inertial sensors, alone or together with sensors on the board.
  *
  * - 3dm-cv7-gnss-ins: Temperature Statistics (0x80,0x14)
  */
@@ -615,7 +623,7 @@ mip_error mip_sensor_overrange_status_encode(const struct mip_sensor_overrange_s
  *
  * Speed by the wheel encoder.
  *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `odometer_data`. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Odometer Data (0x80,0x40)
  */

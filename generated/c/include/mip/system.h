@@ -9,13 +9,14 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/system.h and mip/core.h are not of one version"
+#error "mip/system.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_SYSTEM_SET 0x7F
 
 /**
@@ -45,13 +46,13 @@ typedef uint8_t mip_system_comm_interface;
  * - mip-sdk-4: Interface Control (0x7F,0x02)
  */
 typedef uint32_t mip_system_comm_protocols;
-/** Bit 0: MIP. */
+/** Bit 0. MIP. */
 #define MIP_SYSTEM_COMM_PROTOCOLS_MIP UINT32_C(0x00000001)
-/** Bit 8: NMEA-0183. */
+/** Bit 8. NMEA-0183. */
 #define MIP_SYSTEM_COMM_PROTOCOLS_NMEA UINT32_C(0x00000100)
-/** Bit 9: RTCM corrections. */
+/** Bit 9. RTCM corrections. */
 #define MIP_SYSTEM_COMM_PROTOCOLS_RTCM UINT32_C(0x00000200)
-/** Bit 24: SPARTN corrections. */
+/** Bit 24. SPARTN corrections. */
 #define MIP_SYSTEM_COMM_PROTOCOLS_SPARTN UINT32_C(0x01000000)
 
 /** Which part of the device the host talks to, and in which protocol. */
@@ -68,6 +69,9 @@ typedef uint8_t mip_system_protocol_mode;
  *
  * Protocols that a port takes in and gives out.
  *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_system_interface_control_response.
+ *
  * Accepted on the main port only. The main port always keeps MIP in both directions.
  *
  * The acknowledge comes on that port after the change; what arrives meanwhile may be lost.
@@ -80,22 +84,19 @@ typedef uint8_t mip_system_protocol_mode;
  *
  * How many parsers and streams there are depends on the device.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_system_interface_control_response.
- *
  * - mip-sdk-4: Interface Control (0x7F,0x02)
  * - 3dm-cv7-gnss-ins: Ports
  */
 struct mip_system_interface_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** The port. */
+    /** The port. Uncertain: Whether write and read take `all`. */
     mip_system_comm_interface port;
-    /** Protocols that it takes in. For write. */
+    /** Protocols that it takes in. Required for write. */
     mip_system_comm_protocols protocols_incoming;
-    /** Protocols that it gives out. For write. */
+    /** Protocols that it gives out. Required for write. */
     mip_system_comm_protocols protocols_outgoing;
 };
 
@@ -112,28 +113,28 @@ struct mip_system_interface_control mip_system_interface_control_write(
     mip_system_comm_interface port, mip_system_comm_protocols protocols_incoming,
     mip_system_comm_protocols protocols_outgoing);
 /** Send the current setting back in a response. */
-struct mip_system_interface_control mip_system_interface_control_read(
-    mip_system_comm_interface port);
+struct mip_system_interface_control
+mip_system_interface_control_read(mip_system_comm_interface port);
 /** Save the current setting to non-volatile memory. */
-struct mip_system_interface_control mip_system_interface_control_save(
-    mip_system_comm_interface port);
+struct mip_system_interface_control
+mip_system_interface_control_save(mip_system_comm_interface port);
 /** Load the saved setting. */
-struct mip_system_interface_control mip_system_interface_control_load(
-    mip_system_comm_interface port);
+struct mip_system_interface_control
+mip_system_interface_control_load(mip_system_comm_interface port);
 /** Load the factory default setting. */
-struct mip_system_interface_control mip_system_interface_control_default(
-    mip_system_comm_interface port);
+struct mip_system_interface_control
+mip_system_interface_control_default(mip_system_comm_interface port);
 
 /**
  * Interface control response: response (0x7F,0x82).
  *
- * Answers Interface control (0x7F,0x02).
+ * Answers mip_system_interface_control.
  *
  * - mip-sdk-4: Interface Control (0x7F,0x02)
  * - 3dm-cv7-gnss-ins: Ports
  */
 struct mip_system_interface_control_response {
-    /** The port. */
+    /** The port. Uncertain: Whether write and read take `all`. */
     mip_system_comm_interface port;
     /** Protocols that it takes in. */
     mip_system_comm_protocols protocols_incoming;
@@ -155,22 +156,22 @@ mip_error mip_system_interface_control_response_encode(
  *
  * Switches the port between the device and one of the sensors inside it.
  *
+ * For advanced use. Functions: write, read, save, load and default. Answered by
+ * mip_system_comm_mode_response. Supported by 3DM-GX5-15.
+ *
  * The acknowledge is sent in the old mode, just before the switch.
  *
  * In a direct mode only this command and device status (0x0C,0x64) of the device itself are
  * answered.
  *
- * For advanced use. Functions: write, read, save, load and default. Answered by
- * mip_system_comm_mode_response. Supported by 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */
 struct mip_system_comm_mode {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Communication mode. Default: standard. For write. */
+    /** Communication mode. Default: MIP_SYSTEM_PROTOCOL_MODE_STANDARD. Required for write. */
     mip_system_protocol_mode mode;
 };
 
@@ -196,14 +197,12 @@ struct mip_system_comm_mode mip_system_comm_mode_default(void);
 /**
  * Communication mode response: response (0x7F,0x90).
  *
- * Answers Communication mode (0x7F,0x10).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_system_comm_mode. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10)
  */
 struct mip_system_comm_mode_response {
-    /** Communication mode. Default: standard. */
+    /** Communication mode. Default: MIP_SYSTEM_PROTOCOL_MODE_STANDARD. */
     mip_system_protocol_mode mode;
 };
 

@@ -77,6 +77,8 @@ const struct mip_entry mip_registry[] = {
      &mip_measurements_growing_codec},
     {0x80, 0x07, MIP_DATA, 0, 0, 24, NULL, MIP_MEASUREMENTS_RADIO_NAME,
      &mip_measurements_radio_codec},
+    {0x80, 0x08, MIP_DATA, 0, 0, 24, NULL, MIP_MEASUREMENTS_CLOUD_NAME,
+     &mip_measurements_cloud_codec},
     {0x81, 0x01, MIP_DATA, 0, 0, 24, NULL, MIP_MORE_ACCEL_NAME, &mip_more_accel_codec},
     {0x81, 0x03, MIP_DATA, 0, 0, 24, NULL, MIP_MORE_STRINGS_NAME, &mip_more_strings_codec},
     {0x81, 0x07, MIP_DATA, 0, 0, 24, NULL, MIP_MORE_OWN_NAME, &mip_more_own_codec},
@@ -87,30 +89,10 @@ const struct mip_entry mip_registry[] = {
     {0x92, 0x05, MIP_DATA, 0, 0, 24, NULL, MIP_COPY_ARRAYS_NAME, &mip_copy_arrays_codec},
     {0x92, 0x06, MIP_DATA, 0, 0, 24, NULL, MIP_COPY_GROWING_NAME, &mip_copy_growing_codec},
     {0x92, 0x07, MIP_DATA, 0, 0, 24, NULL, MIP_COPY_RADIO_NAME, &mip_copy_radio_codec},
+    {0x92, 0x08, MIP_DATA, 0, 0, 24, NULL, MIP_COPY_CLOUD_NAME, &mip_copy_cloud_codec},
     {0xFF, 0xD3, MIP_DATA, 0, 0, 24, NULL, MIP_SHARED_TIMESTAMP_NAME, &mip_shared_timestamp_codec},
 };
 const size_t mip_registry_size = sizeof(mip_registry) / sizeof(mip_registry[0]);
 
-const uint16_t mip_registry_links[] = {
-    13,
-    14, 15,
-    21, 22,
-    23,
-    23,
-    16,
-    17,
-    18,
-    19,
-    20,
-    2,
-    3,
-    3,
-    8,
-    9,
-    10,
-    11,
-    12,
-    4,
-    4,
-    5, 6,
-    0};
+const uint16_t mip_registry_links[] = {13, 14, 15, 21, 22, 23, 23, 16, 17, 18, 19, 20, 2,
+                                       3,  3,  8,  9,  10, 11, 12, 4,  4,  5,  6,  0};

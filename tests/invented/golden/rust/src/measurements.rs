@@ -50,7 +50,7 @@ impl Field for Accel {
     const NAME: &'static str = "measurements.accel";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x80 | 0x81 | 0x92)
+        matches!(set, 0x80 | 0x81)
     }
 }
 
@@ -82,8 +82,12 @@ pub struct Numbers {
     /// Signed.
     pub s64: i64,
     /// Four bytes.
+    ///
+    /// Unit: 1.
     pub float: f32,
     /// Eight bytes.
+    ///
+    /// Unit: 1.
     pub double: f64,
     /// True or false.
     pub bool: crate::Bool,
@@ -131,10 +135,6 @@ impl Field for Numbers {
     const SET: u8 = 0x80;
     const DESCRIPTOR: u8 = 0x02;
     const NAME: &'static str = "measurements.numbers";
-
-    fn in_set(set: u8) -> bool {
-        matches!(set, 0x80 | 0x92)
-    }
 }
 
 /// Strings (0x80,0x03).
@@ -182,7 +182,7 @@ impl Field for Strings {
     const NAME: &'static str = "measurements.strings";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x80 | 0x81 | 0x92)
+        matches!(set, 0x80 | 0x81)
     }
 }
 
@@ -224,10 +224,6 @@ impl Field for Health {
     const SET: u8 = 0x80;
     const DESCRIPTOR: u8 = 0x04;
     const NAME: &'static str = "measurements.health";
-
-    fn in_set(set: u8) -> bool {
-        matches!(set, 0x80 | 0x92)
-    }
 }
 
 /// Arrays (0x80,0x05).
@@ -246,6 +242,8 @@ pub struct Arrays {
     /// Bitfields.
     pub flags: [types::StateFlags; 2],
     /// Vectors.
+    ///
+    /// Unit: m.
     pub vectors: [types::Vector3f; 2],
     /// Structures.
     ///
@@ -287,10 +285,6 @@ impl Field for Arrays {
     const SET: u8 = 0x80;
     const DESCRIPTOR: u8 = 0x05;
     const NAME: &'static str = "measurements.arrays";
-
-    fn in_set(set: u8) -> bool {
-        matches!(set, 0x80 | 0x92)
-    }
 }
 
 /// Growing (0x80,0x06).
@@ -309,6 +303,8 @@ pub struct Growing {
     /// From version 2 on.
     pub second: Option<u16>,
     /// From version 3 on.
+    ///
+    /// Unit: deg.
     pub third: Option<f32>,
 }
 
@@ -334,69 +330,4 @@ impl Field for Growing {
     const SET: u8 = 0x80;
     const DESCRIPTOR: u8 = 0x06;
     const NAME: &'static str = "measurements.growing";
-
-    fn in_set(set: u8) -> bool {
-        matches!(set, 0x80 | 0x92)
-    }
-}
-
-/// Radio (0x80,0x07).
-///
-/// A bool vouches for values; one source has no layout that agrees with it.
-///
-/// - Manual sheet: Radio
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Radio {
-    /// Whether there is a connection.
-    pub connected: crate::Bool,
-    /// Of the signal.
-    ///
-    /// Valid if `connected` is set.
-    pub strength: i32,
-    /// Never nothing.
-    ///
-    /// Unit: m; range: at most 10; valid if `connected` is set.
-    pub noise: f32,
-    /// Reserved.
-    ///
-    /// Send 0.0.
-    pub gap: f32,
-    /// Reserved.
-    ///
-    /// Send 0.0.
-    pub gaps: [f64; 2],
-}
-
-impl Wire for Radio {
-    const SIZE: usize = 29;
-
-    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
-        let connected = reader.read()?;
-        let strength = reader.read()?;
-        let noise = reader.read()?;
-        let gap = reader.read()?;
-        let gaps = reader.read()?;
-        Ok(Self { connected, strength, noise, gap, gaps })
-    }
-
-    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
-        writer.write(&self.connected)?;
-        writer.write(&self.strength)?;
-        writer.write(&self.noise)?;
-        writer.write(&self.gap)?;
-        writer.write(&self.gaps)?;
-        Ok(())
-    }
-}
-
-impl Field for Radio {
-    const SET: u8 = 0x80;
-    const DESCRIPTOR: u8 = 0x07;
-    const NAME: &'static str = "measurements.radio";
-
-    fn in_set(set: u8) -> bool {
-        matches!(set, 0x80 | 0x92)
-    }
 }

@@ -10,19 +10,22 @@
 #include "mip/measurements.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/copy.h and mip/core.h are not of one version"
+#error "mip/copy.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_COPY_SET 0x92
 
 /**
  * Third acceleration: data (0x92,0x01).
  *
- * The same field as mip_measurements_accel.
+ * A vector whose elements are valid together.
+ *
+ * Has the layout of mip_measurements_accel. Sent at 100 Hz at most.
  *
  * - guide: Third acceleration
  */
@@ -36,7 +39,9 @@ extern "C" {
 /**
  * Numbers: data (0x92,0x02).
  *
- * The same field as mip_measurements_numbers.
+ * One of each.
+ *
+ * Has the layout of mip_measurements_numbers.
  *
  * - sheet: Copied measurements
  */
@@ -50,7 +55,9 @@ extern "C" {
 /**
  * Strings: data (0x92,0x03).
  *
- * The same field as mip_measurements_strings.
+ * Fixed, counted, and to the end.
+ *
+ * Has the layout of mip_measurements_strings.
  *
  * - sheet: Copied measurements
  */
@@ -64,7 +71,9 @@ extern "C" {
 /**
  * Health: data (0x92,0x04).
  *
- * The same field as mip_measurements_health.
+ * The wide bitfield.
+ *
+ * Deprecated: use mip_measurements_numbers instead. Has the layout of mip_measurements_health.
  *
  * - sheet: Copied measurements
  */
@@ -78,7 +87,9 @@ extern "C" {
 /**
  * Arrays: data (0x92,0x05).
  *
- * The same field as mip_measurements_arrays.
+ * Arrays of all that can stand in one.
+ *
+ * Has the layout of mip_measurements_arrays.
  *
  * - sheet: Copied measurements
  */
@@ -92,7 +103,9 @@ extern "C" {
 /**
  * Growing: data (0x92,0x06).
  *
- * The same field as mip_measurements_growing.
+ * Newer devices send more of it.
+ *
+ * Has the layout of mip_measurements_growing.
  *
  * - sheet: Copied measurements
  */
@@ -102,13 +115,18 @@ extern "C" {
 #define mip_copy_growing_encode mip_measurements_growing_encode
 #define MIP_COPY_GROWING_DESCRIPTOR 0x06
 #define MIP_COPY_GROWING_NAME "copy.growing"
+/** The value of `present` if second is the last parameter that is there. */
 #define MIP_COPY_GROWING_WITH_SECOND 2
+/** The value of `present` if third is the last parameter that is there. */
 #define MIP_COPY_GROWING_WITH_THIRD 3
 
 /**
  * Radio: data (0x92,0x07).
  *
- * The same field as mip_measurements_radio.
+ * A bool vouches for values; one source has no layout that agrees with it.
+ *
+ * Has the layout of mip_measurements_radio. Also called `modem` and `rf`. Uncertain: The leaflet
+ * gives the strength two bytes. Uncertain: Inferred: the strength is never positive.
  *
  * - sheet: Copied measurements
  */
@@ -118,6 +136,22 @@ extern "C" {
 #define mip_copy_radio_encode mip_measurements_radio_encode
 #define MIP_COPY_RADIO_DESCRIPTOR 0x07
 #define MIP_COPY_RADIO_NAME "copy.radio"
+
+/**
+ * Cloud: data (0x92,0x08).
+ *
+ * The count can exceed what a field holds beside the value behind the array.
+ *
+ * Has the layout of mip_measurements_cloud.
+ *
+ * - sheet: Copied measurements
+ */
+#define mip_copy_cloud mip_measurements_cloud
+#define mip_copy_cloud_codec mip_measurements_cloud_codec
+#define mip_copy_cloud_decode mip_measurements_cloud_decode
+#define mip_copy_cloud_encode mip_measurements_cloud_encode
+#define MIP_COPY_CLOUD_DESCRIPTOR 0x08
+#define MIP_COPY_CLOUD_NAME "copy.cloud"
 
 #ifdef __cplusplus
 }
