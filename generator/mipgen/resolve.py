@@ -142,7 +142,7 @@ def _manuals(nodes: list[Node], problems: Problems) -> list[m.Manual]:
 
 
 def _vocabulary(node: Node | None) -> tuple[m.Usage, ...]:
-    return tuple(m.Usage(word, tuple(others.plain())) for word, others in node.items()) if node else ()
+    return tuple(m.Usage(word, tuple(x.plain()), node.keys[word]) for word, x in node.items()) if node else ()
 
 
 def _words(node: Node) -> tuple[m.Word, ...]:
