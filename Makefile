@@ -87,6 +87,7 @@ quick: $(VENV)/development.stamp ## run the tests of the generator alone, in les
 check: tools-check $(VENV)/development.stamp ## validate, compare generated/ with the specification, run formatters and linters
 	@$(MIPGEN) check --spec $(SPEC) --out $(OUT)
 	@$(MIPGEN) check --spec tests/invented/spec --out tests/invented/golden
+	@$(MIPGEN) diff --release --spec $(SPEC)
 	@$(VENV)/bin/ruff check --quiet .
 	@$(VENV)/bin/ruff format --quiet --check .
 	@cd $(OUT)/python && $(abspath $(VENV))/bin/ruff check --quiet . && $(abspath $(VENV))/bin/ruff format --quiet --check .

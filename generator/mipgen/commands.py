@@ -137,27 +137,36 @@ def diff(options: Namespace) -> int:
     from . import compare, revisions
 
     spec, *overlays = _specs(options)
-    old = options.old
     if options.release:
-        old = revisions.last_release(spec)
-        if old is None:
-            print("nothing is released yet, so there is nothing to compare with")
-            return 0
-    elif old is None:
+        return _since_release(spec, overlays)
+    if options.old is None:
         raise Failure("name what to compare with: a folder, a revision, or --release")
-    with revisions.folder(old, spec) as before:
+    with revisions.folder(options.old, spec) as before:
         if options.new is None:
-            report = compare.compare(_of_another_time(old, before), _of_another_time(str(spec), spec, *overlays))
+            new = _of_another_time(str(spec), spec, *overlays)
         else:
             with revisions.folder(options.new, spec) as after:
-                report = compare.compare(_of_another_time(old, before), _of_another_time(options.new, after))
-    if options.json:
-        print(json.dumps(report.plain(), indent=2))
-    else:
-        print("".join(f"{change}\n" for change in report.changes), end="")
-        print(f"{old} (version {report.old}) -> version {report.new}: {report.verdict}")
-    if not options.release:
-        return EXIT_STATUS[report.verdict]
+                new = _of_another_time(options.new, after)
+        report = compare.compare(_of_another_time(options.old, before), new)
+    print(json.dumps(report.plain(), indent=2) if options.json else report.text(options.old))
+    return EXIT_STATUS[report.verdict]
+
+
+def _since_release(spec: Path, overlays: list[Path]) -> int:
+    """Compares with the last release; fails if the version number says less than what changed."""
+    from . import compare, revisions
+
+    tag = revisions.last_release(spec)
+    if tag is None:
+        print("nothing is released yet, so there is nothing to compare with")
+        return 0
+    new = _of_another_time(str(spec), spec, *overlays)
+    with revisions.folder(tag, spec) as before:
+        try:
+            report = compare.compare(_of_another_time(tag, before), new)
+        except Failure:
+            report = compare.unreadable(tag.removeprefix("v"), new)
+    print(report.text(tag))
     if compare.enough(report):
         return 0
     print(f"mipgen: the version {report.new} says less than that; raise it in protocol.yaml", file=sys.stderr)
