@@ -19,7 +19,8 @@ examples:
   mipgen generate --target c --target rust  these two only
   mipgen check                              is ./generated what ./spec gives?
 
-'mipgen COMMAND --help' says more about a command.
+'mipgen COMMAND --help' says more about a command. What is costly to make is kept in ~/.cache/mipgen;
+MIPGEN_CACHE names another folder, and turns that off if it is empty.
 """
 COMPLETION = """\
   bash:  mipgen completion bash > ~/.local/share/bash-completion/completions/mipgen
