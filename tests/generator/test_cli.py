@@ -14,7 +14,7 @@ import pytest
 from mipgen import __version__, cli, discovery, parallel, stamp
 from mipgen.errors import Failure
 from mipgen.resolve import load_model
-from support import ROOT, SPECS
+from support import ROOT, SPECS, need
 
 INVENTED, GOLDEN = SPECS["invented"]
 
@@ -60,7 +60,7 @@ def test_what_the_new_specification_generates_is_usable(tmp_path: Path) -> None:
     c = tmp_path / "generated/c"
     sources = map(str, sorted((c / "src").glob("*.c")))
     flags = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only", f"-I{c / 'include'}"]
-    subprocess.run(["cc", *flags, *sources], check=True)
+    subprocess.run([need("cc"), *flags, *sources], check=True)
     code = """if True:
         from mip_protocol import Parser, measurements, tools
         import mip_protocol.devices, mip_protocol.reflection, mip_protocol.registry
