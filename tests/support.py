@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import ast
 import fcntl
 import json
 import os
 import shutil
 import subprocess
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -14,6 +16,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import pytest
 from mipgen import codec
 from mipgen import model as m
 from mipgen.resolve import load_model
@@ -29,16 +32,55 @@ SPECS = {
 }
 
 
+def each(test: Any) -> Any:
+    """For every language and both specifications."""
+    for mark in (pytest.mark.parametrize("language", LANGUAGES), pytest.mark.parametrize("spec", sorted(SPECS))):
+        test = mark(test)
+    return test
+
+
 @cache
 def model(spec: str) -> m.Model:
     return load_model(SPECS[spec][0])
 
 
 def need(tool: str) -> str:
-    """The path of a tool; a missing one is an error, never a skip."""
-    path = shutil.which(tool)
-    assert path is not None, f"{tool} is missing; `make test` says how to get it"
+    """The path of a tool, of this environment before others; a missing one is an error, never a skip."""
+    path = shutil.which(tool, path=str(Path(sys.executable).parent)) or shutil.which(tool)
+    assert path is not None, f"{tool} is missing; `make test-all` says how to get it"
     return path
+
+
+def heavy(what: str) -> pytest.MarkDecorator:
+    """Marks a test that needs more than Python, a C compiler and cargo, or takes long; `what` it is, in few words.
+
+    `make test` leaves it out and names it in its last line, `make test-all` runs it.
+    """
+    return pytest.mark.heavy(what)
+
+
+def another_python(version: str) -> str:
+    """A Python of this version; a missing one is an error."""
+    home = Path(os.environ.get("PYENV_ROOT", Path.home() / ".pyenv")) / "versions"
+    found = [shutil.which(f"python{version}"), *sorted(str(p) for p in home.glob(f"{version}.*/bin/python"))]
+    works = [p for p in found if p and subprocess.run([p, "-c", "pass"], capture_output=True).returncode == 0]
+    assert works, f"python{version} is missing; install it (pyenv install {version})"
+    return works[0]
+
+
+def parse_as(version: str, folder: Path) -> None:
+    """All files of a folder are the language of that version; a SyntaxError says where one is not."""
+    minor = int(version.partition(".")[2])
+    paths = sorted(folder.rglob("*.py"))
+    assert paths
+    for path in paths:
+        ast.parse(path.read_text("utf-8"), feature_version=(3, minor))
+
+
+def sent(p: m.Parameter) -> Any:
+    """What stands in place of a reserved parameter, in the form of the conformance protocol."""
+    value = p.reserved if p.length is None else [p.reserved] * int(p.length)
+    return codec.canonical(p.operation, value, p.name)
 
 
 @dataclass(frozen=True)
@@ -95,6 +137,10 @@ def expected(of: m.Model, request: dict[str, Any]) -> dict[str, Any]:
         return expected_parse(bytes.fromhex(request["stream"]))
     if request["op"] == "decode":
         return expected_decode(of, bytes.fromhex(request["packet"]))
+    if request["op"] == "client":
+        from conformance.client_model import expected_client  # it needs this module itself
+
+        return expected_client(of, request)
     return expected_encode(of, request)
 
 

@@ -13,6 +13,7 @@ from pathlib import Path
 
 LIMIT = 64 * 1024 * 1024  # bytes of one kind of entries; the oldest ones go first
 
+_OVERHEAD = 4096  # of a file, about
 _DIGEST = 32  # each entry begins with the SHA-256 of the rest
 
 
@@ -68,7 +69,8 @@ def put(kind: str, entries: dict[str, bytes]) -> None:
             os.replace(part, path)
         except OSError:
             return
-    _prune(kind)
+    if entries:
+        _prune(kind)
 
 
 def _path(kind: str, name: str) -> Path | None:
@@ -86,7 +88,7 @@ def _prune(kind: str) -> None:
         return
     size = 0
     for status, path in sorted(found, key=lambda x: x[0].st_mtime, reverse=True):
-        size += status.st_size
+        size += status.st_size + _OVERHEAD
         if size > LIMIT:
             try:
                 os.unlink(path)

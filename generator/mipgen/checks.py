@@ -16,7 +16,7 @@ SHARED_DESCRIPTORS = range(0xD0, 0x100)
 
 
 def check_definitions(model: m.Model, problems: Problems) -> None:
-    for check in (set_numbers, descriptors, names, enumerations, bitfields, replies):
+    for check in (set_numbers, descriptors, named, names, enumerations, bitfields, replies):
         check(model, problems)
 
 
@@ -54,7 +54,7 @@ def descriptors(model: m.Model, problems: Problems) -> None:
                 )
 
 
-def _descriptor_range(s: m.Set, f: m.Field, problems: Problems) -> None:
+def _descriptor_range(s: m.Set, f: m.Field | m.Named, problems: Problems) -> None:
     allowed = (
         RESPONSE_DESCRIPTORS if f.role == m.RESPONSE
         else COMMAND_DESCRIPTORS if f.role == m.COMMAND
@@ -74,15 +74,32 @@ def _told_apart(a: m.Field, b: m.Field) -> bool:
     return any(mine.get((at, op.size), op.value) != op.value for at, op in b.constants)
 
 
-def names(model: m.Model, problems: Problems) -> None:
+def named(model: m.Model, problems: Problems) -> None:
+    """A descriptor is either defined or only named."""
     for s in model.sets:
-        seen: set[str] = set()
-        for name, place in [(t.name, getattr(t, "position", s.position)) for t in s.types] + [
-            (f.name, f.position) for f in s.fields
-        ]:
-            if name in seen:
-                problems.add(place, f"the name '{name}' is used twice in the set '{s.name}'; rename one")
-            seen.add(name)
+        seen = {f.descriptor: f.name for f in s.fields}
+        for x in s.named:
+            _descriptor_range(s, x, problems)
+            if x.descriptor in seen:
+                problems.add(
+                    x.position,
+                    f"'{x.name}' has the descriptor 0x{x.descriptor:02X} of '{seen[x.descriptor]}'; "
+                    "drop it from the named ones",
+                )
+            seen.setdefault(x.descriptor, x.name)
+
+
+def names(model: m.Model, problems: Problems) -> None:
+    """A type and a field of a set do not share a name; nor do two fields, by whatever name they go."""
+    for s in model.sets:
+        fields = [(f.name, f.position) for f in s.fields]
+        others = [(x.name, x.position) for x in s.named] + [(name, f.position) for f in s.fields for name in f.also]
+        for entries in ([(t.name, getattr(t, "position", s.position)) for t in s.types] + fields, fields + others):
+            used: set[str] = set()
+            for name, place in entries:
+                if name in used:
+                    problems.add(place, f"the name '{name}' is used twice in the set '{s.name}'; rename one")
+                used.add(name)
 
 
 # --------------------------------------------------------------------------- types
@@ -174,7 +191,7 @@ def units(model: m.Model, problems: Problems) -> None:
             scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
             varies = p.variants and all(v.units for v in p.variants)
             if isinstance(scalar, m.Scalar) and scalar.kind == "float" and not (p.units or p.any_unit or varies):
-                remedy = 'give it one ("1" for a plain number, ~ if another value decides it)'
+                remedy = 'give it one ("1" for a plain number, ~ if another value decides it or nobody knows)'
                 problems.add(p.position, f"'{p.name}' has no unit; {remedy}")
 
 
@@ -189,6 +206,9 @@ def printed_lengths(model: m.Model, problems: Problems) -> None:
     for f in (*model.fields, model.protocol.acknowledge):
         for source in f.sources:
             if source.length is None or source.length == "unavailable":
+                continue
+            if rules.get(source.manual) == "none":
+                problems.add(source.position, f"{source.manual} prints no lengths; remove that of '{f.full_name}'")
                 continue
             expected = computed_length(f, rules.get(source.manual, "wire"))
             if _same_length(source.length, expected):

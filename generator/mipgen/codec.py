@@ -101,11 +101,11 @@ class _Reader:
 def decode(f: m.Field, data: bytes) -> tuple[Values, int]:
     """The values of a field, and how many bytes are left over."""
     reader, values = _Reader(data), Values()
-    required = f.required_count
+    required = f.required()
     for op in f.operations:
         if isinstance(op, m.GroupOp):
             if op.first == 1 and f.selector:
-                required = dict(f.required).get(values["function"], 0)
+                required = f.required(values["function"])
             if not _read_group(op, required, reader, values):
                 break
         else:
@@ -178,6 +178,8 @@ def _count(op: m.TextOp | m.ArrayOp, size: int, reader: _Reader, values: Values)
     count: int = values[op.counter]
     if count * size > left:
         raise CodecError("count", f"{op.counter} is {count}, but {left} bytes follow")
+    if count > op.capacity:
+        raise CodecError("count", f"{op.counter} is {count}, but a field holds {op.capacity}")
     return count
 
 
@@ -207,7 +209,7 @@ def _number(scalar: m.Scalar, raw: bytes) -> int | str:
 def encode(f: m.Field, values: Values) -> bytes:
     """The shortest form that holds the given values."""
     out = bytearray()
-    required = f.required_count
+    required = f.required()
     known = {p.name for p in f.parameters if p.constant is None}
     for name in values:
         if name not in known:
@@ -216,7 +218,7 @@ def encode(f: m.Field, values: Values) -> bytes:
     for op in f.operations:
         if isinstance(op, m.GroupOp):
             if op.first == 1 and f.selector:
-                required = dict(f.required).get(values["function"], 0)
+                required = f.required(values["function"])
             absent = [i.member for i in op.body if not isinstance(i, m.ConstantOp) and i.member not in values]  # type: ignore[union-attr]
             if absent and op.last <= required:
                 raise CodecError("missing", f"{absent[0]} is missing")

@@ -28,7 +28,7 @@ def examples(roots: Iterable[Node], model: m.Model, problems: Problems) -> tuple
             example = _Example(node, model, problems).resolve()
             if example is not None:
                 found[name] = example
-    return tuple(sorted(found.values(), key=lambda e: e.id))
+    return tuple(found.values())
 
 
 class _Wrong(Exception):
@@ -68,9 +68,22 @@ class _Example:
             packet=packet,
             fields=fields,
             note=node.scalar("note", ""),
+            device=self.device(manual),
             synthetic=printed is None and table is None,
             position=node["id"].position,
         )
+
+    def device(self, manual: str) -> m.Device | None:
+        """The device that it names, else the only one of its manual."""
+        named = self.node.get("device")
+        if named is None:
+            found = [d for d in self.model.devices if d.manual == manual]
+            return found[0] if len(found) == 1 else None
+        device = self.model.device(named.value)
+        if device is None:
+            near = nearest(named.value, [d.id for d in self.model.devices])
+            self.problems.add(named.position, f"unknown device '{named.value}'{near}")
+        return device
 
     # ----------------------------------------------------------------------- bytes
 

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from . import cache
+from .errors import Failure
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +31,7 @@ class Formatter:
         return importlib.metadata.version(self.package)
 
 
-class FormatError(Exception):
+class FormatError(Failure):
     """The formatter is missing, or cannot read what a target made."""
 
 
@@ -57,7 +58,7 @@ RUFF = Formatter(
     suffixes=(".py",),
     style="pyproject.toml",
     steps=(
-        ("check", "--no-cache", "--config=pyproject.toml", "--select=I", "--fix-only"),
+        ("check", "--no-cache", "--config=pyproject.toml", "--select=F401,I", "--fix-only"),
         ("format", "--no-cache", "--config=pyproject.toml"),
     ),
 )

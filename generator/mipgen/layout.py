@@ -6,14 +6,17 @@ What the wire looks like is decided here: sizes, capacities, presence. Nothing d
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 
-from . import meaning
+from . import meaning, variation
 from . import model as m
 from .nodes import Node
 from .operations import REST, open_ended, operation, size, with_capacity
 from .problems import Problems, nearest
+from .variation import Scope
+from .vocabulary import Vocabulary, sentences, sources
 
 #: How deep structures may stand in structures: far beyond need, and short of Python's own limit.
 MAX_NESTING = 16
@@ -27,23 +30,6 @@ class Record:
     operations: tuple[m.Operation, ...]
     min_size: int
     max_size: int
-    required: tuple[tuple[int, int], ...] = ()
-    required_count: int = 0
-
-
-@dataclass
-class Vocabulary:
-    """What names may refer to: units, frames, manuals, devices and function selectors."""
-
-    units: Collection[str]
-    frames: set[str]
-    manuals: dict[str, m.Manual]
-    devices: set[str]
-    functions: tuple[m.Function, ...]
-    selector: m.Enum
-
-    def letters(self, text: str) -> tuple[m.Function, ...]:
-        return tuple(f for f in self.functions if f.letter in text)
 
 
 @dataclass
@@ -68,14 +54,18 @@ class Types:
             else:
                 known[name] = Node(node.value, place, node.keys)
 
+    def scope(self, owner: str | None) -> Scope:
+        """What a parameter of that owner may refer to."""
+        return Scope(self.vocabulary, partial(self.find, owner=owner), self.problems.add)
+
     def of(self, owner: str | None) -> tuple[m.Type, ...]:
         """All types of one owner, each after those that it uses."""
         known = self.shared if owner is None else self.local.get(owner, {})
         for name in known:
-            self.find(name, owner, None)
+            self.find(name, None, owner)
         return tuple(t for (o, _), t in self._done.items() if o == owner and t is not None)
 
-    def find(self, name: str, owner: str | None, position: m.Position | None) -> m.Type | None:
+    def find(self, name: str, position: m.Position | None, owner: str | None) -> m.Type | None:
         local = self.local.get(owner or "", {})
         where = owner if name in local else None
         node = local.get(name) or self.shared.get(name)
@@ -120,8 +110,8 @@ class Types:
                     self.problems.add(
                         entry.position, f"'{entry.value}' is used twice in the vector '{name}'; rename one"
                     )
-            return m.Vector(name, scalar, tuple(elements), description)
-        origin = (description, owner, sources(node, self.vocabulary, self.problems))
+            return m.Vector(name, scalar, tuple(elements), description, sentences(node, "uncertain"))
+        origin = (description, owner, sources(node, self.vocabulary, self.problems), sentences(node, "uncertain"))
         if kinds[0] == "enum":
             return m.Enum(name, m.SCALARS[node["enum"].value], self._values(node), *origin, position=node.position)
         if kinds[0] == "struct":
@@ -144,7 +134,8 @@ class Types:
                 v["value"].value,
                 v.scalar("description", ""),
                 v.scalar("deprecated", False),
-                position=places[name],
+                sentences(v, "uncertain"),
+                places[name],
             )
             for name, v in node["values"].items()
         )
@@ -167,9 +158,8 @@ class Types:
                 continue
             place = node["bits"].keys[name]
             enum = self._enum_of(entry, owner)
-            found.append(
-                m.Bits(name, low, high, entry.scalar("description", ""), entry.scalar("alias", False), enum, place)
-            )
+            description, alias = entry.scalar("description", ""), entry.scalar("alias", False)
+            found.append(m.Bits(name, low, high, description, alias, enum, sentences(entry, "uncertain"), place))
         return tuple(found)
 
     def _enum_of(self, bits: Node, owner: str | None) -> m.Enum | None:
@@ -177,7 +167,7 @@ class Types:
         entry = bits.get("enum")
         if entry is None:
             return None
-        found = self.find(entry.value, owner, entry.position)
+        found = self.find(entry.value, entry.position, owner)
         if isinstance(found, m.Enum):
             return found
         if found is not None:
@@ -305,7 +295,7 @@ class _Build:
         type_name = node["type"].value
         element: m.Scalar | m.Type | None = m.SCALARS.get(type_name)
         if element is None:
-            element = self.types.find(type_name, self.owner, node["type"].position)
+            element = self.types.find(type_name, node["type"].position, self.owner)
         if element is None:
             return None
         if "const" in node:
@@ -355,7 +345,9 @@ class _Build:
         """Adds what the value means to how it is laid out."""
         words = self.types.vocabulary
         low, high = meaning.limits(node, p, self.problem)
-        p = replace(p, minimum=low, maximum=high, reserved=meaning.reserved(node, p, self.problem))
+        above, below = meaning.open_limits(node, p, low, high, self.problem)
+        p = replace(p, minimum=low, maximum=high, above=above, below=below)
+        p = replace(p, reserved=meaning.reserved(node, p, self.problem))
         return replace(
             p,
             description=node.scalar("description", ""),
@@ -364,67 +356,41 @@ class _Build:
             frame=meaning.frame(node, words.frames, self.problem),
             default=meaning.default(node, p, self.problem),
             valid=meaning.valid(node),  # judged in `finish`, because the flags usually stand last
-            reading=self.reading(node, p),
-            functions=self.presence(node, p),
+            required_for=self.presence(node, p),
             optional=self.may_be_absent(node, p),
+            by_device=variation.differs_by_device(node, p, self.problem),
             deprecated=node.scalar("deprecated", False),
-            notes=tuple(node["notes"].plain()) if "notes" in node else (),
+            notes=sentences(node, "notes"),
+            uncertain=sentences(node, "uncertain"),
         )
 
-    def reading(self, node: Node, p: m.Parameter) -> m.Reading | None:
-        if "read_as" not in node:
-            return None
-        spec = node["read_as"]
-        by = spec["by"].value
-        if not isinstance(p.element, m.Scalar) or p.element.kind != "unsigned":
-            self.problem(
-                node.keys["read_as"],
-                f"'{p.name}' is not an unsigned number, so read_as cannot name its values; remove it",
-            )
-            return None
-        choices = meaning.keys(spec["by"], self.done, self.types.vocabulary.devices, f"before '{p.name}'", self.problem)
-        if choices is None:
-            return None
-        found = []
-        for key, entry in spec["types"].items():
-            if key not in choices:
-                self.problem(spec["types"].keys[key], meaning.unknown_key(by, key, choices))
-            t = self.types.find(entry.value, self.owner, entry.position)
-            if t is None:
-                continue
-            if not isinstance(t, (m.Enum, m.Bitfield)):
-                self.problem(entry.position, f"'{t.name}' is neither an enumeration nor a bitfield")
-            elif (own := size(p.operation)[1]) != (width := t.scalar.size if isinstance(t, m.Enum) else t.size):
-                self.problem(entry.position, f"'{t.name}' has {8 * width} bits, but '{p.name}' has {8 * own}")
-            else:
-                found.append((key, t))
-        return m.Reading(by, tuple(found))
-
-    def presence(self, node: Node, p: m.Parameter) -> str | None:
+    def presence(self, node: Node, p: m.Parameter) -> tuple[m.Function, ...]:
+        """The functions that require a parameter: those that it names, and those that are like them."""
         if self.plain:
-            return None
+            return ()
         letters, optional = node.scalar("for"), node.scalar("optional", False)
         if not self.functions:
             if letters is not None:
                 self.problem(
                     node.keys["for"], f"'{p.name}' has 'for', but the field has no function selector; remove it"
                 )
-            return None
+            return ()
         if (letters is None) == (not optional):
             known = "".join(self.functions)
             place = node.keys.get("for", node.position)
             self.problem(
                 place, f"'{p.name}' must say for which functions it is required: for: {known}, or optional: true"
             )
-            return ""
+            return ()
         extra = [c for c in letters or "" if c not in self.functions]
         if extra:
             self.problem(
                 node["for"].position,
                 f"'{p.name}' is required for {''.join(extra)}, but the command takes only {self.functions}",
             )
-        letters = letters or ""
-        return letters + "A" if "W" in letters and "A" in self.functions and "A" not in letters else letters
+        functions = self.types.vocabulary.letters(self.functions)
+        named = {f.name for f in functions if f.letter in (letters or "")}
+        return tuple(f for f in functions if f.name in named or f.like in named)
 
     def may_be_absent(self, node: Node, p: m.Parameter) -> bool:
         if self.inside and "optional" in node:
@@ -439,9 +405,9 @@ class _Build:
         for node, p in zip(self.nodes, self.done, strict=True):
             if p.valid:
                 meaning.valid_bits(node, p, self.done, self.problem)
-        words = self.types.vocabulary
+        scope = self.types.scope(self.owner)
         self.done = [
-            replace(p, variants=meaning.variants(node, p, self.done, words, self.problem))
+            replace(p, variants=variation.by_sibling(node, p, self.done, scope))
             for node, p in zip(self.nodes, self.done, strict=True)
         ]
         self.check_size()
@@ -465,8 +431,6 @@ class _Build:
             always + groups,
             sum(size(o)[0] for o in always),
             min(m.MAX_FIELD_DATA, sum(size(p.operation)[1] for p in parameters)),
-            (),
-            first,
         )
 
     def with_selector(self, parameters: tuple[m.Parameter, ...]) -> Record:
@@ -474,20 +438,17 @@ class _Build:
         u8 = m.SCALARS["u8"]
         op = m.ScalarOp("function", u8, words.selector, 1)
         selector = m.Parameter("function", words.selector, None, op, "What to do with the setting.", selector=True)
-        required = []
         for function in words.letters(self.functions):
-            needs = [function.letter in (p.functions or "") for p in parameters]
-            count = sum(needs)
-            if not all(needs[:count]):
+            needs = [function in p.required_for for p in parameters]
+            if not all(needs[: sum(needs)]):
                 late = parameters[len(needs) - 1 - needs[::-1].index(True)]
                 self.problem(
                     late.position,
                     f"'{late.name}' is required for {function.name}, but a parameter before it is not; "
                     "what a function requires must come first",
                 )
-            required.append((function.value, count))
         whole = min(m.MAX_FIELD_DATA, 1 + sum(size(p.operation)[1] for p in parameters))
-        return Record((selector, *parameters), (op, *self.groups(parameters, 0)), 1, whole, tuple(required), 0)
+        return Record((selector, *parameters), (op, *self.groups(parameters, 0)), 1, whole)
 
     def groups(self, parameters: Sequence[m.Parameter], before: int) -> tuple[m.Operation, ...]:
         """Parameters that come and go together: one each, but a counter keeps up to its array."""
@@ -510,7 +471,7 @@ class _Build:
                     "put it before every parameter that may be absent",
                 )
             for p in members:
-                if p.functions != members[0].functions or p.optional != members[0].optional:
+                if p.required_for != members[0].required_for or p.optional != members[0].optional:
                     what = f"all from '{members[0].name}' to '{members[-1].name}'"
                     self.problem(p.position, f"a counter and its array come together; give {what} the same 'for'")
                     break
@@ -547,14 +508,3 @@ class _Build:
                     most = min(most, (1 << (8 * counter.element.size)) - 1)
                 found[p.name] = most
         return found
-
-
-def sources(node: Node, vocabulary: Vocabulary, problems: Problems) -> tuple[m.Source, ...]:
-    """The `sources` of a node."""
-    found = []
-    for entry in node.get("sources") or ():
-        manual, section = meaning.citation(entry, vocabulary.manuals, problems.add)
-        length = entry.get("length")
-        printed, place = (str(length.value), length.position) if length else (None, entry.position)
-        found.append(m.Source(manual, section, printed, place))
-    return tuple(found)

@@ -5,14 +5,12 @@ from __future__ import annotations
 import functools
 import json
 import re
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-import jsonschema
-import referencing
-
+from . import cache, overlay, resources, stamp
+from .documents import Document
 from .model import Position
 from .nodes import Node, read
 from .problems import Problems, close, nearest
@@ -20,8 +18,6 @@ from .spelling import strange
 
 #: What other readers of YAML take for true and false.
 BOOLEANS = {**dict.fromkeys(("true", "yes", "on", "y"), "true"), **dict.fromkeys(("false", "no", "off", "n"), "false")}
-
-SCHEMA_DIR = "schema"
 
 #: Which files a specification has: kind of schema -> pattern below its folder.
 LAYOUT = {
@@ -34,28 +30,45 @@ LAYOUT = {
     "errata": "errata/*.yaml",
 }
 
-
-@dataclass(frozen=True, slots=True)
-class Document:
-    kind: str
-    path: str
-    root: Node
+#: The files of an overlay: the same, but what it adds to the protocol has a file of its own.
+OVERLAY = {"overlay": "overlay.yaml", **{kind: path for kind, path in LAYOUT.items() if kind != "protocol"}}
 
 
-def load(spec: Path, problems: Problems) -> list[Document]:
-    """Reads all files of a specification; `problems` takes what is wrong with them."""
+def load(spec: Path, overlays: Sequence[Path], problems: Problems) -> list[Document]:
+    """Reads all files of a specification and its overlays; `problems` takes what is wrong with them."""
     if not (spec / "protocol.yaml").is_file():
         problems.add(Position(shown(spec), 1, 1), "this is not a specification: it has no protocol.yaml")
         return []
-    validators = _validators(_schema_dir(spec))
-    documents = []
-    for kind, pattern in LAYOUT.items():
-        for path in sorted(spec.glob(pattern)):
-            name = path.relative_to(spec).as_posix()
+    documents = _documents(spec, LAYOUT, False, problems)
+    for folder in overlays:
+        more = _documents(folder, OVERLAY, True, problems)
+        if not more and not problems:
+            files = ", ".join(OVERLAY.values())
+            problems.add(Position(shown(folder), 1, 1), f"nothing to lay over the specification: no {files}")
+        documents = overlay.lay(documents, more, problems)
+    return documents
+
+
+def _documents(folder: Path, layout: dict[str, str], over: bool, problems: Problems) -> list[Document]:
+    """The files of one folder, be it an overlay. What was judged before, and found good, is not judged again."""
+    documents, judged = [], {}
+    for kind, pattern in layout.items():
+        for path in sorted(folder.glob(pattern)):
+            name = path.relative_to(folder).as_posix()
             root = read(path, shown(path), problems)
-            if root is not None and _valid(validators[kind], root, "the file", problems):
-                documents.append(Document(kind, name, root))
-    _strays(spec, problems)
+            if root is None:
+                continue
+            of = (
+                f"{kind}_extension" if over and "extend" in root and f"{kind}_extension" in overlay.EXTENSIONS else kind
+            )
+            seen = cache.key(stamp.program(), of, str(over), path.read_bytes())
+            if cache.get("valid", seen) is None:
+                if not _valid(_validators(over)[of], root, "the file", problems):
+                    continue
+                judged[seen] = b""
+            documents.append(Document(of, name, root))
+    cache.put("valid", judged)
+    _strays(folder, layout, problems)
     return documents
 
 
@@ -66,18 +79,12 @@ def shown(path: Path) -> str:
     return absolute.relative_to(here).as_posix() if absolute.is_relative_to(here) else str(path)
 
 
-def _strays(spec: Path, problems: Problems) -> None:
+def _strays(spec: Path, layout: dict[str, str], problems: Problems) -> None:
     """A file in the wrong place would be ignored in silence."""
-    known = {path for pattern in LAYOUT.values() for path in spec.glob(pattern)}
-    read_ones = ", ".join(LAYOUT.values())
+    known = {path for pattern in layout.values() for path in spec.glob(pattern)}
+    read_ones = ", ".join(layout.values())
     for path in sorted({*spec.rglob("*.yaml"), *spec.rglob("*.yml")} - known):
         problems.add(Position(shown(path), 1, 1), f"this file is not read; only these are: {read_ones}")
-
-
-def _schema_dir(spec: Path) -> Path:
-    """The schemas of the specification itself, or else those of the main specification."""
-    own = spec / SCHEMA_DIR
-    return own if own.is_dir() else Path(__file__).parents[2] / "spec" / SCHEMA_DIR
 
 
 def _is_integer(_: Any, value: Any) -> bool:
@@ -85,18 +92,36 @@ def _is_integer(_: Any, value: Any) -> bool:
     return isinstance(value, int) and not isinstance(value, bool)
 
 
-_TYPES = jsonschema.Draft7Validator.TYPE_CHECKER.redefine("integer", _is_integer)
-_extend: Any = jsonschema.validators.extend
-_Validator = _extend(jsonschema.Draft7Validator, type_checker=_TYPES)
-
-
 @functools.cache
-def _validators(folder: Path) -> dict[str, Any]:
-    files = {p.name: json.loads(p.read_text("utf-8")) for p in sorted(folder.glob("*.schema.json"))}
+def _validators(over: bool) -> dict[str, Any]:
+    """The judge of each kind of file. Its library takes long to load, and is not needed for what was judged before.
+
+    An overlay needs no sources.
+    """
+    import jsonschema
+    import referencing
+
+    types = jsonschema.Draft7Validator.TYPE_CHECKER.redefine("integer", _is_integer)
+    extend: Any = jsonschema.validators.extend
+    validator = extend(jsonschema.Draft7Validator, type_checker=types)
+    folder = resources.root() / "spec/schema"
+    files = {name: json.loads(file.read_text("utf-8")) for name, file in resources.files(folder)}
+    if over:
+        files = {name: _without_sources(schema) for name, schema in files.items()}
     registry: referencing.Registry[Any] = referencing.Registry().with_resources(
         (name, referencing.Resource.from_contents(schema)) for name, schema in files.items()
     )
-    return {kind: _Validator(files[f"{kind}.schema.json"], registry=registry) for kind in LAYOUT}
+    return {name.removesuffix(".schema.json"): validator(schema, registry=registry) for name, schema in files.items()}
+
+
+def _without_sources(schema: Any) -> Any:
+    """The same schema, in which sources are not required."""
+    if isinstance(schema, dict):
+        return {
+            k: [x for x in v if x != "sources"] if k == "required" and isinstance(v, list) else _without_sources(v)
+            for k, v in schema.items()
+        }
+    return [_without_sources(x) for x in schema] if isinstance(schema, list) else schema
 
 
 # --------------------------------------------------------------------------- schema errors in words

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Iterable, Mapping
-from dataclasses import replace
-from typing import Protocol
 
 from . import model as m
 from .nodes import Node
@@ -13,14 +11,6 @@ from .problems import close, nearest
 
 Problem = Callable[[m.Position, str], None]
 Number = int | float
-
-
-class Words(Protocol):
-    """The names that a value may refer to."""
-
-    units: Collection[str]
-    frames: set[str]
-    devices: set[str]
 
 
 def unknown(what: str, word: str, known: Iterable[str], home: str, guess: bool = True) -> str:
@@ -93,6 +83,29 @@ def limits(node: Node, p: m.Parameter, problem: Problem) -> tuple[Number | None,
     return low, high
 
 
+def open_limits(
+    node: Node, p: m.Parameter, low: Number | None, high: Number | None, problem: Problem
+) -> tuple[Number | None, Number | None]:
+    """What the value must be greater than, and less than."""
+    scalar = p.element.scalar if isinstance(p.element, m.Vector) else p.element
+    found: dict[str, Number] = {}
+    for key, closed in (("above", low), ("below", high)):
+        if key not in node:
+            continue
+        entry = node[key]
+        if not isinstance(scalar, m.Scalar) or scalar.kind in ("bool", "char"):
+            problem(node.keys[key], f"'{p.name}' is no number, so it has no bounds; remove '{key}'")
+        elif closed is not None:
+            problem(node.keys[key], f"'{p.name}' has this bound twice; write ~ in its place in the range")
+        elif _fits(entry, scalar, f"'{p.name}': {key}", problem):
+            found[key] = entry.value
+    above, below = found.get("above"), found.get("below")
+    least, most = low if above is None else above, high if below is None else below
+    if found and least is not None and most is not None and least >= most:
+        problem(node.keys[min(found)], f"no number lies between the bounds of '{p.name}'; correct them")
+    return above, below
+
+
 def bounds(scalar: m.Scalar) -> tuple[Number, Number]:
     """The smallest and the largest number that a scalar holds.
 
@@ -111,16 +124,16 @@ def bounds(scalar: m.Scalar) -> tuple[Number, Number]:
             return 0, (1 << bits) - 1
 
 
-def reserved(node: Node, p: m.Parameter, problem: Problem) -> int | None:
+def reserved(node: Node, p: m.Parameter, problem: Problem) -> Number | None:
     """The value to send for a reserved parameter."""
     found: int | None = node.scalar("reserved")
     if found is None:
         return None
-    if not (isinstance(p.element, m.Scalar) and p.element.kind in ("unsigned", "signed")):
-        problem(node.keys["reserved"], f"the reserved parameter '{p.name}' must be a whole number, or an array of them")
-    else:
-        _fits(node["reserved"], p.element, f"the reserved value of '{p.name}'", problem)
-    return found
+    if not (isinstance(p.element, m.Scalar) and p.element.kind in ("unsigned", "signed", "float")):
+        problem(node.keys["reserved"], f"the reserved parameter '{p.name}' must be a number, or an array of them")
+        return None
+    _fits(node["reserved"], p.element, f"the reserved value of '{p.name}'", problem)
+    return float(found) if p.element.kind == "float" else found
 
 
 def default(node: Node, p: m.Parameter, problem: Problem) -> object:
@@ -200,6 +213,10 @@ class _Default:
             if (low is not None and value < low) or (high is not None and value > high):
                 span = f"[{'~' if low is None else low}, {'~' if high is None else high}]"
                 self.problem(node.position, f"the default of '{p.name}' is {value}, outside its range {span}")
+            if p.above is not None and value <= p.above:
+                self.problem(node.position, f"the default of '{p.name}' is {value}, but must be greater than {p.above}")
+            if p.below is not None and value >= p.below:
+                self.problem(node.position, f"the default of '{p.name}' is {value}, but must be less than {p.below}")
 
 
 def _fits(node: Node, scalar: m.Scalar, what: str, problem: Problem) -> bool:
@@ -214,7 +231,7 @@ def _fits(node: Node, scalar: m.Scalar, what: str, problem: Problem) -> bool:
 
 
 def valid_bits(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], problem: Problem) -> None:
-    """`valid: flags.bit` names a bit of a parameter of the same record; a list names one for each element."""
+    """`valid: flags.bit` names a bit of a parameter of the same record, `valid: flag` a bool; a list, one for each."""
     given = node["valid"]
     entries = list(given) if isinstance(given.value, list) else [given]
     width = len(p.element.elements) if isinstance(p.element, m.Vector) else p.length
@@ -226,12 +243,19 @@ def valid_bits(node: Node, p: m.Parameter, beside: Iterable[m.Parameter], proble
 
 
 def _valid_bit(node: Node, p: m.Parameter, names: dict[str, m.Parameter], problem: Problem) -> None:
-    flags, _, bit = node.value.partition(".")
+    flags, dot, bit = node.value.partition(".")
     other = names.get(flags)
     if other is None:
         problem(node.position, f"there is no parameter '{flags}' beside '{p.name}'{nearest(flags, names)}")
         return
-    readable = [other.element, *(t for _, t in (other.reading.types if other.reading else ()))]
+    if not dot:
+        if other.element is not m.SCALARS["bool"] or other.length is not None:
+            problem(
+                node.position,
+                f"'{flags}' is not a bool, so it cannot say whether '{p.name}' is valid; name a bool, or a bit: a.b",
+            )
+        return
+    readable = [other.element, *(v.type for v in other.readings)]
     known = {b.name for t in readable if isinstance(t, m.Bitfield) for b in t.bits}
     if not known:
         problem(node.position, f"'{flags}' is not a bitfield, so it cannot say whether '{p.name}' is valid")
@@ -244,58 +268,3 @@ def valid(node: Node) -> tuple[str, ...]:
     if given is None:
         return ()
     return tuple(given.plain()) if isinstance(given.value, list) else (given.value,)
-
-
-def keys(
-    by: Node, among: Iterable[m.Parameter], devices: Iterable[str], where: str, problem: Problem
-) -> list[str] | None:
-    """The keys that go with `by`: device ids, or the value names of an enumeration among these."""
-    if by.value == "device":
-        return sorted(devices)
-    siblings = {q.name: q for q in among}
-    sibling = siblings.get(by.value)
-    if sibling is None or not isinstance(sibling.element, m.Enum):
-        near = nearest(by.value, ["device", *siblings])
-        problem(by.position, f"'{by.value}' is neither 'device' nor an enumeration {where}{near}")
-        return None
-    return [v.name for v in sibling.element.values]
-
-
-def unknown_key(by: str, key: str, known: list[str]) -> str:
-    """
-    >>> unknown_key("device", "gx5", ["cv7"]), unknown_key("mode", "fsat", ["fast"])
-    ("unknown device 'gx5'; known: cv7", "'mode' has no value 'fsat', did you mean 'fast'?")
-    """
-    what = f"unknown device '{key}'" if by == "device" else f"'{by}' has no value '{key}'"
-    return what + nearest(key, known)
-
-
-def variants(
-    node: Node, p: m.Parameter, beside: Iterable[m.Parameter], words: Words, problem: Problem
-) -> tuple[m.Variant, ...]:
-    """`varies`: what differs by device, or by the value of an enumeration in the same record."""
-    spec = node.get("varies")
-    if spec is None:
-        return ()
-    by = spec["by"]
-    known = keys(by, beside, words.devices, f"beside '{p.name}'", problem)
-    found = []
-    for key, case in spec["cases"].items() if known is not None else ():
-        assert known is not None
-        if key not in known:
-            problem(spec["cases"].keys[key], unknown_key(by.value, key, known))
-        low, high = limits(case, p, problem)
-        ranged = replace(p, minimum=low, maximum=high)
-        found.append(
-            m.Variant(
-                by.value,
-                key,
-                units(case, p, words.units, problem),
-                frame(case, words.frames, problem),
-                low,
-                high,
-                default(case, ranged, problem),
-                case.scalar("description", ""),
-            )
-        )
-    return tuple(found)

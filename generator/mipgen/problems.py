@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from . import spelling
+from .errors import Failure
 from .model import Position
 
 #: So many words are listed whole.
@@ -48,12 +49,15 @@ class Problems:
             raise SpecError(self.sorted())
 
 
-class SpecError(Exception):
+class SpecError(Failure):
     """The specification cannot be used; `problems` says why."""
 
     def __init__(self, problems: list[Problem]) -> None:
-        super().__init__("\n".join(map(str, problems)))
+        super().__init__("")
         self.problems = problems
+
+    def __str__(self) -> str:
+        return "\n".join(map(str, self.problems))
 
 
 def nearest(word: str, choices: Iterable[str], guess: bool = True) -> str:

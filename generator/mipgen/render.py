@@ -6,9 +6,9 @@ earlier run that are no longer made are removed, so a failing run leaves nothing
 
 from __future__ import annotations
 
-import importlib
-import pkgutil
-from collections.abc import Callable, Iterable, Iterator, Mapping
+import sys
+import traceback
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
@@ -16,13 +16,22 @@ from typing import Any, Protocol
 import jinja2
 import yaml
 
-from . import formatting
-from . import targets as targets_package
+from . import cache, discovery, formatting, resources
+from .discovery import Source
+from .errors import Failure
 from .model import Model
 from .naming import Identifier
 
-ROOT = Path(__file__).parents[2]
 MANIFEST = ".manifest"
+RUNTIME = "runtime"
+
+_SETTINGS: dict[str, Any] = {
+    "trim_blocks": True,
+    "lstrip_blocks": True,
+    "keep_trailing_newline": True,
+    "autoescape": False,
+    "extensions": ["jinja2.ext.do"],
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +44,7 @@ class File:
 
 
 class Target(Protocol):
-    """What a module of `mipgen.targets` offers; FORMATTER, a `formatting.Formatter`, may be left out."""
+    """What the module of a target offers; FORMATTER, a `formatting.Formatter`, may be left out."""
 
     TITLE: str  # "C99", shown by `mipgen generate`
 
@@ -47,45 +56,35 @@ class Target(Protocol):
 
 
 def names() -> list[str]:
-    """All targets, in order."""
-    return sorted(module.name for module in pkgutil.iter_modules(targets_package.__path__))
+    """All targets that come with the program, in order."""
+    return discovery.names()
 
 
 def target(name: str) -> Target:
-    module: Any = importlib.import_module(f"{targets_package.__name__}.{name}")
-    loaded: Target = module
+    loaded: Target = discovery.sources()[name].load()
     return loaded
 
 
 def language(name: str) -> dict[str, Any]:
     """The facts of a language that are data: templates/<name>/language.yaml."""
-    path = ROOT / "templates" / name / "language.yaml"
-    found: dict[str, Any] = yaml.safe_load(path.read_text("utf-8"))
+    text = (resources.root() / "templates" / name / "language.yaml").read_text("utf-8")
+    found: dict[str, Any] = yaml.safe_load(text)
     return found
 
 
-def render(name: str, model: Model) -> dict[str, bytes]:
+def render(source: Source | str, model: Model) -> dict[str, bytes]:
     """All files of a target, by path."""
-    module, folder = target(name), ROOT / "templates" / name
-    environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(folder),
-        undefined=jinja2.StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-        autoescape=False,
-        auto_reload=False,
-        extensions=["jinja2.ext.do"],
-    )
-    environment.filters.update(module.filters(model))
+    if isinstance(source, str):
+        source = discovery.sources()[source]
+    module: Target = source.load()
+    environment = _environment(source, module.filters(model))
     environment.globals.update(model=model, version=model.protocol.version)
-    made = {path: data for path, data in _runtime(folder / "runtime")}
-    made["LICENSE"] = (ROOT / "LICENSE").read_bytes()
+    made = _runtime(source)
+    made["LICENSE"] = (resources.root() / "LICENSE").read_bytes()
     for file in module.files(model):
         if file.path in made:
-            raise ValueError(f"{name}: {file.path} is made twice")
-        text = environment.get_template(file.template).render(file.context)
-        made[file.path] = text.encode("utf-8")
+            raise Failure(f"{file.path} is made twice", f"target {source.name}")
+        made[file.path] = _rendered(environment, file, source).encode("utf-8")
     formatter = getattr(module, "FORMATTER", None)
     if formatter is not None:
         made = formatting.formatted(formatter, made)
@@ -93,10 +92,77 @@ def render(name: str, model: Model) -> dict[str, bytes]:
     return made
 
 
-def _runtime(folder: Path) -> Iterator[tuple[str, bytes]]:
-    for path in sorted(folder.rglob("*")) if folder.is_dir() else ():
-        if path.is_file() and "__pycache__" not in path.parts:
-            yield path.relative_to(folder).as_posix(), path.read_bytes()
+def _environment(source: Source, filters: Mapping[str, Callable[..., Any]]) -> jinja2.Environment:
+    def load(name: str) -> tuple[str, str, Callable[[], bool]] | None:
+        for folder in source.folders:
+            path = folder / name
+            if path.is_file():
+                return path.read_text("utf-8"), str(path), lambda: True
+        return None
+
+    environment = jinja2.Environment(
+        loader=jinja2.FunctionLoader(load),
+        undefined=jinja2.StrictUndefined,
+        bytecode_cache=_Compiled([*sorted(filters)]),
+        **_SETTINGS,
+    )
+    environment.filters.update({name: _at_run_time(function) for name, function in filters.items()})
+    return environment
+
+
+class _Compiled(jinja2.BytecodeCache):
+    """Keeps templates compiled. What they are compiled to depends on the names of the filters too."""
+
+    def __init__(self, filters: list[str]) -> None:
+        self.how = repr((jinja2.__version__, sys.version, sorted(_SETTINGS.items()), filters))
+
+    def load_bytecode(self, bucket: Any) -> None:
+        data = cache.get("templates", cache.key(self.how, bucket.key, bucket.checksum))
+        if data is not None:
+            bucket.bytecode_from_string(data)
+
+    def dump_bytecode(self, bucket: Any) -> None:
+        cache.put("templates", {cache.key(self.how, bucket.key, bucket.checksum): bucket.bytecode_to_string()})
+
+
+def _at_run_time(function: Callable[..., Any]) -> Callable[..., Any]:
+    """The filter, never called while a template is compiled: Jinja would put its answer into what is kept."""
+    if hasattr(function, "jinja_pass_arg"):
+        return function
+
+    @jinja2.pass_context
+    def call(_: Any, *arguments: Any, **named: Any) -> Any:
+        return function(*arguments, **named)
+
+    return call
+
+
+def _rendered(environment: jinja2.Environment, file: File, source: Source) -> str:
+    try:
+        return environment.get_template(file.template).render(file.context)
+    except jinja2.TemplateNotFound as error:
+        raise Failure(f"there is no template {error.name} (for {file.path})", f"target {source.name}") from None
+    except jinja2.TemplateSyntaxError as error:
+        raise Failure(f"{error.message} (for {file.path})", f"{error.filename}:{error.lineno}") from None
+    except jinja2.TemplateRuntimeError as error:
+        raise Failure(f"{error.message} (for {file.path})", _place(error, source)) from None
+
+
+def _place(error: BaseException, source: Source) -> str:
+    """The line of a template where it happened."""
+    folders = tuple(map(str, source.folders))
+    frames = reversed(traceback.extract_tb(error.__traceback__))
+    return next((f"{f.filename}:{f.lineno}" for f in frames if f.filename.startswith(folders)), source.name)
+
+
+def _runtime(source: Source) -> dict[str, bytes]:
+    """The files that are copied as they are."""
+    made: dict[str, bytes] = {}
+    for folder in reversed(source.folders):
+        runtime = folder / RUNTIME
+        if runtime.is_dir():
+            made |= {path: file.read_bytes() for path, file in resources.files(runtime)}
+    return made
 
 
 @dataclass(frozen=True, slots=True)

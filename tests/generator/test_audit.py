@@ -83,7 +83,7 @@ def test_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
     assert capsys.readouterr().out == "0 findings\n"
     path.write_text("(0x01,0x55)\n", "utf-8")
     assert cli.main(["audit", "--spec", spec, "--manual", f"guide={path}"]) == 1
-    assert cli.main(["audit", "--spec", spec, "--manual", f"giude={path}"]) == 2
+    assert cli.main(["audit", "--spec", spec, "--manual", f"giude={path}"]) == 1
     assert "did you mean 'guide'?" in capsys.readouterr().err
-    assert cli.main(["audit", "--spec", spec, "--manual", "guide=/no/such"]) == 2
+    assert cli.main(["audit", "--spec", spec, "--manual", "guide=/no/such"]) == 1
     assert "no such file" in capsys.readouterr().err

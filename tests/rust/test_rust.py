@@ -11,6 +11,8 @@ import os
 import re
 import shutil
 import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -21,7 +23,7 @@ import pytest
 from mipgen import model as m
 from mipgen import render
 from mipgen.resolve import load_model
-from support import BUILD, ROOT, SPECS, locked, model, need
+from support import BUILD, ROOT, SPECS, heavy, locked, model, need
 
 HERE = Path(__file__).parent
 WORK = BUILD / "rust"
@@ -181,8 +183,9 @@ def test_a_list_that_is_too_long_does_not_compile() -> None:
     assert done.returncode != 0 and "more items than the list can hold" in done.stderr
 
 
-def test_serde_and_defmt() -> None:
-    """With the real dependencies, pinned in features/Cargo.lock."""
+@contextmanager
+def with_dependencies() -> Iterator[Path]:
+    """A project that uses the crate with the real dependencies, pinned in features/Cargo.lock."""
     folder = WORK / "awkward" / "features"
     manifest = f"""[package]
 name = "features"
@@ -206,15 +209,25 @@ members = ["mip-protocol"]
         render.write(rendered("awkward"), folder / "mip-protocol")
         lock = (HERE / "features/Cargo.lock").read_bytes()
         write({"Cargo.toml": manifest.encode(), "src/lib.rs": b"", "Cargo.lock": lock}, folder)
+        yield folder
+
+
+def test_serde_and_defmt() -> None:
+    with with_dependencies() as folder:
         passes(folder, "test", "--quiet", "--test", "features")
-        lint = ("-p", "mip-protocol", "--all-features")
-        passes(folder, "clippy", "--quiet", *lint, "--", "-D", "warnings")
+        passes(folder, "clippy", "--quiet", "-p", "mip-protocol", "--all-features", "--", "-D", "warnings")
+
+
+@heavy(EMBEDDED)
+def test_serde_and_defmt_without_std() -> None:
+    with with_dependencies() as folder:
         passes(folder, "check", "--quiet", "--target", embedded(), "-p", "mip-protocol", "--features", "serde,defmt")
 
 
 # --------------------------------------------------------------------------- what the crate promises
 
 
+@heavy(EMBEDDED)
 @each
 def test_no_std(spec: str) -> None:
     """It builds for a target that has no std; `alloc` and the trees of values do too."""
@@ -222,6 +235,7 @@ def test_no_std(spec: str) -> None:
         passes(bare(spec), "check", "--quiet", "--offline", "--target", embedded(), "--features", features)
 
 
+@heavy(EMBEDDED)
 @each
 def test_nothing_panics(spec: str) -> None:
     """A program that uses every field links although its panic handler does not."""

@@ -5,38 +5,10 @@ Importing this module imports all descriptor sets.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any
+from . import copy, measurements, mip_3d, more, protocol, shared, tools, types
+from .parameter import Parameter
 
-from . import (
-    measurements,
-    mip_3d,
-    more,
-    protocol,
-    shared,
-    tools,
-    types,
-)
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """One value on the wire, in wire order. `name` is that of the specification."""
-
-    name: str
-    attribute: str
-    kind: str  # scalar, constant, counter, bits, text, array, struct or switch
-    scalar: str = ""  # u8 … s64, float, double, bool, char; bits: a bitfield in `size` bytes
-    size: int = 0
-    elements: tuple[str, ...] = ()  # of a vector
-    length: int | str | None = None  # a number, the counter's name, or "rest"
-    constant: int | None = None
-    counts: str = ""  # attribute of the array that a counter counts
-    type: Any = None  # enumeration, bitfield or structure
-    tag: str = ""  # attribute that selects a union's member
-    cases: dict[int, Parameter | None] = field(default_factory=dict)
-    units: tuple[str, ...] = ()
-
+__all__ = ["PARAMETERS", "Parameter"]
 
 #: Fields and structures -> their parameters.
 PARAMETERS: dict[type, tuple[Parameter, ...]] = {
@@ -142,6 +114,10 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("drive", "drive", "scalar", scalar="u8", type=tools.Drive),
         Parameter("use", "use", "scalar", scalar="u8"),
     ),
+    tools.Hello: (
+        Parameter("reserved", "reserved", "scalar", scalar="float"),
+        Parameter("later", "later", "array", scalar="double", length=2),
+    ),
     tools.SettingsResponse: (
         Parameter("port", "port", "scalar", scalar="u8"),
         Parameter("mode", "mode", "scalar", scalar="u8", type=types.Mode),
@@ -186,6 +162,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("drive", "drive", "scalar", scalar="u8", type=tools.Drive),
         Parameter("use", "use", "scalar", scalar="u8"),
     ),
+    tools.HelloResponse: (Parameter("seen", "seen", "scalar", scalar="u32", units=("s",)),),
     tools.StatusShort: (
         Parameter("model", "model", "constant", scalar="u16", constant=4711),
         Parameter("selector", "selector", "constant", scalar="u8", constant=1),
@@ -254,7 +231,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             length=2,
             units=("m",),
         ),
-        Parameter("points", "points", "array", length=2, type=types.Point, units=("m",)),
+        Parameter("points", "points", "array", length=2, units=("m",), type=types.Point),
         Parameter("track", "track", "struct", type=types.Segment),
         Parameter("offsets", "offsets", "array", scalar="s8", length=4),
     ),
@@ -262,6 +239,18 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("first", "first", "scalar", scalar="u16"),
         Parameter("second", "second", "scalar", scalar="u16"),
         Parameter("third", "third", "scalar", scalar="float", units=("deg",)),
+    ),
+    measurements.Radio: (
+        Parameter("connected", "connected", "scalar", scalar="bool"),
+        Parameter("strength", "strength", "scalar", scalar="s32"),
+        Parameter("noise", "noise", "scalar", scalar="float", units=("m",)),
+        Parameter("gap", "gap", "scalar", scalar="float"),
+        Parameter("gaps", "gaps", "array", scalar="double", length=2),
+    ),
+    measurements.Cloud: (
+        Parameter("num_points", "num_points", "counter", scalar="u8", counts="points"),
+        Parameter("points", "points", "array", length="num_points", type=types.Point),
+        Parameter("stamp", "stamp", "scalar", scalar="u64"),
     ),
     more.Own: (Parameter("mode", "mode", "scalar", scalar="u8", type=types.Mode),),
     shared.Timestamp: (
@@ -272,3 +261,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
 
 PARAMETERS[more.Accel] = PARAMETERS[measurements.Accel]
 PARAMETERS[more.Strings] = PARAMETERS[measurements.Strings]
+PARAMETERS[copy.Accel] = PARAMETERS[measurements.Accel]
+PARAMETERS[copy.Numbers] = PARAMETERS[measurements.Numbers]
+PARAMETERS[copy.Strings] = PARAMETERS[measurements.Strings]
+PARAMETERS[copy.Health] = PARAMETERS[measurements.Health]
+PARAMETERS[copy.Arrays] = PARAMETERS[measurements.Arrays]
+PARAMETERS[copy.Growing] = PARAMETERS[measurements.Growing]
+PARAMETERS[copy.Radio] = PARAMETERS[measurements.Radio]
+PARAMETERS[copy.Cloud] = PARAMETERS[measurements.Cloud]
