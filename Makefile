@@ -65,8 +65,8 @@ golden: $(VENV)/generator.stamp ## write the snapshot of the invented specificat
 	@$(MIPGEN) generate --spec tests/invented/spec --out tests/invented/golden
 
 .PHONY: audit
-audit: $(VENV)/generator.stamp ## compare the specification with the manuals: make audit MANUALS="ID=FILE ID=FILE"
-	@$(MIPGEN) audit --spec $(SPEC) $(addprefix --manual ,$(MANUALS))
+audit: $(VENV)/generator.stamp ## compare the specification with its sources: make audit MANUALS="ID=FILE ID=FILE" SDK=FOLDER
+	@$(MIPGEN) audit --spec $(SPEC) $(addprefix --manual ,$(MANUALS)) $(addprefix --sdk ,$(SDK))
 
 # Each ends with a line that says what was run and what was left out; nothing is skipped in between.
 PYTEST = $(RUN) -m pytest -n $(JOBS) --dist loadgroup

@@ -4,11 +4,24 @@ from __future__ import annotations
 
 from typing import Any
 
+from hypothesis import HealthCheck, Phase, settings
 from hypothesis import strategies as st
 from mipgen import codec
 from mipgen import model as m
 
 Values = dict[str, Any]
+
+
+def relaxed(examples: int) -> Any:
+    """The same values in every run, and nothing but values: they are sent to the drivers in one batch."""
+    return settings(
+        max_examples=examples,
+        deadline=None,
+        database=None,
+        derandomize=True,
+        phases=[Phase.generate],
+        suppress_health_check=list(HealthCheck),
+    )
 
 
 def numbers(op: m.ScalarOp | m.CounterOp) -> st.SearchStrategy[Any]:
@@ -89,7 +102,7 @@ def field_values(draw: Any, field: m.Field) -> Values:
     if field.selector:
         known = [f.value for f in field.functions]
         values["function"] = draw(st.one_of(st.sampled_from(known), st.integers(0, 255)))
-    required = dict(field.required).get(values.get("function", -1), 0) if field.selector else field.required_count
+    required = field.required(values.get("function"))
     groups = [op for op in field.operations if isinstance(op, m.GroupOp)]
     keep = draw(st.integers(0, len(groups)))
     for i, group in enumerate(groups):

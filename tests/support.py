@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import fcntl
 import json
 import os
@@ -31,6 +32,13 @@ SPECS = {
 }
 
 
+def each(test: Any) -> Any:
+    """For every language and both specifications."""
+    for mark in (pytest.mark.parametrize("language", LANGUAGES), pytest.mark.parametrize("spec", sorted(SPECS))):
+        test = mark(test)
+    return test
+
+
 @cache
 def model(spec: str) -> m.Model:
     return load_model(SPECS[spec][0])
@@ -49,6 +57,30 @@ def heavy(what: str) -> pytest.MarkDecorator:
     `make test` leaves it out and names it in its last line, `make test-all` runs it.
     """
     return pytest.mark.heavy(what)
+
+
+def another_python(version: str) -> str:
+    """A Python of this version; a missing one is an error."""
+    home = Path(os.environ.get("PYENV_ROOT", Path.home() / ".pyenv")) / "versions"
+    found = [shutil.which(f"python{version}"), *sorted(str(p) for p in home.glob(f"{version}.*/bin/python"))]
+    works = [p for p in found if p and subprocess.run([p, "-c", "pass"], capture_output=True).returncode == 0]
+    assert works, f"python{version} is missing; install it (pyenv install {version})"
+    return works[0]
+
+
+def parse_as(version: str, folder: Path) -> None:
+    """All files of a folder are the language of that version; a SyntaxError says where one is not."""
+    minor = int(version.partition(".")[2])
+    paths = sorted(folder.rglob("*.py"))
+    assert paths
+    for path in paths:
+        ast.parse(path.read_text("utf-8"), feature_version=(3, minor))
+
+
+def sent(p: m.Parameter) -> Any:
+    """What stands in place of a reserved parameter, in the form of the conformance protocol."""
+    value = p.reserved if p.length is None else [p.reserved] * int(p.length)
+    return codec.canonical(p.operation, value, p.name)
 
 
 @dataclass(frozen=True)
@@ -107,6 +139,10 @@ def expected(of: m.Model, request: dict[str, Any]) -> dict[str, Any]:
         return expected_parse(bytes.fromhex(request["stream"]))
     if request["op"] == "decode":
         return expected_decode(of, bytes.fromhex(request["packet"]))
+    if request["op"] == "client":
+        from conformance.client_model import expected_client  # it needs this module itself
+
+        return expected_client(of, request)
     return expected_encode(of, request)
 
 

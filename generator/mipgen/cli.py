@@ -17,10 +17,19 @@ examples:
   mipgen validate                           check it
   mipgen generate                           ./spec -> ./generated, all targets
   mipgen generate --target c --target rust  these two only
+  mipgen generate --device 3dm-gx5-15       what one device supports
+  mipgen generate --spec spec --spec mine   with fields of your own laid over it
   mipgen check                              is ./generated what ./spec gives?
 
 'mipgen COMMAND --help' says more about a command. What is costly to make is kept in ~/.cache/mipgen;
 MIPGEN_CACHE names another folder, and turns that off if it is empty.
+"""
+DIFF = """\
+verdicts:
+  same        nothing that a program could notice                             exit status 0
+  compatible  added, or another description, range or default                 3
+  source      renamed or removed: programs must be changed to build again     4
+  wire        the same bytes mean something else, or other bytes are sent     5
 """
 COMPLETION = """\
   bash:  mipgen completion bash > ~/.local/share/bash-completion/completions/mipgen
@@ -92,18 +101,34 @@ def parser() -> argparse.ArgumentParser:
 
     generate = command("generate", "generate", "check a specification and write the files of all targets")
     _spec(generate)
+    _part(generate)
     _out(generate)
     _targets(generate)
 
+    diff = command("diff", "diff", "say what changed between two specifications, and whom it breaks", DIFF)
+    diff.add_argument("old", metavar="OLD", nargs="?", help="a folder, or a revision of the repository")
+    diff.add_argument("new", metavar="NEW", nargs="?", help="the same (default: the folder of --spec)")
+    diff.add_argument("--json", action="store_true", help="print the report as JSON")
+    diff.add_argument(
+        "--release",
+        action="store_true",
+        help="compare with the last release, and fail if the version number says less than what changed",
+    )
+    _spec(diff)
+
     check = command("check", "check", "fail if generated files differ from what the specification gives")
     _spec(check)
+    _part(check)
     _out(check)
     _targets(check)
 
-    audit = command("audit", "audit_manuals", "list what manuals contain and the specification does not")
+    audit = command("audit", "audit", "list where the specification differs from manuals and other sources")
     _spec(audit)
     audit.add_argument(
-        "--manual", action="append", required=True, metavar="ID=FILE", help="a manual as plain text; may be repeated"
+        "--manual", action="append", default=[], metavar="ID=FILE", help="a manual as plain text; may be repeated"
+    )
+    audit.add_argument(
+        "--sdk", type=Path, metavar="FOLDER", help="facts about the vendor's SDK: layouts.yaml and names.yaml"
     )
 
     targets = command("targets", "targets", "list the targets")
@@ -117,8 +142,22 @@ def parser() -> argparse.ArgumentParser:
 
 def _spec(command: argparse.ArgumentParser) -> None:
     command.add_argument(
-        "--spec", type=Path, default=Path("spec"), metavar="FOLDER", help="of the specification (default: ./spec)"
+        "--spec",
+        type=Path,
+        action="append",
+        metavar="FOLDER",
+        help="of the specification (default: ./spec); those that follow are laid over the first",
     )
+
+
+def _part(command: argparse.ArgumentParser) -> None:
+    group = command.add_argument_group("a part of the specification, with all that it needs")
+    for name, metavar, text in (
+        ("device", "ID", "what this device supports"),
+        ("set", "NAME", "this descriptor set, such as sensor"),
+        ("field", "NAME", "this field, such as 3dm.message_format"),
+    ):
+        group.add_argument(f"--{name}", action="append", dest=f"{name}s", default=[], metavar=metavar, help=text)
 
 
 def _out(command: argparse.ArgumentParser) -> None:

@@ -11,6 +11,12 @@ from typing import TYPE_CHECKING, Any
 from . import discovery, resources, stamp
 from .errors import Failure
 
+#: The options that select a part of a specification.
+PARTS = ("devices", "sets", "fields")
+
+#: What `mipgen diff` ends with; 1 and 2 are for errors.
+EXIT_STATUS = {"same": 0, "compatible": 3, "source": 4, "wire": 5}
+
 if TYPE_CHECKING:
     from .build import Output
     from .discovery import Source
@@ -25,7 +31,7 @@ def validate(options: Namespace) -> int:
         return 0
     from . import build
 
-    model = _load(options.spec)
+    model = _load(options)
     build.check_names(model, sources)
     print(_summary(model))
     _remember(options, key, model, [])
@@ -41,7 +47,7 @@ def generate(options: Namespace) -> int:
     else:
         from . import build, render
 
-        model = _load(options.spec)
+        model = _load(options)
         outputs = build.make(model, sources)
         print(_summary(model))
         rows = [(o.name, o.title, len(o.files), len(render.write(o.files, options.out / o.name))) for o in outputs]
@@ -58,7 +64,7 @@ def check(options: Namespace) -> int:
     from . import build, render
 
     sources, _ = _asked(options)
-    model = _load(options.spec)
+    model = _load(options)
     outputs = build.make(model, sources)
     print(_summary(model))
     found = 0
@@ -74,22 +80,39 @@ def check(options: Namespace) -> int:
 
 def _asked(options: Namespace) -> tuple[list[Source], str | None]:
     """The targets that are asked for, and a key of all that their output follows from."""
-    if not (options.spec / "protocol.yaml").is_file():
-        raise Failure(
-            "there is no specification here: protocol.yaml is missing; "
-            "name its folder with --spec, or write one to start from with 'mipgen new FOLDER'",
-            str(options.spec),
-        )
+    specs = _specs(options)
     sources = discovery.chosen(options.targets, options.target_path)
     if any(source.module for source in sources):
         return sources, None  # what the module of a user looks at is unknown
-    return sources, stamp.key([options.spec, *options.target_path], options.run, *(source.name for source in sources))
+    part = repr([getattr(options, name, ()) for name in PARTS])
+    names = (source.name for source in sources)
+    return sources, stamp.key([*specs, *options.target_path], options.run, part, str(len(specs)), *names)
 
 
-def _load(spec: Path) -> Model:
+def _specs(options: Namespace) -> list[Path]:
+    """The folder of the specification, and those that are laid over it."""
+    specs: list[Path] = options.spec or [Path("spec")]
+    if not (specs[0] / "protocol.yaml").is_file():
+        raise Failure(
+            "there is no specification here: protocol.yaml is missing; "
+            "name its folder with --spec, or write one to start from with 'mipgen new FOLDER'",
+            str(specs[0]),
+        )
+    return specs
+
+
+def _load(options: Namespace) -> Model:
+    """The specification, or the part of it that is asked for."""
+    from . import subset
     from .resolve import load_model
 
-    return load_model(spec)
+    whole = load_model(*_specs(options))
+    asked = subset.Selection(*(tuple(getattr(options, name, ())) for name in PARTS))
+    if not asked:
+        return whole
+    part = subset.select(whole, asked)
+    print(subset.left_out(whole, part))
+    return part
 
 
 def _remember(options: Namespace, key: str | None, model: Model, outputs: list[Output]) -> None:
@@ -107,22 +130,72 @@ def _summary(model: Model) -> str:
     )
 
 
-def audit_manuals(options: Namespace) -> int:
-    from . import audit
+def diff(options: Namespace) -> int:
+    """Prints what changed; the exit status tells the verdict."""
+    import json
+
+    from . import compare, revisions
+
+    spec, *overlays = _specs(options)
+    old = options.old
+    if options.release:
+        old = revisions.last_release(spec)
+        if old is None:
+            print("nothing is released yet, so there is nothing to compare with")
+            return 0
+    elif old is None:
+        raise Failure("name what to compare with: a folder, a revision, or --release")
+    with revisions.folder(old, spec) as before:
+        if options.new is None:
+            report = compare.compare(_of_another_time(old, before), _of_another_time(str(spec), spec, *overlays))
+        else:
+            with revisions.folder(options.new, spec) as after:
+                report = compare.compare(_of_another_time(old, before), _of_another_time(options.new, after))
+    if options.json:
+        print(json.dumps(report.plain(), indent=2))
+    else:
+        print("".join(f"{change}\n" for change in report.changes), end="")
+        print(f"{old} (version {report.old}) -> version {report.new}: {report.verdict}")
+    if not options.release:
+        return EXIT_STATUS[report.verdict]
+    if compare.enough(report):
+        return 0
+    print(f"mipgen: the version {report.new} says less than that; raise it in protocol.yaml", file=sys.stderr)
+    return 1
+
+
+def _of_another_time(name: str, *folders: Path) -> Model:
+    """A specification that may be older than what this program reads."""
+    from .problems import SpecError
+    from .resolve import load_model
+
+    try:
+        return load_model(*folders)
+    except SpecError as error:
+        raise Failure(f"this mipgen cannot read it: {error.problems[0].message}", name) from None
+
+
+def audit(options: Namespace) -> int:
+    from . import audit as manuals
+    from . import audit_sdk
     from .problems import nearest
 
-    model = _load(options.spec)
+    if not options.manual and options.sdk is None:
+        raise Failure("nothing to compare with; give --manual ID=FILE, --sdk FOLDER or both")
+    model = _load(options)
     known = [x.id for x in model.protocol.manuals]
     findings = []
     for argument in options.manual:
         manual, _, file = argument.partition("=")
         if manual not in known:
-            print(f"mipgen: unknown manual '{manual}'{nearest(manual, known)}", file=sys.stderr)
-            return 2
+            raise Failure(f"unknown manual '{manual}'{nearest(manual, known)}")
         if not Path(file).is_file():
-            print(f"mipgen: '{argument}': no such file; write --manual {manual}=FILE", file=sys.stderr)
-            return 2
-        findings += audit.audit(model, manual, Path(file))
+            raise Failure(f"'{argument}': no such file; write --manual {manual}=FILE")
+        findings += manuals.audit(model, manual, Path(file))
+    if options.sdk is not None:
+        if not options.sdk.is_dir():
+            raise Failure(f"'{options.sdk}': no such folder; write --sdk FOLDER")
+        findings += audit_sdk.audit(model, options.sdk)
     print("".join(f"{f}\n" for f in findings), end="")
     print(f"{len(findings)} findings")
     return 1 if findings else 0

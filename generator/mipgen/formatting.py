@@ -58,7 +58,7 @@ RUFF = Formatter(
     suffixes=(".py",),
     style="pyproject.toml",
     steps=(
-        ("check", "--no-cache", "--config=pyproject.toml", "--select=I", "--fix-only"),
+        ("check", "--no-cache", "--config=pyproject.toml", "--select=F401,I", "--fix-only"),
         ("format", "--no-cache", "--config=pyproject.toml"),
     ),
 )

@@ -27,9 +27,9 @@ def package() -> Traversable:
 
 
 def files(folder: Traversable, under: str = "") -> Iterator[tuple[str, Traversable]]:
-    """All files below a folder with their paths, in order; none that Python makes by itself."""
+    """All files below a folder with their paths, in order; none that Python or an editor's tools make by themselves."""
     for entry in sorted(folder.iterdir(), key=lambda e: e.name):
         if entry.is_file():
             yield under + entry.name, entry
-        elif entry.name != "__pycache__":
+        elif entry.name != "__pycache__" and not entry.name.startswith("."):
             yield from files(entry, f"{under}{entry.name}/")

@@ -1,7 +1,7 @@
 #include "mip/3dm.h"
 #include "mip/client.h"
 
-bool set_pps_source(struct mip_client *client, mip_3dm_pps_source source) {
+bool set_pps_source(struct mip_client *client, struct mip_parser *parser, mip_3dm_pps_source source) {
     uint8_t buffer[MIP_MAX_PACKET];
     struct mip_builder builder;
     struct mip_request request;
@@ -14,11 +14,14 @@ bool set_pps_source(struct mip_client *client, mip_3dm_pps_source source) {
     }
     transmit(mip_builder_finish(&builder));
     while (request.state == MIP_REQUEST_WAITING) {
+        uint8_t chunk[64];
+        const uint8_t *data = chunk;
+        size_t size = receive(chunk, sizeof(chunk)); /* 0 if nothing has come */
         struct mip_packet packet;
-        if (receive(&packet)) { /* from your parser; data go wherever data go */
-            mip_client_receive(client, &packet);
+        while (mip_parser_next(parser, &data, &size, &packet) ||
+               mip_client_poll(client, parser, milliseconds(), &packet)) {
+            mip_client_receive(client, &packet); /* data go wherever data go */
         }
-        mip_client_expire(client, milliseconds());
     }
     return request.state == MIP_REQUEST_ACKNOWLEDGED; /* if it was refused, request.code says why */
 }

@@ -7,41 +7,22 @@ from functools import cache
 from typing import Any
 
 import pytest
-from hypothesis import HealthCheck, Phase, given, settings
+from hypothesis import given
 from mipgen import codec
 from mipgen import model as m
-from strategies import field_values
+from strategies import field_values, relaxed
 from support import (
     LANGUAGES,
-    SPECS,
     all_fields,
     decode_request,
     differences,
     driver,
+    each,
     encode_request,
     expected,
     model,
     set_of,
 )
-
-both = [pytest.mark.parametrize("language", LANGUAGES), pytest.mark.parametrize("spec", sorted(SPECS))]
-
-
-def relaxed(examples: int) -> Any:
-    return settings(
-        max_examples=examples,
-        deadline=None,
-        database=None,
-        derandomize=True,
-        phases=[Phase.generate],
-        suppress_health_check=list(HealthCheck),
-    )
-
-
-def each(test: Any) -> Any:
-    for mark in both:
-        test = mark(test)
-    return test
 
 
 def compare(language: str, spec: str, requests: list[dict[str, Any]]) -> list[dict[str, Any]]:
@@ -166,6 +147,23 @@ def test_random_bytes_in_every_field(language: str, spec: str) -> None:
     for request, answer in zip(back, encoded, strict=True):
         if request["fields"][0]["trailing"] == 0:
             assert {"op": "decode", "packet": answer["packet"]} in requests
+
+
+@each
+def test_counts_at_and_beyond_what_a_field_holds(language: str, spec: str) -> None:
+    """The fullest field decodes; one element more is a wrong count, though its bytes are there."""
+    of, requests, wanted = model(spec), [], []
+    for f in all_fields(of):
+        for op in f.operations:
+            if isinstance(op, (m.ArrayOp, m.TextOp)) and op.counter and f.operations[0].member == op.counter:  # type: ignore[union-attr]
+                for count in (op.capacity - 1, op.capacity, op.capacity + 1):
+                    size = f.max_size if count <= op.capacity else 253
+                    data = bytes([count]) + bytes(size - 1)
+                    requests.append(decode_request(codec.build(of, set_of(f, of), [(f.descriptor, data)])))
+                    wanted.append("count" if count > op.capacity else None)
+    answers = compare(language, spec, requests)
+    assert [a["fields"][0].get("error") for a in answers] == wanted
+    assert wanted or spec == "real"
 
 
 def samples(f: Any, chance: random.Random) -> list[bytes]:

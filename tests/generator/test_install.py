@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 import sys
 import zipfile
 from pathlib import Path
 
 import pytest
-from support import ROOT, SPECS, heavy
+from support import ROOT, SPECS, another_python, heavy
 
 INVENTED, GOLDEN = SPECS["invented"]
 
@@ -95,13 +94,10 @@ def test_the_wheel_holds_all_of_its_files(built: Path) -> None:
     }
 
 
-@heavy("installation on every Python")
+@heavy("other Pythons")
 @pytest.mark.parametrize("version", ["3.10", "3.11", "3.12", "3.13"])
 def test_installed_on_every_python(built: Path, tmp_path: Path, version: str) -> None:
     """With all libraries from the registry, in the newest versions that the package allows; from the sources."""
-    pyenv = sorted(Path(os.environ.get("PYENV_ROOT", Path.home() / ".pyenv")).glob(f"versions/{version}.*/bin/python"))
-    found = str(pyenv[0]) if pyenv else shutil.which(f"python{version}")
-    assert found, f"python{version} is missing; install it (pyenv install {version})"
-    bin_folder = environment(tmp_path / "venv", found)
+    bin_folder = environment(tmp_path / "venv", another_python(version))
     install(bin_folder, next(built.glob("*.tar.gz")))
     use(bin_folder / "mipgen", tmp_path / "work")

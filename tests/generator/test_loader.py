@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-import math
+import re
 from pathlib import Path
 from typing import Any
 
 import jsonschema
 import pytest
 from corpus import BASE
-from mipgen import loader, nodes
-from mipgen.model import Position
+from mipgen import loader, nodes, spelling
+from mipgen.model import SCALARS, Position
 from mipgen.nodes import Node
-from mipgen.problems import Problems, SpecError, nearest
+from mipgen.problems import MANY, Problems, SpecError, nearest
 from mipgen.resolve import load_model
+from support import ROOT, model
 
 
 def parse(text: str | bytes, folder: Path) -> tuple[Node | None, list[str]]:
@@ -27,9 +28,9 @@ def parse(text: str | bytes, folder: Path) -> tuple[Node | None, list[str]]:
     ("text", "value"),
     [
         ("true", True), ("false", False), ("True", "True"), ("yes", "yes"), ("no", "no"), ("on", "on"), ("off", "off"),
-        ("~", None), ("null", None), ("", None), ("Null", "Null"), ("0", 0), ("-7", -7), ("+7", 7), ("007", 7),
-        ("0x1F", 31), ("0xff", 255), ("0x", "0x"), ("1_000", "1_000"), ("0b1", "0b1"), ("12:30", "12:30"),
-        ("1.5", 1.5), (".5", 0.5), ("1.", 1.0), ("1e3", 1000.0), ("-2.5E-1", -0.25), ("1e999", math.inf),
+        ("~", None), ("null", None), ("", None), ("Null", "Null"), ("0", 0), ("-7", -7),
+        ("0x1F", 31), ("0xff", 255), ("0x", "0x"), ("12:30", "12:30"), ("1-2", "1-2"), ("1.2.3", "1.2.3"),
+        ("1.5", 1.5), ("1e3", 1000.0), ("-2.5E-1", -0.25), ("1e999", "1e999"), (".", "."), ("_1", "_1"),
         (".inf", ".inf"), (".nan", ".nan"), ("2026-01-01", "2026-01-01"), ("=", "="), ("<<", "<<"),
         ("'1'", "1"), ('"true"', "true"), ("''", ""), ("9" * 41, "9" * 41), ("9" * 40, int("9" * 40)),
     ],
@@ -98,7 +99,7 @@ def test_a_folder_in_place_of_a_file(tmp_path: Path) -> None:
 
 
 def test_no_folder_at_all(tmp_path: Path) -> None:
-    with pytest.raises(SpecError, match=r"nowhere:1:1: error: this is no specification"):
+    with pytest.raises(SpecError, match=r"nowhere:1:1: error: this is not a specification"):
         load_model(tmp_path / "nowhere")
 
 
@@ -125,4 +126,33 @@ def test_problems_are_sorted_and_counted_once() -> None:
 
 
 def test_many_choices_are_cut() -> None:
-    assert nearest("zzz", [f"a{i:02}" for i in range(20)]).endswith("a10, a11, …")
+    whole, many = ([f"a{i:03}" for i in range(n)] for n in (MANY, 3 * MANY))
+    assert nearest("zzz", whole) == f"; known: {', '.join(whole)}"
+    assert nearest("zzz", many) == f"; known: {', '.join(many[:MANY])}, … ({3 * MANY} in all)"
+
+
+def test_choices_keep_their_order() -> None:
+    assert nearest("zzz", ["u8", "u16", "bool", "u8"]) == "; known: u8, u16, bool"
+    assert nearest("zzz", {"b", "a"}) == "; known: a, b"
+
+
+def test_usual_spellings_are_ours() -> None:
+    """Each synonym leads to a word of the main specification, and none is a word of ours already."""
+    found = model("real")
+    ours = {*SCALARS, *(t.name for t in found.types), *(u.symbol for u in found.protocol.units)}
+    keys = {"description", "range", "count"}
+    for word, spellings in spelling.SYNONYMS.items():
+        assert word in ours | keys, word
+        for spelled in spellings:
+            assert spelling.usual(spelled, [word]) == word
+            assert spelled not in ours or word in keys or (word, spelled) == ("u8", "byte")
+    assert len({s.casefold() for x in spelling.SYNONYMS.values() for s in x}) == sum(
+        map(len, spelling.SYNONYMS.values())
+    )
+
+
+def test_samples_of_the_language_can_be_read(tmp_path: Path) -> None:
+    samples = re.findall(r"```yaml\n(.*?)```", (ROOT / "spec/README.md").read_text("utf-8"), re.DOTALL)
+    assert len(samples) >= 7
+    for sample in samples:
+        assert parse(sample, tmp_path)[1] == []

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from mipgen import cli, render
-from support import ROOT, SPECS, all_fields, model
+from support import ROOT, SPECS, all_fields, model, parse_as
 
 
 def mipgen(*arguments: str, root: Path = ROOT, **environment: str) -> subprocess.CompletedProcess[str]:
@@ -50,6 +50,11 @@ def test_the_same_from_anywhere(first: Path, tmp_path: Path) -> None:
     done = mipgen("generate", "--out", str(tmp_path / "out"), root=copy, **strange)
     assert done.returncode == 0, done.stderr
     assert tree(tmp_path / "out") == tree(first)
+
+
+@pytest.mark.parametrize("version", ["3.10", "3.12", "3.13"])
+def test_the_syntax_of_another_python(version: str) -> None:
+    parse_as(version, ROOT / "generator/mipgen")
 
 
 def test_a_second_run_touches_nothing(first: Path) -> None:

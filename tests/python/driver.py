@@ -10,7 +10,21 @@ import struct
 import sys
 from typing import Any
 
-from mip_protocol import DecodeError, EncodeError, Packet, PacketBuilder, PacketError, Parser, registry
+from mip_protocol import (
+    Answer,
+    Client,
+    Command,
+    DecodeError,
+    EncodeError,
+    MissingResponse,
+    Packet,
+    PacketBuilder,
+    PacketError,
+    Parser,
+    RawField,
+    Received,
+    registry,
+)
 from mip_protocol.codec import single_from_bits, single_to_bits
 from mip_protocol.field import Structure, chosen
 from mip_protocol.reflection import PARAMETERS, Parameter
@@ -18,7 +32,7 @@ from mip_protocol.reflection import PARAMETERS, Parameter
 
 def answer(request: Any) -> dict[str, Any]:
     try:
-        return {"parse": parse, "decode": decode, "encode": encode}[request["op"]](request)
+        return {"parse": parse, "decode": decode, "encode": encode, "client": client}[request["op"]](request)
     except EncodeError as error:
         return {"error": error.kind}
     except (KeyError, TypeError, ValueError, AttributeError):
@@ -44,24 +58,45 @@ def decode(request: dict[str, Any]) -> dict[str, Any]:
         packet = Packet(bytes.fromhex(request["packet"]))
     except PacketError as error:
         return {"error": error.kind}
-    fields: list[dict[str, Any]] = []
+    return {"set": packet.set, "fields": [*map(decoded, fields_of(packet)), *malformed(packet)]}
+
+
+def fields_of(packet: Packet) -> list[RawField]:
+    """Those before a malformed one."""
+    fields = []
     try:
         for raw in packet:
-            kind = chosen(registry.types(raw.set, raw.descriptor), raw)
-            shown: dict[str, Any] = {"descriptor": raw.descriptor}
-            try:
-                if kind is None:
-                    shown["raw"] = raw.data.hex()
-                else:
-                    value, trailing = kind.decode_with_trailing(raw.data)
-                    shown |= {"name": kind.NAME, "role": kind.ROLE}
-                    shown |= {"values": record(value), "trailing": trailing}
-            except DecodeError as error:
-                shown |= {"error": error.kind, "raw": raw.data.hex()}
-            fields.append(shown)
+            fields.append(raw)
+    except PacketError:
+        pass
+    return fields
+
+
+def malformed(packet: Packet) -> list[dict[str, Any]]:
+    try:
+        list(packet)
     except PacketError as error:
-        fields.append({"error": error.kind})
-    return {"set": packet.set, "fields": fields}
+        return [{"error": error.kind}]
+    return []
+
+
+def decoded(raw: RawField) -> dict[str, Any]:
+    kind = chosen(registry.types(raw.set, raw.descriptor), raw)
+    try:
+        if kind is None:
+            return {"descriptor": raw.descriptor, "raw": raw.data.hex()}
+        return with_values(raw, *kind.decode_with_trailing(raw.data))
+    except DecodeError as error:
+        return broken(raw, error)
+
+
+def with_values(raw: RawField, value: Any, trailing: int) -> dict[str, Any]:
+    shown: dict[str, Any] = {"descriptor": raw.descriptor, "name": value.NAME, "role": value.ROLE}
+    return shown | {"values": record(value), "trailing": trailing}
+
+
+def broken(raw: RawField, error: Any) -> dict[str, Any]:
+    return {"descriptor": raw.descriptor, "error": error.kind, "raw": raw.data.hex()}
 
 
 def record(value: Structure) -> dict[str, Any]:
@@ -220,6 +255,101 @@ def parsed_number(p: Parameter, value: Any) -> Any:
             raise EncodeError("range", p.name)
         return single_from_bits(int.from_bytes(raw, "big")) if len(raw) == 4 else struct.unpack(">d", raw)[0]
     return int(value)
+
+
+# --------------------------------------------------------------------------- client
+
+
+def client(request: dict[str, Any]) -> dict[str, Any]:
+    if not isinstance(request["steps"], list):
+        raise ValueError("no list of steps")
+    return {"events": Session().play(request["steps"])}
+
+
+class Session:
+    """A client, what it has sent, and what has happened."""
+
+    def __init__(self) -> None:
+        self.client = Client()
+        self.now = 0  # milliseconds
+        self.sent: list[Command] = []
+        self.events: list[dict[str, Any]] = []
+
+    def play(self, steps: list[dict[str, Any]]) -> list[dict[str, Any]]:
+        known = {"send": self.send, "receive": self.receive, "time": self.time, "end": self.end}
+        for step in steps:
+            known[step["step"]](step)
+        return self.events
+
+    def number(self, command: Command) -> int:
+        return next(i for i, c in enumerate(self.sent) if c is command)
+
+    def happens(self, event: str, **what: Any) -> None:
+        self.events.append({"event": event, **what})
+
+    def send(self, step: dict[str, Any]) -> None:
+        if not 1 <= step["set"] <= 255 or not step["fields"]:
+            raise ValueError("neither a set nor a command")
+        try:
+            commands = [self.command(step["set"], f) for f in step["fields"]]
+            packet = self.client.send(*commands, now=self.now / 1000)
+        except EncodeError as error:
+            self.happens("not_sent", error=error.kind)
+            return
+        self.sent += commands
+        self.happens("sent", packet=packet.hex(), commands=[self.number(c) for c in commands])
+        for command in commands:
+            if not any(c is command for c in self.client.pending):
+                self.happens("silent", command=self.number(command))
+
+    def command(self, number: int, field: dict[str, Any]) -> Any:
+        kinds = registry.types(number, field["descriptor"])
+        kind = next((k for k in kinds if field["name"] == k.NAME and issubclass(k, Command)), None)
+        if kind is None:
+            raise EncodeError("unknown", field["name"])
+        return built(kind, field["values"])
+
+    def receive(self, step: dict[str, Any]) -> None:
+        data = bytes.fromhex(step["bytes"])
+        chunk = step.get("chunk", len(data) or 1)
+        if chunk < 1:
+            raise ValueError("no chunk")
+        for at in range(0, len(data), chunk):
+            self.show(self.client.receive(data[at : at + chunk], now=self.now / 1000))
+
+    def time(self, step: dict[str, Any]) -> None:
+        if step["milliseconds"] < 0:
+            raise ValueError("time does not go back")
+        self.now += step["milliseconds"]
+        self.show(self.client.poll(now=self.now / 1000))
+
+    def end(self, step: dict[str, Any]) -> None:
+        self.show(self.client.flush(now=self.now / 1000))
+        self.happens("end", waiting=[self.number(c) for c in self.client.pending], skipped=self.client.skipped)
+
+    def show(self, events: list[Any]) -> None:
+        for event in events:
+            if isinstance(event, Answer):
+                self.answer(event)
+            elif isinstance(event, Received):
+                fields = [*map(decoded, event.fields), *malformed(event.packet)]
+                self.happens("received", set=event.packet.set, fields=fields)
+            else:
+                self.happens("timed_out", command=self.number(event.command))
+
+    def answer(self, event: Answer) -> None:
+        number = self.number(event.command)
+        if not event.accepted:
+            self.happens("refused", command=number, code=int(event.code))
+        elif isinstance(event.error, MissingResponse):
+            self.happens("missing_response", command=number)
+        elif event.raw is None:
+            self.happens("acknowledged", command=number)
+        elif event.error is not None:
+            self.happens("undecodable", command=number, response=broken(event.raw, event.error))
+        else:
+            trailing = type(event.response).decode_with_trailing(event.raw.data)[1]  # type: ignore[union-attr]
+            self.happens("acknowledged", command=number, response=with_values(event.raw, event.response, trailing))
 
 
 def main() -> None:

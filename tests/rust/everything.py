@@ -6,13 +6,16 @@ here as a user would write it. Nothing is listed by hand, so nothing can be forg
 
 from __future__ import annotations
 
+import json
 import random
 from collections.abc import Iterator
 from typing import Any
 
+from conformance.client_model import wanted_response
 from mipgen import codec
 from mipgen import model as m
 from mipgen.targets import rust
+from support import sent
 
 HEAD = """//! Made by everything.py.
 
@@ -81,6 +84,11 @@ def test(name: str, lines: Iterator[str]) -> str:
 def path(t: m.Type | m.Field) -> str:
     """The name of a type for a user of the crate."""
     return f"mip_protocol::{rust.path(t, '').removeprefix('crate::')}"
+
+
+def text(words: str) -> str:
+    """A string literal."""
+    return json.dumps(" ".join(words.split()), ensure_ascii=False)
 
 
 def data_literal(data: bytes) -> str:
@@ -169,11 +177,11 @@ class _Writer:
         data = codec.encode(f, values)
         silent = [c for c in f.silent_when if values.get(c.parameter) == c.value]
         replies = (function is None or function.reply) and not (f.silent_when and len(silent) == len(f.silent_when))
-        responds = bool(f.responses) and (function is None or function.responds)
+        wanted = wanted_response(self.model, f, values)
         yield f"let command = {expression};"
         yield f"same(command, {data_literal(data)});"
         yield f"assert_eq!(command.expects_reply(), {str(replies).lower()});"
-        yield f"assert_eq!(command.expects_response(), {str(responds).lower()});"
+        yield f"assert_eq!(command.expects_response(), {str(wanted is not None).lower()});"
 
     def prefixes(self, f: m.Field, data: bytes) -> list[int]:
         found = []
@@ -194,7 +202,7 @@ class _Writer:
             if p.selector or p.constant is not None or (p.name not in needed and p.counts not in needed):
                 continue
             if p.reserved is not None:
-                values[p.name] = [p.reserved] * p.length if isinstance(p.length, int) else p.reserved
+                values[p.name] = sent(p)
                 continue
             union = next((q for q in record.parameters if q.tag == p.name and q.name in arguments), None)
             if union is not None:
@@ -307,8 +315,30 @@ class _Writer:
             yield f'assert_eq!(field.name, "{name}");'
             yield f"assert_eq!(field.functions.iter().map(|f| f.0).collect::<Vec<u8>>(), {functions});"
         yield f"assert_eq!({of}.fields.len(), {len(d.fields)});"
-        for x in d.limits:
+        number = "None" if d.model_number is None else f"Some({d.model_number})"
+        yield f"assert_eq!(({of}.id, {of}.title, {of}.model_number), ({text(d.id)}, {text(d.title)}, {number}));"
+        yield f"assert_eq!({of}.description, {text(d.description)});"
+        rates = dict(d.base_rates)
+        for s in self.model.sets:
+            rate = f"Some({float(rates[s.name])!r})" if s.name in rates else "None"
+            yield f"assert_eq!({of}.base_rate({s.number}), {rate});"
+        for i, port in enumerate(d.ports):
+            yield f"let port = &{of}.ports[{i}];"
+            identity = "None" if port.id is None else f"Some({port.id})"
+            yield f"assert_eq!((port.name, port.id), ({text(port.name)}, {identity}));"
+            yield f"assert_eq!(port.baud_rates, [{', '.join(map(str, port.baud_rates))}]);"
+            protocols = ", ".join(map(text, port.protocols))
+            yield f"assert_eq!(port.protocols, [{protocols}] as [&str; {len(port.protocols)}]);"
+        for i, x in enumerate(d.limits):
+            unit = f"Some({text(x.unit)})" if x.unit else "None"
+            yield f"let limit = &{of}.limits[{i}];"
+            yield f"assert_eq!((limit.unit, limit.description), ({unit}, {text(x.description)}));"
             yield f'assert_eq!({of}.limit("{x.name}"), Some({float(x.value)!r}));'
+        read = ", ".join(f"({text(name)}, {text(t.name)})" for name, t in d.readings)
+        pairs = f"{of}.readings.iter().map(|r| (r.of, r.read_as)).collect::<Vec<(&str, &str)>>()"
+        yield f"assert_eq!({pairs}, [{read}] as [(&str, &str); {len(d.readings)}]);"
+        counts = [len(d.base_rates), len(d.ports), len(d.limits)]
+        yield f"assert_eq!([{of}.base_rates.len(), {of}.ports.len(), {of}.limits.len()], {counts});"
         codes = list(d.ack_codes)
         yield f"assert_eq!({of}.ack_codes.iter().map(|c| c.0).collect::<Vec<u8>>(), {codes});"
 
@@ -323,20 +353,20 @@ def defaults(f: m.Field | m.Struct) -> codec.Values:
     values: codec.Values = {}
     for p in f.parameters:
         if p.constant is None and not p.optional:
-            values[p.name] = default(p.operation, p.reserved or 0, values)
+            values[p.name] = sent(p) if p.reserved is not None else default(p.operation)
     return values
 
 
-def default(op: m.Operation, number: int, values: codec.Values) -> Any:
+def default(op: m.Operation) -> Any:
     match op:
         case m.ScalarOp() | m.CounterOp():
-            return "0x" + "00" * op.size if op.scalar.kind == "float" else number
+            return "0x" + "00" * op.size if op.scalar.kind == "float" else 0
         case m.BitsOp():
             return [0] * op.size
         case m.TextOp():
             return " " * (op.count or 0)
         case m.ArrayOp():
-            return [default(op.item, number, {}) for _ in range(op.count or 0)]
+            return [default(op.item) for _ in range(op.count or 0)]
         case m.StructOp():
             return defaults(op.struct)
         case m.SwitchOp():
@@ -344,5 +374,5 @@ def default(op: m.Operation, number: int, values: codec.Values) -> Any:
             if case is None or case.operation is None:
                 return {}
             assert not isinstance(case.operation, m.GroupOp)
-            return {case.operation.member: default(case.operation, 0, {})}
+            return {case.operation.member: default(case.operation)}
     raise AssertionError(op)

@@ -40,7 +40,10 @@ pub extern "C" fn _start() -> ! {
         if let Ok(packet) = Packet::new(input()) {
             look_into(&packet, &mut client, &mut builder);
         }
-        for event in client.expire(black_box(7)) {
+        while let Some(packet) = client.poll(&mut parser, black_box(7)) {
+            look_into(&packet, &mut client, &mut builder);
+        }
+        for event in client.events() {
             black_box(event);
         }
         black_box(parser.skipped());

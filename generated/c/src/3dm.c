@@ -13,6 +13,24 @@ void mip_3dm_poll_entry_write(struct mip_writer *w, const struct mip_3dm_poll_en
     mip_write_u16(w, &v->reserved, 1);
 }
 
+void mip_3dm_constellation_settings_entry_read(struct mip_reader *r,
+                                               struct mip_3dm_constellation_settings_entry *v) {
+    mip_read_u8(r, &v->constellation_id, 1);
+    mip_read_u8(r, &v->enable, 1);
+    mip_read_u8(r, &v->reserved_channels, 1);
+    mip_read_u8(r, &v->max_channels, 1);
+    mip_read_u16(r, &v->option_flags, 1);
+}
+
+void mip_3dm_constellation_settings_entry_write(
+    struct mip_writer *w, const struct mip_3dm_constellation_settings_entry *v) {
+    mip_write_u8(w, &v->constellation_id, 1);
+    mip_write_u8(w, &v->enable, 1);
+    mip_write_u8(w, &v->reserved_channels, 1);
+    mip_write_u8(w, &v->max_channels, 1);
+    mip_write_u16(w, &v->option_flags, 1);
+}
+
 void mip_3dm_supported_event_info_read(struct mip_reader *r,
                                        struct mip_3dm_supported_event_info *v) {
     mip_read_u8(r, &v->type, 1);
@@ -84,14 +102,15 @@ static bool silent_poll_imu_data(const void *value) {
 }
 
 const struct mip_codec mip_3dm_poll_imu_data_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_POLL_IMU_DATA_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_poll_imu_data),
-    0,
+    0, /* time-out */
     read_poll_imu_data,
     write_poll_imu_data,
     silent_poll_imu_data,
+    NULL,
 };
 
 mip_error mip_3dm_poll_imu_data_decode(struct mip_3dm_poll_imu_data *value,
@@ -108,6 +127,63 @@ mip_error mip_3dm_poll_imu_data_encode(const struct mip_3dm_poll_imu_data *value
 struct mip_3dm_poll_imu_data mip_3dm_poll_imu_data_make(
     mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
     struct mip_3dm_poll_imu_data v;
+    memset(&v, 0, sizeof(v));
+    v.suppress_ack = suppress_ack;
+    v.num_descriptors = num_descriptors;
+    mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
+             num_descriptors * sizeof(descriptors[0]));
+    return v;
+}
+
+static void read_poll_gnss_data(struct mip_reader *r, void *value) {
+    struct mip_3dm_poll_gnss_data *v = (struct mip_3dm_poll_gnss_data *)value;
+    mip_read_bool(r, &v->suppress_ack, 1);
+    mip_read_u8(r, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
+        mip_3dm_poll_entry_read(r, &v->descriptors[i]);
+    }
+}
+
+static void write_poll_gnss_data(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_poll_gnss_data *v = (const struct mip_3dm_poll_gnss_data *)value;
+    mip_write_bool(w, &v->suppress_ack, 1);
+    mip_write_u8(w, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
+        mip_3dm_poll_entry_write(w, &v->descriptors[i]);
+    }
+}
+
+static bool silent_poll_gnss_data(const void *value) {
+    const struct mip_3dm_poll_gnss_data *v = (const struct mip_3dm_poll_gnss_data *)value;
+    return v->suppress_ack == 1;
+}
+
+const struct mip_codec mip_3dm_poll_gnss_data_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_POLL_GNSS_DATA_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_poll_gnss_data),
+    0, /* time-out */
+    read_poll_gnss_data,
+    write_poll_gnss_data,
+    silent_poll_gnss_data,
+    NULL,
+};
+
+mip_error mip_3dm_poll_gnss_data_decode(struct mip_3dm_poll_gnss_data *value,
+                                        const struct mip_field *field) {
+    return mip_decode_field(field, read_poll_gnss_data, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_poll_gnss_data_encode(const struct mip_3dm_poll_gnss_data *value,
+                                        struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_POLL_GNSS_DATA_DESCRIPTOR, write_poll_gnss_data,
+                            value);
+}
+
+struct mip_3dm_poll_gnss_data mip_3dm_poll_gnss_data_make(
+    mip_bool suppress_ack, uint8_t num_descriptors, const struct mip_3dm_poll_entry descriptors[]) {
+    struct mip_3dm_poll_gnss_data v;
     memset(&v, 0, sizeof(v));
     v.suppress_ack = suppress_ack;
     v.num_descriptors = num_descriptors;
@@ -143,14 +219,15 @@ static bool silent_poll_estimation_filter_data(const void *value) {
 }
 
 const struct mip_codec mip_3dm_poll_estimation_filter_data_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_POLL_ESTIMATION_FILTER_DATA_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_poll_estimation_filter_data),
-    0,
+    0, /* time-out */
     read_poll_estimation_filter_data,
     write_poll_estimation_filter_data,
     silent_poll_estimation_filter_data,
+    NULL,
 };
 
 mip_error mip_3dm_poll_estimation_filter_data_decode(
@@ -199,14 +276,15 @@ static bool silent_poll_nmea_data(const void *value) {
 }
 
 const struct mip_codec mip_3dm_poll_nmea_data_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_POLL_NMEA_DATA_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_poll_nmea_data),
-    0,
+    0, /* time-out */
     read_poll_nmea_data,
     write_poll_nmea_data,
     silent_poll_nmea_data,
+    NULL,
 };
 
 mip_error mip_3dm_poll_nmea_data_decode(struct mip_3dm_poll_nmea_data *value,
@@ -231,15 +309,21 @@ struct mip_3dm_poll_nmea_data mip_3dm_poll_nmea_data_make(
     return v;
 }
 
+static const struct mip_response responses_get_imu_data_base_rate[] = {
+    {&mip_3dm_get_imu_data_base_rate_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_imu_data_base_rate_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_IMU_DATA_BASE_RATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_imu_data_base_rate),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_imu_data_base_rate,
 };
 
 mip_error mip_3dm_get_imu_data_base_rate_decode(struct mip_3dm_get_imu_data_base_rate *value,
@@ -266,13 +350,14 @@ static void write_get_imu_data_base_rate_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_3dm_get_imu_data_base_rate_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_IMU_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_imu_data_base_rate_response),
-    0,
+    0, /* time-out */
     read_get_imu_data_base_rate_response,
     write_get_imu_data_base_rate_response,
+    NULL,
     NULL,
 };
 
@@ -286,6 +371,70 @@ mip_error mip_3dm_get_imu_data_base_rate_response_encode(
     const struct mip_3dm_get_imu_data_base_rate_response *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0C, MIP_3DM_GET_IMU_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
                             write_get_imu_data_base_rate_response, value);
+}
+
+static const struct mip_response responses_get_gnss_data_base_rate[] = {
+    {&mip_3dm_get_gnss_data_base_rate_response_codec, NULL},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_3dm_get_gnss_data_base_rate_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_GET_GNSS_DATA_BASE_RATE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_get_gnss_data_base_rate),
+    0, /* time-out */
+    mip_read_nothing,
+    mip_write_nothing,
+    NULL,
+    responses_get_gnss_data_base_rate,
+};
+
+mip_error mip_3dm_get_gnss_data_base_rate_decode(struct mip_3dm_get_gnss_data_base_rate *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_get_gnss_data_base_rate_encode(
+    const struct mip_3dm_get_gnss_data_base_rate *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_GNSS_DATA_BASE_RATE_DESCRIPTOR,
+                            mip_write_nothing, value);
+}
+
+static void read_get_gnss_data_base_rate_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_get_gnss_data_base_rate_response *v =
+        (struct mip_3dm_get_gnss_data_base_rate_response *)value;
+    mip_read_u16(r, &v->rate, 1);
+}
+
+static void write_get_gnss_data_base_rate_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_get_gnss_data_base_rate_response *v =
+        (const struct mip_3dm_get_gnss_data_base_rate_response *)value;
+    mip_write_u16(w, &v->rate, 1);
+}
+
+const struct mip_codec mip_3dm_get_gnss_data_base_rate_response_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_GET_GNSS_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_get_gnss_data_base_rate_response),
+    0, /* time-out */
+    read_get_gnss_data_base_rate_response,
+    write_get_gnss_data_base_rate_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_3dm_get_gnss_data_base_rate_response_decode(
+    struct mip_3dm_get_gnss_data_base_rate_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_get_gnss_data_base_rate_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_3dm_get_gnss_data_base_rate_response_encode(
+    const struct mip_3dm_get_gnss_data_base_rate_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GET_GNSS_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
+                            write_get_gnss_data_base_rate_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -316,15 +465,27 @@ static void write_imu_message_format(struct mip_writer *w, const void *value) {
     }
 }
 
+static bool asked_imu_message_format_1(const void *value) {
+    const struct mip_3dm_imu_message_format *v = (const struct mip_3dm_imu_message_format *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_imu_message_format[] = {
+    {&mip_3dm_imu_message_format_response_codec, asked_imu_message_format_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_imu_message_format_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_IMU_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_imu_message_format),
-    0,
+    0, /* time-out */
     read_imu_message_format,
     write_imu_message_format,
     NULL,
+    responses_imu_message_format,
 };
 
 mip_error mip_3dm_imu_message_format_decode(struct mip_3dm_imu_message_format *value,
@@ -396,13 +557,14 @@ static void write_imu_message_format_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_imu_message_format_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_imu_message_format_response),
-    0,
+    0, /* time-out */
     read_imu_message_format_response,
     write_imu_message_format_response,
+    NULL,
     NULL,
 };
 
@@ -415,6 +577,148 @@ mip_error mip_3dm_imu_message_format_response_encode(
     const struct mip_3dm_imu_message_format_response *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0C, MIP_3DM_IMU_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
                             write_imu_message_format_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gnss_message_format[] = {0, 2, 0, 0, 0, 0};
+
+static void read_gnss_message_format(struct mip_reader *r, void *value) {
+    struct mip_3dm_gnss_message_format *v = (struct mip_3dm_gnss_message_format *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gnss_message_format,
+                      sizeof(required_gnss_message_format));
+    mip_read_group(r, 1, 2);
+    mip_read_u8(r, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 83, 3); i < n; i++) {
+        mip_descriptor_rate_read(r, &v->descriptors[i]);
+    }
+    v->present = mip_read_present(r);
+}
+
+static void write_gnss_message_format(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gnss_message_format *v = (const struct mip_3dm_gnss_message_format *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gnss_message_format,
+                       sizeof(required_gnss_message_format), v->present);
+    mip_write_group(w, 1, 2);
+    mip_write_u8(w, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 83); i < n; i++) {
+        mip_descriptor_rate_write(w, &v->descriptors[i]);
+    }
+}
+
+static bool asked_gnss_message_format_1(const void *value) {
+    const struct mip_3dm_gnss_message_format *v = (const struct mip_3dm_gnss_message_format *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_message_format[] = {
+    {&mip_3dm_gnss_message_format_response_codec, asked_gnss_message_format_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_3dm_gnss_message_format_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_GNSS_MESSAGE_FORMAT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_gnss_message_format),
+    0, /* time-out */
+    read_gnss_message_format,
+    write_gnss_message_format,
+    NULL,
+    responses_gnss_message_format,
+};
+
+mip_error mip_3dm_gnss_message_format_decode(struct mip_3dm_gnss_message_format *value,
+                                             const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_message_format, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gnss_message_format_encode(const struct mip_3dm_gnss_message_format *value,
+                                             struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_MESSAGE_FORMAT_DESCRIPTOR,
+                            write_gnss_message_format, value);
+}
+
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_write(
+    uint8_t num_descriptors, const struct mip_descriptor_rate descriptors[]) {
+    struct mip_3dm_gnss_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.num_descriptors = num_descriptors;
+    mip_copy(v.descriptors, sizeof(v.descriptors), descriptors,
+             num_descriptors * sizeof(descriptors[0]));
+    return v;
+}
+
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_read(void) {
+    struct mip_3dm_gnss_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_save(void) {
+    struct mip_3dm_gnss_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_load(void) {
+    struct mip_3dm_gnss_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_gnss_message_format mip_3dm_gnss_message_format_default(void) {
+    struct mip_3dm_gnss_message_format v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_gnss_message_format_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_gnss_message_format_response *v =
+        (struct mip_3dm_gnss_message_format_response *)value;
+    mip_read_u8(r, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->num_descriptors, 84, 3); i < n; i++) {
+        mip_descriptor_rate_read(r, &v->descriptors[i]);
+    }
+}
+
+static void write_gnss_message_format_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gnss_message_format_response *v =
+        (const struct mip_3dm_gnss_message_format_response *)value;
+    mip_write_u8(w, &v->num_descriptors, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->num_descriptors, 84); i < n; i++) {
+        mip_descriptor_rate_write(w, &v->descriptors[i]);
+    }
+}
+
+const struct mip_codec mip_3dm_gnss_message_format_response_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_gnss_message_format_response),
+    0, /* time-out */
+    read_gnss_message_format_response,
+    write_gnss_message_format_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_3dm_gnss_message_format_response_decode(
+    struct mip_3dm_gnss_message_format_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_message_format_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gnss_message_format_response_encode(
+    const struct mip_3dm_gnss_message_format_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
+                            write_gnss_message_format_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -447,15 +751,29 @@ static void write_estimation_filter_message_format(struct mip_writer *w, const v
     }
 }
 
+static bool asked_estimation_filter_message_format_1(const void *value) {
+    const struct mip_3dm_estimation_filter_message_format *v =
+        (const struct mip_3dm_estimation_filter_message_format *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_estimation_filter_message_format[] = {
+    {&mip_3dm_estimation_filter_message_format_response_codec,
+     asked_estimation_filter_message_format_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_estimation_filter_message_format_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_estimation_filter_message_format),
-    0,
+    0, /* time-out */
     read_estimation_filter_message_format,
     write_estimation_filter_message_format,
     NULL,
+    responses_estimation_filter_message_format,
 };
 
 mip_error mip_3dm_estimation_filter_message_format_decode(
@@ -533,13 +851,14 @@ static void write_estimation_filter_message_format_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_3dm_estimation_filter_message_format_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_estimation_filter_message_format_response),
-    0,
+    0, /* time-out */
     read_estimation_filter_message_format_response,
     write_estimation_filter_message_format_response,
+    NULL,
     NULL,
 };
 
@@ -558,15 +877,21 @@ mip_error mip_3dm_estimation_filter_message_format_response_encode(
                             write_estimation_filter_message_format_response, value);
 }
 
+static const struct mip_response responses_get_estimation_filter_data_base_rate[] = {
+    {&mip_3dm_get_estimation_filter_data_base_rate_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_estimation_filter_data_base_rate),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_estimation_filter_data_base_rate,
 };
 
 mip_error mip_3dm_get_estimation_filter_data_base_rate_decode(
@@ -594,13 +919,14 @@ static void write_get_estimation_filter_data_base_rate_response(struct mip_write
 }
 
 const struct mip_codec mip_3dm_get_estimation_filter_data_base_rate_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_estimation_filter_data_base_rate_response),
-    0,
+    0, /* time-out */
     read_get_estimation_filter_data_base_rate_response,
     write_get_estimation_filter_data_base_rate_response,
+    NULL,
     NULL,
 };
 
@@ -647,15 +973,27 @@ static void write_nmea_message_format(struct mip_writer *w, const void *value) {
     }
 }
 
+static bool asked_nmea_message_format_1(const void *value) {
+    const struct mip_3dm_nmea_message_format *v = (const struct mip_3dm_nmea_message_format *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_nmea_message_format[] = {
+    {&mip_3dm_nmea_message_format_response_codec, asked_nmea_message_format_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_nmea_message_format_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_NMEA_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_nmea_message_format),
-    0,
+    0, /* time-out */
     read_nmea_message_format,
     write_nmea_message_format,
     NULL,
+    responses_nmea_message_format,
 };
 
 mip_error mip_3dm_nmea_message_format_decode(struct mip_3dm_nmea_message_format *value,
@@ -669,8 +1007,8 @@ mip_error mip_3dm_nmea_message_format_encode(const struct mip_3dm_nmea_message_f
                             write_nmea_message_format, value);
 }
 
-struct mip_3dm_nmea_message_format mip_3dm_nmea_message_format_write(
-    uint8_t count, const struct mip_nmea_message format_entries[]) {
+struct mip_3dm_nmea_message_format
+mip_3dm_nmea_message_format_write(uint8_t count, const struct mip_nmea_message format_entries[]) {
     struct mip_3dm_nmea_message_format v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -727,13 +1065,14 @@ static void write_nmea_message_format_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_3dm_nmea_message_format_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_NMEA_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_nmea_message_format_response),
-    0,
+    0, /* time-out */
     read_nmea_message_format_response,
     write_nmea_message_format_response,
+    NULL,
     NULL,
 };
 
@@ -770,14 +1109,15 @@ static bool silent_poll_data(const void *value) {
 }
 
 const struct mip_codec mip_3dm_poll_data_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_POLL_DATA_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_poll_data),
-    0,
+    0, /* time-out */
     read_poll_data,
     write_poll_data,
     silent_poll_data,
+    NULL,
 };
 
 mip_error mip_3dm_poll_data_decode(struct mip_3dm_poll_data *value, const struct mip_field *field) {
@@ -812,15 +1152,21 @@ static void write_get_data_base_rate(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->desc_set, 1);
 }
 
+static const struct mip_response responses_get_data_base_rate[] = {
+    {&mip_3dm_get_data_base_rate_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_data_base_rate_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_DATA_BASE_RATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_data_base_rate),
-    0,
+    0, /* time-out */
     read_get_data_base_rate,
     write_get_data_base_rate,
     NULL,
+    responses_get_data_base_rate,
 };
 
 mip_error mip_3dm_get_data_base_rate_decode(struct mip_3dm_get_data_base_rate *value,
@@ -856,13 +1202,14 @@ static void write_get_data_base_rate_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_get_data_base_rate_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_DATA_BASE_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_data_base_rate_response),
-    0,
+    0, /* time-out */
     read_get_data_base_rate_response,
     write_get_data_base_rate_response,
+    NULL,
     NULL,
 };
 
@@ -908,15 +1255,27 @@ static void write_message_format(struct mip_writer *w, const void *value) {
     }
 }
 
+static bool asked_message_format_1(const void *value) {
+    const struct mip_3dm_message_format *v = (const struct mip_3dm_message_format *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_message_format[] = {
+    {&mip_3dm_message_format_response_codec, asked_message_format_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_message_format_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MESSAGE_FORMAT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_message_format),
-    0,
+    0, /* time-out */
     read_message_format,
     write_message_format,
     NULL,
+    responses_message_format,
 };
 
 mip_error mip_3dm_message_format_decode(struct mip_3dm_message_format *value,
@@ -994,13 +1353,14 @@ static void write_message_format_response(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_3dm_message_format_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MESSAGE_FORMAT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_message_format_response),
-    0,
+    0, /* time-out */
     read_message_format_response,
     write_message_format_response,
+    NULL,
     NULL,
 };
 
@@ -1028,13 +1388,14 @@ static void write_factory_streaming(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_factory_streaming_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_FACTORY_STREAMING_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_factory_streaming),
-    0,
+    0, /* time-out */
     read_factory_streaming,
     write_factory_streaming,
+    NULL,
     NULL,
 };
 
@@ -1049,8 +1410,8 @@ mip_error mip_3dm_factory_streaming_encode(const struct mip_3dm_factory_streamin
                             write_factory_streaming, value);
 }
 
-struct mip_3dm_factory_streaming mip_3dm_factory_streaming_make(
-    mip_3dm_factory_streaming_action action) {
+struct mip_3dm_factory_streaming
+mip_3dm_factory_streaming_make(mip_3dm_factory_streaming_action action) {
     struct mip_3dm_factory_streaming v;
     memset(&v, 0, sizeof(v));
     v.action = action;
@@ -1083,15 +1444,27 @@ static void write_data_stream_control(struct mip_writer *w, const void *value) {
     mip_write_bool(w, &v->enable, 1);
 }
 
+static bool asked_data_stream_control_1(const void *value) {
+    const struct mip_3dm_data_stream_control *v = (const struct mip_3dm_data_stream_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_data_stream_control[] = {
+    {&mip_3dm_data_stream_control_response_codec, asked_data_stream_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_data_stream_control_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DATA_STREAM_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_data_stream_control),
-    0,
+    0, /* time-out */
     read_data_stream_control,
     write_data_stream_control,
     NULL,
+    responses_data_stream_control,
 };
 
 mip_error mip_3dm_data_stream_control_decode(struct mip_3dm_data_stream_control *value,
@@ -1162,13 +1535,14 @@ static void write_data_stream_control_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_3dm_data_stream_control_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_data_stream_control_response),
-    0,
+    0, /* time-out */
     read_data_stream_control_response,
     write_data_stream_control_response,
+    NULL,
     NULL,
 };
 
@@ -1181,6 +1555,160 @@ mip_error mip_3dm_data_stream_control_response_encode(
     const struct mip_3dm_data_stream_control_response *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0C, MIP_3DM_DATA_STREAM_CONTROL_RESPONSE_DESCRIPTOR,
                             write_data_stream_control_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_constellation_settings[] = {0, 3, 0, 0, 0, 0};
+
+static void read_constellation_settings(struct mip_reader *r, void *value) {
+    struct mip_3dm_constellation_settings *v = (struct mip_3dm_constellation_settings *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_constellation_settings,
+                      sizeof(required_constellation_settings));
+    mip_read_group(r, 1, 1);
+    mip_read_u16(r, &v->max_channels, 1);
+    mip_read_group(r, 2, 3);
+    mip_read_u8(r, &v->config_count, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->config_count, 41, 6); i < n; i++) {
+        mip_3dm_constellation_settings_entry_read(r, &v->settings[i]);
+    }
+    v->present = mip_read_present(r);
+}
+
+static void write_constellation_settings(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_constellation_settings *v =
+        (const struct mip_3dm_constellation_settings *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_constellation_settings,
+                       sizeof(required_constellation_settings), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u16(w, &v->max_channels, 1);
+    mip_write_group(w, 2, 3);
+    mip_write_u8(w, &v->config_count, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->config_count, 41); i < n; i++) {
+        mip_3dm_constellation_settings_entry_write(w, &v->settings[i]);
+    }
+}
+
+static bool asked_constellation_settings_1(const void *value) {
+    const struct mip_3dm_constellation_settings *v =
+        (const struct mip_3dm_constellation_settings *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_constellation_settings[] = {
+    {&mip_3dm_constellation_settings_response_codec, asked_constellation_settings_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_3dm_constellation_settings_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_CONSTELLATION_SETTINGS_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_constellation_settings),
+    0, /* time-out */
+    read_constellation_settings,
+    write_constellation_settings,
+    NULL,
+    responses_constellation_settings,
+};
+
+mip_error mip_3dm_constellation_settings_decode(struct mip_3dm_constellation_settings *value,
+                                                const struct mip_field *field) {
+    return mip_decode_field(field, read_constellation_settings, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_constellation_settings_encode(const struct mip_3dm_constellation_settings *value,
+                                                struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_CONSTELLATION_SETTINGS_DESCRIPTOR,
+                            write_constellation_settings, value);
+}
+
+struct mip_3dm_constellation_settings
+mip_3dm_constellation_settings_write(uint16_t max_channels, uint8_t config_count,
+                                     const struct mip_3dm_constellation_settings_entry settings[]) {
+    struct mip_3dm_constellation_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.max_channels = max_channels;
+    v.config_count = config_count;
+    mip_copy(v.settings, sizeof(v.settings), settings, config_count * sizeof(settings[0]));
+    return v;
+}
+
+struct mip_3dm_constellation_settings mip_3dm_constellation_settings_read(void) {
+    struct mip_3dm_constellation_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_3dm_constellation_settings mip_3dm_constellation_settings_save(void) {
+    struct mip_3dm_constellation_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_3dm_constellation_settings mip_3dm_constellation_settings_load(void) {
+    struct mip_3dm_constellation_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_3dm_constellation_settings mip_3dm_constellation_settings_default(void) {
+    struct mip_3dm_constellation_settings v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_constellation_settings_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_constellation_settings_response *v =
+        (struct mip_3dm_constellation_settings_response *)value;
+    mip_read_u16(r, &v->max_channels_available, 1);
+    mip_read_u16(r, &v->max_channels_use, 1);
+    mip_read_u8(r, &v->config_count, 1);
+    for (size_t i = 0, n = mip_read_count(r, v->config_count, 41, 6); i < n; i++) {
+        mip_3dm_constellation_settings_entry_read(r, &v->settings[i]);
+    }
+}
+
+static void write_constellation_settings_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_constellation_settings_response *v =
+        (const struct mip_3dm_constellation_settings_response *)value;
+    mip_write_u16(w, &v->max_channels_available, 1);
+    mip_write_u16(w, &v->max_channels_use, 1);
+    mip_write_u8(w, &v->config_count, 1);
+    for (size_t i = 0, n = mip_write_count(w, v->config_count, 41); i < n; i++) {
+        mip_3dm_constellation_settings_entry_write(w, &v->settings[i]);
+    }
+}
+
+const struct mip_codec mip_3dm_constellation_settings_response_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_constellation_settings_response),
+    0, /* time-out */
+    read_constellation_settings_response,
+    write_constellation_settings_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_3dm_constellation_settings_response_decode(
+    struct mip_3dm_constellation_settings_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_constellation_settings_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_3dm_constellation_settings_response_encode(
+    const struct mip_3dm_constellation_settings_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_CONSTELLATION_SETTINGS_RESPONSE_DESCRIPTOR,
+                            write_constellation_settings_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -1215,15 +1743,27 @@ static void write_gnss_sbas_settings(struct mip_writer *w, const void *value) {
     mip_write_u16(w, v->included_prns, mip_write_count(w, v->num_included_prns, 124));
 }
 
+static bool asked_gnss_sbas_settings_1(const void *value) {
+    const struct mip_3dm_gnss_sbas_settings *v = (const struct mip_3dm_gnss_sbas_settings *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_sbas_settings[] = {
+    {&mip_3dm_gnss_sbas_settings_response_codec, asked_gnss_sbas_settings_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gnss_sbas_settings_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_SBAS_SETTINGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gnss_sbas_settings),
-    0,
+    0, /* time-out */
     read_gnss_sbas_settings,
     write_gnss_sbas_settings,
     NULL,
+    responses_gnss_sbas_settings,
 };
 
 mip_error mip_3dm_gnss_sbas_settings_decode(struct mip_3dm_gnss_sbas_settings *value,
@@ -1237,9 +1777,9 @@ mip_error mip_3dm_gnss_sbas_settings_encode(const struct mip_3dm_gnss_sbas_setti
                             write_gnss_sbas_settings, value);
 }
 
-struct mip_3dm_gnss_sbas_settings mip_3dm_gnss_sbas_settings_write(
-    uint8_t enable_sbas, mip_3dm_sbas_options sbas_options, uint8_t num_included_prns,
-    const uint16_t included_prns[]) {
+struct mip_3dm_gnss_sbas_settings
+mip_3dm_gnss_sbas_settings_write(uint8_t enable_sbas, mip_3dm_sbas_options sbas_options,
+                                 uint8_t num_included_prns, const uint16_t included_prns[]) {
     struct mip_3dm_gnss_sbas_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -1298,13 +1838,14 @@ static void write_gnss_sbas_settings_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_gnss_sbas_settings_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gnss_sbas_settings_response),
-    0,
+    0, /* time-out */
     read_gnss_sbas_settings_response,
     write_gnss_sbas_settings_response,
+    NULL,
     NULL,
 };
 
@@ -1317,6 +1858,269 @@ mip_error mip_3dm_gnss_sbas_settings_response_encode(
     const struct mip_3dm_gnss_sbas_settings_response *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_SBAS_SETTINGS_RESPONSE_DESCRIPTOR,
                             write_gnss_sbas_settings_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gnss_assisted_fix[] = {0, 2, 0, 0, 0, 0};
+
+static void read_gnss_assisted_fix(struct mip_reader *r, void *value) {
+    struct mip_3dm_gnss_assisted_fix *v = (struct mip_3dm_gnss_assisted_fix *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gnss_assisted_fix,
+                      sizeof(required_gnss_assisted_fix));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->option, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_u8(r, &v->flags, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_gnss_assisted_fix(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gnss_assisted_fix *v = (const struct mip_3dm_gnss_assisted_fix *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gnss_assisted_fix,
+                       sizeof(required_gnss_assisted_fix), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->option, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_u8(w, &v->flags, 1);
+}
+
+static bool asked_gnss_assisted_fix_1(const void *value) {
+    const struct mip_3dm_gnss_assisted_fix *v = (const struct mip_3dm_gnss_assisted_fix *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_assisted_fix[] = {
+    {&mip_3dm_gnss_assisted_fix_response_codec, asked_gnss_assisted_fix_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_3dm_gnss_assisted_fix_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_GNSS_ASSISTED_FIX_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_gnss_assisted_fix),
+    0, /* time-out */
+    read_gnss_assisted_fix,
+    write_gnss_assisted_fix,
+    NULL,
+    responses_gnss_assisted_fix,
+};
+
+mip_error mip_3dm_gnss_assisted_fix_decode(struct mip_3dm_gnss_assisted_fix *value,
+                                           const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_assisted_fix, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gnss_assisted_fix_encode(const struct mip_3dm_gnss_assisted_fix *value,
+                                           struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_ASSISTED_FIX_DESCRIPTOR,
+                            write_gnss_assisted_fix, value);
+}
+
+struct mip_3dm_gnss_assisted_fix
+mip_3dm_gnss_assisted_fix_write(mip_3dm_assisted_fix_option option) {
+    struct mip_3dm_gnss_assisted_fix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.option = option;
+    v.flags = 255;
+    return v;
+}
+
+struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_read(void) {
+    struct mip_3dm_gnss_assisted_fix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    v.flags = 255;
+    return v;
+}
+
+struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_save(void) {
+    struct mip_3dm_gnss_assisted_fix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    v.flags = 255;
+    return v;
+}
+
+struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_load(void) {
+    struct mip_3dm_gnss_assisted_fix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    v.flags = 255;
+    return v;
+}
+
+struct mip_3dm_gnss_assisted_fix mip_3dm_gnss_assisted_fix_default(void) {
+    struct mip_3dm_gnss_assisted_fix v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    v.flags = 255;
+    return v;
+}
+
+static void read_gnss_assisted_fix_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_gnss_assisted_fix_response *v =
+        (struct mip_3dm_gnss_assisted_fix_response *)value;
+    mip_read_u8(r, &v->option, 1);
+    mip_read_u8(r, &v->flags, 1);
+}
+
+static void write_gnss_assisted_fix_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gnss_assisted_fix_response *v =
+        (const struct mip_3dm_gnss_assisted_fix_response *)value;
+    mip_write_u8(w, &v->option, 1);
+    mip_write_u8(w, &v->flags, 1);
+}
+
+const struct mip_codec mip_3dm_gnss_assisted_fix_response_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_gnss_assisted_fix_response),
+    0, /* time-out */
+    read_gnss_assisted_fix_response,
+    write_gnss_assisted_fix_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_3dm_gnss_assisted_fix_response_decode(
+    struct mip_3dm_gnss_assisted_fix_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_assisted_fix_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gnss_assisted_fix_response_encode(
+    const struct mip_3dm_gnss_assisted_fix_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_ASSISTED_FIX_RESPONSE_DESCRIPTOR,
+                            write_gnss_assisted_fix_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_gnss_time_assistance[] = {0, 3, 0};
+
+static void read_gnss_time_assistance(struct mip_reader *r, void *value) {
+    struct mip_3dm_gnss_time_assistance *v = (struct mip_3dm_gnss_time_assistance *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_gnss_time_assistance,
+                      sizeof(required_gnss_time_assistance));
+    mip_read_group(r, 1, 1);
+    mip_read_double(r, &v->tow, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_float(r, &v->accuracy, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_gnss_time_assistance(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gnss_time_assistance *v =
+        (const struct mip_3dm_gnss_time_assistance *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_gnss_time_assistance,
+                       sizeof(required_gnss_time_assistance), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_double(w, &v->tow, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_float(w, &v->accuracy, 1);
+}
+
+static bool asked_gnss_time_assistance_1(const void *value) {
+    const struct mip_3dm_gnss_time_assistance *v =
+        (const struct mip_3dm_gnss_time_assistance *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_time_assistance[] = {
+    {&mip_3dm_gnss_time_assistance_response_codec, asked_gnss_time_assistance_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_3dm_gnss_time_assistance_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_GNSS_TIME_ASSISTANCE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_3dm_gnss_time_assistance),
+    0, /* time-out */
+    read_gnss_time_assistance,
+    write_gnss_time_assistance,
+    NULL,
+    responses_gnss_time_assistance,
+};
+
+mip_error mip_3dm_gnss_time_assistance_decode(struct mip_3dm_gnss_time_assistance *value,
+                                              const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_time_assistance, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gnss_time_assistance_encode(const struct mip_3dm_gnss_time_assistance *value,
+                                              struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_TIME_ASSISTANCE_DESCRIPTOR,
+                            write_gnss_time_assistance, value);
+}
+
+struct mip_3dm_gnss_time_assistance mip_3dm_gnss_time_assistance_write(double tow,
+                                                                       uint16_t week_number,
+                                                                       float accuracy) {
+    struct mip_3dm_gnss_time_assistance v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.tow = tow;
+    v.week_number = week_number;
+    v.accuracy = accuracy;
+    return v;
+}
+
+struct mip_3dm_gnss_time_assistance mip_3dm_gnss_time_assistance_read(void) {
+    struct mip_3dm_gnss_time_assistance v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+static void read_gnss_time_assistance_response(struct mip_reader *r, void *value) {
+    struct mip_3dm_gnss_time_assistance_response *v =
+        (struct mip_3dm_gnss_time_assistance_response *)value;
+    mip_read_double(r, &v->tow, 1);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_float(r, &v->accuracy, 1);
+}
+
+static void write_gnss_time_assistance_response(struct mip_writer *w, const void *value) {
+    const struct mip_3dm_gnss_time_assistance_response *v =
+        (const struct mip_3dm_gnss_time_assistance_response *)value;
+    mip_write_double(w, &v->tow, 1);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_float(w, &v->accuracy, 1);
+}
+
+const struct mip_codec mip_3dm_gnss_time_assistance_response_codec = {
+    0x0C, /* descriptor set */
+    MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_3dm_gnss_time_assistance_response),
+    0, /* time-out */
+    read_gnss_time_assistance_response,
+    write_gnss_time_assistance_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_3dm_gnss_time_assistance_response_decode(
+    struct mip_3dm_gnss_time_assistance_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_gnss_time_assistance_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_3dm_gnss_time_assistance_response_encode(
+    const struct mip_3dm_gnss_time_assistance_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0C, MIP_3DM_GNSS_TIME_ASSISTANCE_RESPONSE_DESCRIPTOR,
+                            write_gnss_time_assistance_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -1341,15 +2145,27 @@ static void write_pps_source_control(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->source, 1);
 }
 
+static bool asked_pps_source_control_1(const void *value) {
+    const struct mip_3dm_pps_source_control *v = (const struct mip_3dm_pps_source_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_pps_source_control[] = {
+    {&mip_3dm_pps_source_control_response_codec, asked_pps_source_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_pps_source_control_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_PPS_SOURCE_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_pps_source_control),
-    0,
+    0, /* time-out */
     read_pps_source_control,
     write_pps_source_control,
     NULL,
+    responses_pps_source_control,
 };
 
 mip_error mip_3dm_pps_source_control_decode(struct mip_3dm_pps_source_control *value,
@@ -1412,13 +2228,14 @@ static void write_pps_source_control_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_pps_source_control_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_PPS_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_pps_source_control_response),
-    0,
+    0, /* time-out */
     read_pps_source_control_response,
     write_pps_source_control_response,
+    NULL,
     NULL,
 };
 
@@ -1444,15 +2261,21 @@ static void write_get_supported_events(struct mip_writer *w, const void *value) 
     mip_write_u8(w, &v->query, 1);
 }
 
+static const struct mip_response responses_get_supported_events[] = {
+    {&mip_3dm_get_supported_events_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_supported_events_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_SUPPORTED_EVENTS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_supported_events),
-    0,
+    0, /* time-out */
     read_get_supported_events,
     write_get_supported_events,
     NULL,
+    responses_get_supported_events,
 };
 
 mip_error mip_3dm_get_supported_events_decode(struct mip_3dm_get_supported_events *value,
@@ -1466,8 +2289,8 @@ mip_error mip_3dm_get_supported_events_encode(const struct mip_3dm_get_supported
                             write_get_supported_events, value);
 }
 
-struct mip_3dm_get_supported_events mip_3dm_get_supported_events_make(
-    mip_3dm_supported_events_query query) {
+struct mip_3dm_get_supported_events
+mip_3dm_get_supported_events_make(mip_3dm_supported_events_query query) {
     struct mip_3dm_get_supported_events v;
     memset(&v, 0, sizeof(v));
     v.query = query;
@@ -1497,13 +2320,14 @@ static void write_get_supported_events_response(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_3dm_get_supported_events_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_SUPPORTED_EVENTS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_supported_events_response),
-    0,
+    0, /* time-out */
     read_get_supported_events_response,
     write_get_supported_events_response,
+    NULL,
     NULL,
 };
 
@@ -1543,15 +2367,27 @@ static void write_event_control(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->mode, 1);
 }
 
+static bool asked_event_control_1(const void *value) {
+    const struct mip_3dm_event_control *v = (const struct mip_3dm_event_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_event_control[] = {
+    {&mip_3dm_event_control_response_codec, asked_event_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_event_control_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_event_control),
-    0,
+    0, /* time-out */
     read_event_control,
     write_event_control,
     NULL,
+    responses_event_control,
 };
 
 mip_error mip_3dm_event_control_decode(struct mip_3dm_event_control *value,
@@ -1621,13 +2457,14 @@ static void write_event_control_response(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_3dm_event_control_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_event_control_response),
-    0,
+    0, /* time-out */
     read_event_control_response,
     write_event_control_response,
+    NULL,
     NULL,
 };
 
@@ -1655,15 +2492,21 @@ static void write_get_event_trigger_status(struct mip_writer *w, const void *val
     mip_write_u8(w, v->requested_instances, mip_write_count(w, v->requested_count, 252));
 }
 
+static const struct mip_response responses_get_event_trigger_status[] = {
+    {&mip_3dm_get_event_trigger_status_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_event_trigger_status_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_TRIGGER_STATUS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_event_trigger_status),
-    0,
+    0, /* time-out */
     read_get_event_trigger_status,
     write_get_event_trigger_status,
     NULL,
+    responses_get_event_trigger_status,
 };
 
 mip_error mip_3dm_get_event_trigger_status_decode(struct mip_3dm_get_event_trigger_status *value,
@@ -1706,13 +2549,14 @@ static void write_get_event_trigger_status_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_3dm_get_event_trigger_status_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_TRIGGER_STATUS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_event_trigger_status_response),
-    0,
+    0, /* time-out */
     read_get_event_trigger_status_response,
     write_get_event_trigger_status_response,
+    NULL,
     NULL,
 };
 
@@ -1741,15 +2585,21 @@ static void write_get_event_action_status(struct mip_writer *w, const void *valu
     mip_write_u8(w, v->requested_instances, mip_write_count(w, v->requested_count, 252));
 }
 
+static const struct mip_response responses_get_event_action_status[] = {
+    {&mip_3dm_get_event_action_status_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_event_action_status_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_ACTION_STATUS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_event_action_status),
-    0,
+    0, /* time-out */
     read_get_event_action_status,
     write_get_event_action_status,
     NULL,
+    responses_get_event_action_status,
 };
 
 mip_error mip_3dm_get_event_action_status_decode(struct mip_3dm_get_event_action_status *value,
@@ -1763,8 +2613,8 @@ mip_error mip_3dm_get_event_action_status_encode(
                             write_get_event_action_status, value);
 }
 
-struct mip_3dm_get_event_action_status mip_3dm_get_event_action_status_make(
-    uint8_t requested_count, const uint8_t requested_instances[]) {
+struct mip_3dm_get_event_action_status
+mip_3dm_get_event_action_status_make(uint8_t requested_count, const uint8_t requested_instances[]) {
     struct mip_3dm_get_event_action_status v;
     memset(&v, 0, sizeof(v));
     v.requested_count = requested_count;
@@ -1792,13 +2642,14 @@ static void write_get_event_action_status_response(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_3dm_get_event_action_status_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_EVENT_ACTION_STATUS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_event_action_status_response),
-    0,
+    0, /* time-out */
     read_get_event_action_status_response,
     write_get_event_action_status_response,
+    NULL,
     NULL,
 };
 
@@ -1870,15 +2721,28 @@ static void write_event_trigger_configuration(struct mip_writer *w, const void *
     }
 }
 
+static bool asked_event_trigger_configuration_1(const void *value) {
+    const struct mip_3dm_event_trigger_configuration *v =
+        (const struct mip_3dm_event_trigger_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_event_trigger_configuration[] = {
+    {&mip_3dm_event_trigger_configuration_response_codec, asked_event_trigger_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_event_trigger_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_TRIGGER_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_event_trigger_configuration),
-    0,
+    0, /* time-out */
     read_event_trigger_configuration,
     write_event_trigger_configuration,
     NULL,
+    responses_event_trigger_configuration,
 };
 
 mip_error mip_3dm_event_trigger_configuration_decode(
@@ -1906,8 +2770,8 @@ struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_w
     return v;
 }
 
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_read(
-    uint8_t instance) {
+struct mip_3dm_event_trigger_configuration
+mip_3dm_event_trigger_configuration_read(uint8_t instance) {
     struct mip_3dm_event_trigger_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -1915,8 +2779,8 @@ struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_r
     return v;
 }
 
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_save(
-    uint8_t instance) {
+struct mip_3dm_event_trigger_configuration
+mip_3dm_event_trigger_configuration_save(uint8_t instance) {
     struct mip_3dm_event_trigger_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -1924,8 +2788,8 @@ struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_s
     return v;
 }
 
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_load(
-    uint8_t instance) {
+struct mip_3dm_event_trigger_configuration
+mip_3dm_event_trigger_configuration_load(uint8_t instance) {
     struct mip_3dm_event_trigger_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
@@ -1933,8 +2797,8 @@ struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_l
     return v;
 }
 
-struct mip_3dm_event_trigger_configuration mip_3dm_event_trigger_configuration_default(
-    uint8_t instance) {
+struct mip_3dm_event_trigger_configuration
+mip_3dm_event_trigger_configuration_default(uint8_t instance) {
     struct mip_3dm_event_trigger_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -1983,13 +2847,14 @@ static void write_event_trigger_configuration_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_3dm_event_trigger_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_TRIGGER_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_event_trigger_configuration_response),
-    0,
+    0, /* time-out */
     read_event_trigger_configuration_response,
     write_event_trigger_configuration_response,
+    NULL,
     NULL,
 };
 
@@ -2059,15 +2924,28 @@ static void write_event_action_configuration(struct mip_writer *w, const void *v
     }
 }
 
+static bool asked_event_action_configuration_1(const void *value) {
+    const struct mip_3dm_event_action_configuration *v =
+        (const struct mip_3dm_event_action_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_event_action_configuration[] = {
+    {&mip_3dm_event_action_configuration_response_codec, asked_event_action_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_event_action_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_ACTION_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_event_action_configuration),
-    0,
+    0, /* time-out */
     read_event_action_configuration,
     write_event_action_configuration,
     NULL,
+    responses_event_action_configuration,
 };
 
 mip_error mip_3dm_event_action_configuration_decode(
@@ -2096,8 +2974,8 @@ struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_wri
     return v;
 }
 
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_read(
-    uint8_t instance) {
+struct mip_3dm_event_action_configuration
+mip_3dm_event_action_configuration_read(uint8_t instance) {
     struct mip_3dm_event_action_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -2105,8 +2983,8 @@ struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_rea
     return v;
 }
 
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_save(
-    uint8_t instance) {
+struct mip_3dm_event_action_configuration
+mip_3dm_event_action_configuration_save(uint8_t instance) {
     struct mip_3dm_event_action_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -2114,8 +2992,8 @@ struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_sav
     return v;
 }
 
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_load(
-    uint8_t instance) {
+struct mip_3dm_event_action_configuration
+mip_3dm_event_action_configuration_load(uint8_t instance) {
     struct mip_3dm_event_action_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
@@ -2123,8 +3001,8 @@ struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_loa
     return v;
 }
 
-struct mip_3dm_event_action_configuration mip_3dm_event_action_configuration_default(
-    uint8_t instance) {
+struct mip_3dm_event_action_configuration
+mip_3dm_event_action_configuration_default(uint8_t instance) {
     struct mip_3dm_event_action_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -2169,13 +3047,14 @@ static void write_event_action_configuration_response(struct mip_writer *w, cons
 }
 
 const struct mip_codec mip_3dm_event_action_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_EVENT_ACTION_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_event_action_configuration_response),
-    0,
+    0, /* time-out */
     read_event_action_configuration_response,
     write_event_action_configuration_response,
+    NULL,
     NULL,
 };
 
@@ -2203,13 +3082,14 @@ static void write_device_start_up_settings(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_3dm_device_start_up_settings_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DEVICE_START_UP_SETTINGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_device_start_up_settings),
-    1000,
+    1000, /* time-out */
     read_device_start_up_settings,
     write_device_start_up_settings,
+    NULL,
     NULL,
 };
 
@@ -2278,15 +3158,29 @@ static void write_sensor_to_vehicle_frame_transformation_euler(struct mip_writer
     mip_write_float(w, &v->yaw, 1);
 }
 
+static bool asked_sensor_to_vehicle_frame_transformation_euler_1(const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *v =
+        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_euler *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_frame_transformation_euler[] = {
+    {&mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_codec,
+     asked_sensor_to_vehicle_frame_transformation_euler_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_frame_transformation_euler,
     write_sensor_to_vehicle_frame_transformation_euler,
     NULL,
+    responses_sensor_to_vehicle_frame_transformation_euler,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_decode(
@@ -2366,13 +3260,14 @@ static void write_sensor_to_vehicle_frame_transformation_euler_response(struct m
 }
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_euler_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_frame_transformation_euler_response,
     write_sensor_to_vehicle_frame_transformation_euler_response,
+    NULL,
     NULL,
 };
 
@@ -2392,8 +3287,8 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_euler_response_encode(
 }
 
 /** Parameters that each function requires, by its value. */
-static const uint8_t required_sensor_to_vehicle_frame_transformation_quaternion[] = {
-    0, 1, 0, 0, 0, 0};
+static const uint8_t required_sensor_to_vehicle_frame_transformation_quaternion[] = {0, 1, 0,
+                                                                                     0, 0, 0};
 
 static void read_sensor_to_vehicle_frame_transformation_quaternion(struct mip_reader *r,
                                                                    void *value) {
@@ -2419,15 +3314,29 @@ static void write_sensor_to_vehicle_frame_transformation_quaternion(struct mip_w
     mip_write_float(w, v->q, 4);
 }
 
+static bool asked_sensor_to_vehicle_frame_transformation_quaternion_1(const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *v =
+        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_frame_transformation_quaternion[] = {
+    {&mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_codec,
+     asked_sensor_to_vehicle_frame_transformation_quaternion_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_frame_transformation_quaternion,
     write_sensor_to_vehicle_frame_transformation_quaternion,
     NULL,
+    responses_sensor_to_vehicle_frame_transformation_quaternion,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_decode(
@@ -2501,13 +3410,14 @@ static void write_sensor_to_vehicle_frame_transformation_quaternion_response(str
 }
 
 const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_quaternion_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_frame_transformation_quaternion_response,
     write_sensor_to_vehicle_frame_transformation_quaternion_response,
+    NULL,
     NULL,
 };
 
@@ -2547,7 +3457,8 @@ static void read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix(
 static void write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix(
     struct mip_writer *w, const void *value) {
     const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *v =
-        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *)value;
+        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *)
+            value;
     mip_write_u8(w, &v->function, 1);
     mip_write_required(
         w, v->function, required_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
@@ -2557,15 +3468,33 @@ static void write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
     mip_write_float(w, v->dcm, 9);
 }
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_codec = {
-    0x0C,
-    MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_DESCRIPTOR,
-    MIP_COMMAND,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix),
-    0,
-    read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
-    write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
-    NULL,
+static bool
+asked_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_1(const void *value) {
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *v =
+        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix *)
+            value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response
+    responses_sensor_to_vehicle_frame_transformation_direction_cosine_matrix[] = {
+        {&mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_codec,
+         asked_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_1},
+        {NULL, NULL},
+};
+
+const struct mip_codec
+    mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_codec = {
+        0x0C, /* descriptor set */
+        MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_DESCRIPTOR,
+        MIP_COMMAND,
+        sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix),
+        0, /* time-out */
+        read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
+        write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
+        NULL,
+        responses_sensor_to_vehicle_frame_transformation_direction_cosine_matrix,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_decode(
@@ -2629,26 +3558,32 @@ mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_default(v
 static void read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response(
     struct mip_reader *r, void *value) {
     struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *v =
-        (struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *)value;
+        (struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *)
+            value;
     mip_read_float(r, v->dcm, 9);
 }
 
 static void write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response(
     struct mip_writer *w, const void *value) {
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *v =
-        (const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *)value;
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response
+        *v = (const struct
+              mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *)
+            value;
     mip_write_float(w, v->dcm, 9);
 }
 
-const struct mip_codec mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_codec = {
-    0x0C,
-    MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_DESCRIPTOR,
-    MIP_RESPONSE,
-    sizeof(struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response),
-    0,
-    read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
-    write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
-    NULL,
+const struct mip_codec
+    mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_codec = {
+        0x0C, /* descriptor set */
+        MIP_3DM_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_DESCRIPTOR,
+        MIP_RESPONSE,
+        sizeof(
+            struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response),
+        0, /* time-out */
+        read_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
+        write_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response,
+        NULL,
+        NULL,
 };
 
 mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_decode(
@@ -2659,9 +3594,9 @@ mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix
         sizeof(*value), NULL);
 }
 
-mip_error
-mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_encode(
-    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response *value,
+mip_error mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response_encode(
+    const struct mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response
+        *value,
     struct mip_builder *builder) {
     return mip_encode_field(
         builder, 0x0C,
@@ -2699,15 +3634,29 @@ static bool silent_accelerometer_bias_configuration(const void *value) {
     return v->function == MIP_FUNCTION_SELECTOR_APPLY;
 }
 
+static bool asked_accelerometer_bias_configuration_1(const void *value) {
+    const struct mip_3dm_accelerometer_bias_configuration *v =
+        (const struct mip_3dm_accelerometer_bias_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_accelerometer_bias_configuration[] = {
+    {&mip_3dm_accelerometer_bias_configuration_response_codec,
+     asked_accelerometer_bias_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_accelerometer_bias_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_accelerometer_bias_configuration),
-    0,
+    0, /* time-out */
     read_accelerometer_bias_configuration,
     write_accelerometer_bias_configuration,
     silent_accelerometer_bias_configuration,
+    responses_accelerometer_bias_configuration,
 };
 
 mip_error mip_3dm_accelerometer_bias_configuration_decode(
@@ -2722,8 +3671,8 @@ mip_error mip_3dm_accelerometer_bias_configuration_encode(
                             write_accelerometer_bias_configuration, value);
 }
 
-struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_write(
-    const float bias[3]) {
+struct mip_3dm_accelerometer_bias_configuration
+mip_3dm_accelerometer_bias_configuration_write(const float bias[3]) {
     struct mip_3dm_accelerometer_bias_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -2763,8 +3712,8 @@ mip_3dm_accelerometer_bias_configuration_default(void) {
     return v;
 }
 
-struct mip_3dm_accelerometer_bias_configuration mip_3dm_accelerometer_bias_configuration_apply(
-    const float bias[3]) {
+struct mip_3dm_accelerometer_bias_configuration
+mip_3dm_accelerometer_bias_configuration_apply(const float bias[3]) {
     struct mip_3dm_accelerometer_bias_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_APPLY;
@@ -2786,13 +3735,14 @@ static void write_accelerometer_bias_configuration_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_3dm_accelerometer_bias_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_accelerometer_bias_configuration_response),
-    0,
+    0, /* time-out */
     read_accelerometer_bias_configuration_response,
     write_accelerometer_bias_configuration_response,
+    NULL,
     NULL,
 };
 
@@ -2841,15 +3791,28 @@ static bool silent_gyroscope_bias_configuration(const void *value) {
     return v->function == MIP_FUNCTION_SELECTOR_APPLY;
 }
 
+static bool asked_gyroscope_bias_configuration_1(const void *value) {
+    const struct mip_3dm_gyroscope_bias_configuration *v =
+        (const struct mip_3dm_gyroscope_bias_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gyroscope_bias_configuration[] = {
+    {&mip_3dm_gyroscope_bias_configuration_response_codec, asked_gyroscope_bias_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gyroscope_bias_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gyroscope_bias_configuration),
-    0,
+    0, /* time-out */
     read_gyroscope_bias_configuration,
     write_gyroscope_bias_configuration,
     silent_gyroscope_bias_configuration,
+    responses_gyroscope_bias_configuration,
 };
 
 mip_error mip_3dm_gyroscope_bias_configuration_decode(
@@ -2863,8 +3826,8 @@ mip_error mip_3dm_gyroscope_bias_configuration_encode(
                             write_gyroscope_bias_configuration, value);
 }
 
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_write(
-    const float bias[3]) {
+struct mip_3dm_gyroscope_bias_configuration
+mip_3dm_gyroscope_bias_configuration_write(const float bias[3]) {
     struct mip_3dm_gyroscope_bias_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -2900,8 +3863,8 @@ struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration
     return v;
 }
 
-struct mip_3dm_gyroscope_bias_configuration mip_3dm_gyroscope_bias_configuration_apply(
-    const float bias[3]) {
+struct mip_3dm_gyroscope_bias_configuration
+mip_3dm_gyroscope_bias_configuration_apply(const float bias[3]) {
     struct mip_3dm_gyroscope_bias_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_APPLY;
@@ -2922,13 +3885,14 @@ static void write_gyroscope_bias_configuration_response(struct mip_writer *w, co
 }
 
 const struct mip_codec mip_3dm_gyroscope_bias_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gyroscope_bias_configuration_response),
-    0,
+    0, /* time-out */
     read_gyroscope_bias_configuration_response,
     write_gyroscope_bias_configuration_response,
+    NULL,
     NULL,
 };
 
@@ -2956,15 +3920,21 @@ static void write_capture_gyroscope_bias(struct mip_writer *w, const void *value
     mip_write_u16(w, &v->averaging_time_ms, 1);
 }
 
+static const struct mip_response responses_capture_gyroscope_bias[] = {
+    {&mip_3dm_gyroscope_bias_configuration_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_capture_gyroscope_bias_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_CAPTURE_GYROSCOPE_BIAS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_capture_gyroscope_bias),
-    31000,
+    31000, /* time-out */
     read_capture_gyroscope_bias,
     write_capture_gyroscope_bias,
     NULL,
+    responses_capture_gyroscope_bias,
 };
 
 mip_error mip_3dm_capture_gyroscope_bias_decode(struct mip_3dm_capture_gyroscope_bias *value,
@@ -2978,8 +3948,8 @@ mip_error mip_3dm_capture_gyroscope_bias_encode(const struct mip_3dm_capture_gyr
                             write_capture_gyroscope_bias, value);
 }
 
-struct mip_3dm_capture_gyroscope_bias mip_3dm_capture_gyroscope_bias_make(
-    uint16_t averaging_time_ms) {
+struct mip_3dm_capture_gyroscope_bias
+mip_3dm_capture_gyroscope_bias_make(uint16_t averaging_time_ms) {
     struct mip_3dm_capture_gyroscope_bias v;
     memset(&v, 0, sizeof(v));
     v.averaging_time_ms = averaging_time_ms;
@@ -3010,15 +3980,28 @@ static void write_magnetometer_hard_iron_offset(struct mip_writer *w, const void
     mip_write_float(w, v->offset, 3);
 }
 
+static bool asked_magnetometer_hard_iron_offset_1(const void *value) {
+    const struct mip_3dm_magnetometer_hard_iron_offset *v =
+        (const struct mip_3dm_magnetometer_hard_iron_offset *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_magnetometer_hard_iron_offset[] = {
+    {&mip_3dm_magnetometer_hard_iron_offset_response_codec, asked_magnetometer_hard_iron_offset_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_magnetometer_hard_iron_offset),
-    0,
+    0, /* time-out */
     read_magnetometer_hard_iron_offset,
     write_magnetometer_hard_iron_offset,
     NULL,
+    responses_magnetometer_hard_iron_offset,
 };
 
 mip_error mip_3dm_magnetometer_hard_iron_offset_decode(
@@ -3032,8 +4015,8 @@ mip_error mip_3dm_magnetometer_hard_iron_offset_encode(
                             write_magnetometer_hard_iron_offset, value);
 }
 
-struct mip_3dm_magnetometer_hard_iron_offset mip_3dm_magnetometer_hard_iron_offset_write(
-    const float offset[3]) {
+struct mip_3dm_magnetometer_hard_iron_offset
+mip_3dm_magnetometer_hard_iron_offset_write(const float offset[3]) {
     struct mip_3dm_magnetometer_hard_iron_offset v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3082,13 +4065,14 @@ static void write_magnetometer_hard_iron_offset_response(struct mip_writer *w, c
 }
 
 const struct mip_codec mip_3dm_magnetometer_hard_iron_offset_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_magnetometer_hard_iron_offset_response),
-    0,
+    0, /* time-out */
     read_magnetometer_hard_iron_offset_response,
     write_magnetometer_hard_iron_offset_response,
+    NULL,
     NULL,
 };
 
@@ -3130,15 +4114,28 @@ static void write_magnetometer_soft_iron_matrix(struct mip_writer *w, const void
     mip_write_float(w, v->offset, 9);
 }
 
+static bool asked_magnetometer_soft_iron_matrix_1(const void *value) {
+    const struct mip_3dm_magnetometer_soft_iron_matrix *v =
+        (const struct mip_3dm_magnetometer_soft_iron_matrix *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_magnetometer_soft_iron_matrix[] = {
+    {&mip_3dm_magnetometer_soft_iron_matrix_response_codec, asked_magnetometer_soft_iron_matrix_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_magnetometer_soft_iron_matrix),
-    0,
+    0, /* time-out */
     read_magnetometer_soft_iron_matrix,
     write_magnetometer_soft_iron_matrix,
     NULL,
+    responses_magnetometer_soft_iron_matrix,
 };
 
 mip_error mip_3dm_magnetometer_soft_iron_matrix_decode(
@@ -3152,8 +4149,8 @@ mip_error mip_3dm_magnetometer_soft_iron_matrix_encode(
                             write_magnetometer_soft_iron_matrix, value);
 }
 
-struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matrix_write(
-    const float offset[9]) {
+struct mip_3dm_magnetometer_soft_iron_matrix
+mip_3dm_magnetometer_soft_iron_matrix_write(const float offset[9]) {
     struct mip_3dm_magnetometer_soft_iron_matrix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3202,13 +4199,14 @@ static void write_magnetometer_soft_iron_matrix_response(struct mip_writer *w, c
 }
 
 const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_magnetometer_soft_iron_matrix_response),
-    0,
+    0, /* time-out */
     read_magnetometer_soft_iron_matrix_response,
     write_magnetometer_soft_iron_matrix_response,
+    NULL,
     NULL,
 };
 
@@ -3250,15 +4248,28 @@ static void write_coning_and_sculling_enable(struct mip_writer *w, const void *v
     mip_write_bool(w, &v->enable, 1);
 }
 
+static bool asked_coning_and_sculling_enable_1(const void *value) {
+    const struct mip_3dm_coning_and_sculling_enable *v =
+        (const struct mip_3dm_coning_and_sculling_enable *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_coning_and_sculling_enable[] = {
+    {&mip_3dm_coning_and_sculling_enable_response_codec, asked_coning_and_sculling_enable_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_coning_and_sculling_enable_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_CONING_AND_SCULLING_ENABLE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_coning_and_sculling_enable),
-    0,
+    0, /* time-out */
     read_coning_and_sculling_enable,
     write_coning_and_sculling_enable,
     NULL,
+    responses_coning_and_sculling_enable,
 };
 
 mip_error mip_3dm_coning_and_sculling_enable_decode(
@@ -3272,8 +4283,8 @@ mip_error mip_3dm_coning_and_sculling_enable_encode(
                             write_coning_and_sculling_enable, value);
 }
 
-struct mip_3dm_coning_and_sculling_enable mip_3dm_coning_and_sculling_enable_write(
-    mip_bool enable) {
+struct mip_3dm_coning_and_sculling_enable
+mip_3dm_coning_and_sculling_enable_write(mip_bool enable) {
     struct mip_3dm_coning_and_sculling_enable v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3322,13 +4333,14 @@ static void write_coning_and_sculling_enable_response(struct mip_writer *w, cons
 }
 
 const struct mip_codec mip_3dm_coning_and_sculling_enable_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_CONING_AND_SCULLING_ENABLE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_coning_and_sculling_enable_response),
-    0,
+    0, /* time-out */
     read_coning_and_sculling_enable_response,
     write_coning_and_sculling_enable_response,
+    NULL,
     NULL,
 };
 
@@ -3365,15 +4377,27 @@ static void write_uart_baud_rate(struct mip_writer *w, const void *value) {
     mip_write_u32(w, &v->baud, 1);
 }
 
+static bool asked_uart_baud_rate_1(const void *value) {
+    const struct mip_3dm_uart_baud_rate *v = (const struct mip_3dm_uart_baud_rate *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_uart_baud_rate[] = {
+    {&mip_3dm_uart_baud_rate_response_codec, asked_uart_baud_rate_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_uart_baud_rate_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_UART_BAUD_RATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_uart_baud_rate),
-    0,
+    0, /* time-out */
     read_uart_baud_rate,
     write_uart_baud_rate,
     NULL,
+    responses_uart_baud_rate,
 };
 
 mip_error mip_3dm_uart_baud_rate_decode(struct mip_3dm_uart_baud_rate *value,
@@ -3435,13 +4459,14 @@ static void write_uart_baud_rate_response(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_3dm_uart_baud_rate_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_UART_BAUD_RATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_uart_baud_rate_response),
-    0,
+    0, /* time-out */
     read_uart_baud_rate_response,
     write_uart_baud_rate_response,
+    NULL,
     NULL,
 };
 
@@ -3490,15 +4515,27 @@ static void write_gpio_configuration(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->pin_mode, 1);
 }
 
+static bool asked_gpio_configuration_1(const void *value) {
+    const struct mip_3dm_gpio_configuration *v = (const struct mip_3dm_gpio_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gpio_configuration[] = {
+    {&mip_3dm_gpio_configuration_response_codec, asked_gpio_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gpio_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GPIO_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gpio_configuration),
-    0,
+    0, /* time-out */
     read_gpio_configuration,
     write_gpio_configuration,
     NULL,
+    responses_gpio_configuration,
 };
 
 mip_error mip_3dm_gpio_configuration_decode(struct mip_3dm_gpio_configuration *value,
@@ -3577,13 +4614,14 @@ static void write_gpio_configuration_response(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_3dm_gpio_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GPIO_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gpio_configuration_response),
-    0,
+    0, /* time-out */
     read_gpio_configuration_response,
     write_gpio_configuration_response,
+    NULL,
     NULL,
 };
 
@@ -3623,15 +4661,27 @@ static void write_gpio_state(struct mip_writer *w, const void *value) {
     mip_write_bool(w, &v->state, 1);
 }
 
+static bool asked_gpio_state_1(const void *value) {
+    const struct mip_3dm_gpio_state *v = (const struct mip_3dm_gpio_state *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gpio_state[] = {
+    {&mip_3dm_gpio_state_response_codec, asked_gpio_state_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_gpio_state_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GPIO_STATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_gpio_state),
-    0,
+    0, /* time-out */
     read_gpio_state,
     write_gpio_state,
     NULL,
+    responses_gpio_state,
 };
 
 mip_error mip_3dm_gpio_state_decode(struct mip_3dm_gpio_state *value,
@@ -3674,13 +4724,14 @@ static void write_gpio_state_response(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_3dm_gpio_state_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GPIO_STATE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_gpio_state_response),
-    0,
+    0, /* time-out */
     read_gpio_state_response,
     write_gpio_state_response,
+    NULL,
     NULL,
 };
 
@@ -3726,15 +4777,28 @@ static void write_odometer_configuration(struct mip_writer *w, const void *value
     mip_write_float(w, &v->uncertainty, 1);
 }
 
+static bool asked_odometer_configuration_1(const void *value) {
+    const struct mip_3dm_odometer_configuration *v =
+        (const struct mip_3dm_odometer_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_odometer_configuration[] = {
+    {&mip_3dm_odometer_configuration_response_codec, asked_odometer_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_odometer_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ODOMETER_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_odometer_configuration),
-    0,
+    0, /* time-out */
     read_odometer_configuration,
     write_odometer_configuration,
     NULL,
+    responses_odometer_configuration,
 };
 
 mip_error mip_3dm_odometer_configuration_decode(struct mip_3dm_odometer_configuration *value,
@@ -3748,8 +4812,8 @@ mip_error mip_3dm_odometer_configuration_encode(const struct mip_3dm_odometer_co
                             write_odometer_configuration, value);
 }
 
-struct mip_3dm_odometer_configuration mip_3dm_odometer_configuration_write(
-    mip_3dm_odometer_mode mode, float scaling, float uncertainty) {
+struct mip_3dm_odometer_configuration
+mip_3dm_odometer_configuration_write(mip_3dm_odometer_mode mode, float scaling, float uncertainty) {
     struct mip_3dm_odometer_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3804,13 +4868,14 @@ static void write_odometer_configuration_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_3dm_odometer_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ODOMETER_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_odometer_configuration_response),
-    0,
+    0, /* time-out */
     read_odometer_configuration_response,
     write_odometer_configuration_response,
+    NULL,
     NULL,
 };
 
@@ -3866,15 +4931,29 @@ static void write_advanced_low_pass_filter_settings(struct mip_writer *w, const 
     mip_write_u8(w, &v->reserved, 1);
 }
 
+static bool asked_advanced_low_pass_filter_settings_1(const void *value) {
+    const struct mip_3dm_advanced_low_pass_filter_settings *v =
+        (const struct mip_3dm_advanced_low_pass_filter_settings *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_advanced_low_pass_filter_settings[] = {
+    {&mip_3dm_advanced_low_pass_filter_settings_response_codec,
+     asked_advanced_low_pass_filter_settings_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_advanced_low_pass_filter_settings),
-    0,
+    0, /* time-out */
     read_advanced_low_pass_filter_settings,
     write_advanced_low_pass_filter_settings,
     NULL,
+    responses_advanced_low_pass_filter_settings,
 };
 
 mip_error mip_3dm_advanced_low_pass_filter_settings_decode(
@@ -3901,8 +4980,8 @@ struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filte
     return v;
 }
 
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_read(
-    uint8_t target_descriptor) {
+struct mip_3dm_advanced_low_pass_filter_settings
+mip_3dm_advanced_low_pass_filter_settings_read(uint8_t target_descriptor) {
     struct mip_3dm_advanced_low_pass_filter_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -3910,8 +4989,8 @@ struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filte
     return v;
 }
 
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_save(
-    uint8_t target_descriptor) {
+struct mip_3dm_advanced_low_pass_filter_settings
+mip_3dm_advanced_low_pass_filter_settings_save(uint8_t target_descriptor) {
     struct mip_3dm_advanced_low_pass_filter_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -3919,8 +4998,8 @@ struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filte
     return v;
 }
 
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_load(
-    uint8_t target_descriptor) {
+struct mip_3dm_advanced_low_pass_filter_settings
+mip_3dm_advanced_low_pass_filter_settings_load(uint8_t target_descriptor) {
     struct mip_3dm_advanced_low_pass_filter_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
@@ -3928,8 +5007,8 @@ struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filte
     return v;
 }
 
-struct mip_3dm_advanced_low_pass_filter_settings mip_3dm_advanced_low_pass_filter_settings_default(
-    uint8_t target_descriptor) {
+struct mip_3dm_advanced_low_pass_filter_settings
+mip_3dm_advanced_low_pass_filter_settings_default(uint8_t target_descriptor) {
     struct mip_3dm_advanced_low_pass_filter_settings v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -3959,13 +5038,14 @@ static void write_advanced_low_pass_filter_settings_response(struct mip_writer *
 }
 
 const struct mip_codec mip_3dm_advanced_low_pass_filter_settings_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_advanced_low_pass_filter_settings_response),
-    0,
+    0, /* time-out */
     read_advanced_low_pass_filter_settings_response,
     write_advanced_low_pass_filter_settings_response,
+    NULL,
     NULL,
 };
 
@@ -4020,15 +5100,29 @@ static void write_complementary_filter_configuration(struct mip_writer *w, const
     mip_write_float(w, &v->heading_time_constant, 1);
 }
 
+static bool asked_complementary_filter_configuration_1(const void *value) {
+    const struct mip_3dm_complementary_filter_configuration *v =
+        (const struct mip_3dm_complementary_filter_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_complementary_filter_configuration[] = {
+    {&mip_3dm_complementary_filter_configuration_response_codec,
+     asked_complementary_filter_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_complementary_filter_configuration_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_complementary_filter_configuration),
-    0,
+    0, /* time-out */
     read_complementary_filter_configuration,
     write_complementary_filter_configuration,
     NULL,
+    responses_complementary_filter_configuration,
 };
 
 mip_error mip_3dm_complementary_filter_configuration_decode(
@@ -4108,13 +5202,14 @@ static void write_complementary_filter_configuration_response(struct mip_writer 
 }
 
 const struct mip_codec mip_3dm_complementary_filter_configuration_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_complementary_filter_configuration_response),
-    0,
+    0, /* time-out */
     read_complementary_filter_configuration_response,
     write_complementary_filter_configuration_response,
+    NULL,
     NULL,
 };
 
@@ -4158,15 +5253,27 @@ static void write_sensor_range(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->setting, 1);
 }
 
+static bool asked_sensor_range_1(const void *value) {
+    const struct mip_3dm_sensor_range *v = (const struct mip_3dm_sensor_range *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_range[] = {
+    {&mip_3dm_sensor_range_response_codec, asked_sensor_range_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_sensor_range_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_RANGE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_sensor_range),
-    0,
+    0, /* time-out */
     read_sensor_range,
     write_sensor_range,
     NULL,
+    responses_sensor_range,
 };
 
 mip_error mip_3dm_sensor_range_decode(struct mip_3dm_sensor_range *value,
@@ -4236,13 +5343,14 @@ static void write_sensor_range_response(struct mip_writer *w, const void *value)
 }
 
 const struct mip_codec mip_3dm_sensor_range_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_SENSOR_RANGE_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_sensor_range_response),
-    0,
+    0, /* time-out */
     read_sensor_range_response,
     write_sensor_range_response,
+    NULL,
     NULL,
 };
 
@@ -4269,15 +5377,21 @@ static void write_get_calibrated_sensor_ranges(struct mip_writer *w, const void 
     mip_write_u8(w, &v->sensor, 1);
 }
 
+static const struct mip_response responses_get_calibrated_sensor_ranges[] = {
+    {&mip_3dm_get_calibrated_sensor_ranges_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_get_calibrated_sensor_ranges),
-    0,
+    0, /* time-out */
     read_get_calibrated_sensor_ranges,
     write_get_calibrated_sensor_ranges,
     NULL,
+    responses_get_calibrated_sensor_ranges,
 };
 
 mip_error mip_3dm_get_calibrated_sensor_ranges_decode(
@@ -4291,8 +5405,8 @@ mip_error mip_3dm_get_calibrated_sensor_ranges_encode(
                             write_get_calibrated_sensor_ranges, value);
 }
 
-struct mip_3dm_get_calibrated_sensor_ranges mip_3dm_get_calibrated_sensor_ranges_make(
-    mip_3dm_sensor_range_type sensor) {
+struct mip_3dm_get_calibrated_sensor_ranges
+mip_3dm_get_calibrated_sensor_ranges_make(mip_3dm_sensor_range_type sensor) {
     struct mip_3dm_get_calibrated_sensor_ranges v;
     memset(&v, 0, sizeof(v));
     v.sensor = sensor;
@@ -4320,13 +5434,14 @@ static void write_get_calibrated_sensor_ranges_response(struct mip_writer *w, co
 }
 
 const struct mip_codec mip_3dm_get_calibrated_sensor_ranges_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_GET_CALIBRATED_SENSOR_RANGES_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_get_calibrated_sensor_ranges_response),
-    0,
+    0, /* time-out */
     read_get_calibrated_sensor_ranges_response,
     write_get_calibrated_sensor_ranges_response,
+    NULL,
     NULL,
 };
 
@@ -4383,15 +5498,28 @@ static void write_low_pass_anti_aliasing_filter(struct mip_writer *w, const void
     mip_write_float(w, &v->frequency, 1);
 }
 
+static bool asked_low_pass_anti_aliasing_filter_1(const void *value) {
+    const struct mip_3dm_low_pass_anti_aliasing_filter *v =
+        (const struct mip_3dm_low_pass_anti_aliasing_filter *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_low_pass_anti_aliasing_filter[] = {
+    {&mip_3dm_low_pass_anti_aliasing_filter_response_codec, asked_low_pass_anti_aliasing_filter_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_low_pass_anti_aliasing_filter),
-    0,
+    0, /* time-out */
     read_low_pass_anti_aliasing_filter,
     write_low_pass_anti_aliasing_filter,
     NULL,
+    responses_low_pass_anti_aliasing_filter,
 };
 
 mip_error mip_3dm_low_pass_anti_aliasing_filter_decode(
@@ -4418,8 +5546,8 @@ struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filt
     return v;
 }
 
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_read(
-    uint8_t desc_set, uint8_t field_desc) {
+struct mip_3dm_low_pass_anti_aliasing_filter
+mip_3dm_low_pass_anti_aliasing_filter_read(uint8_t desc_set, uint8_t field_desc) {
     struct mip_3dm_low_pass_anti_aliasing_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -4428,8 +5556,8 @@ struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filt
     return v;
 }
 
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_save(
-    uint8_t desc_set, uint8_t field_desc) {
+struct mip_3dm_low_pass_anti_aliasing_filter
+mip_3dm_low_pass_anti_aliasing_filter_save(uint8_t desc_set, uint8_t field_desc) {
     struct mip_3dm_low_pass_anti_aliasing_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -4438,8 +5566,8 @@ struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filt
     return v;
 }
 
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_load(
-    uint8_t desc_set, uint8_t field_desc) {
+struct mip_3dm_low_pass_anti_aliasing_filter
+mip_3dm_low_pass_anti_aliasing_filter_load(uint8_t desc_set, uint8_t field_desc) {
     struct mip_3dm_low_pass_anti_aliasing_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
@@ -4448,8 +5576,8 @@ struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filt
     return v;
 }
 
-struct mip_3dm_low_pass_anti_aliasing_filter mip_3dm_low_pass_anti_aliasing_filter_default(
-    uint8_t desc_set, uint8_t field_desc) {
+struct mip_3dm_low_pass_anti_aliasing_filter
+mip_3dm_low_pass_anti_aliasing_filter_default(uint8_t desc_set, uint8_t field_desc) {
     struct mip_3dm_low_pass_anti_aliasing_filter v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -4479,13 +5607,14 @@ static void write_low_pass_anti_aliasing_filter_response(struct mip_writer *w, c
 }
 
 const struct mip_codec mip_3dm_low_pass_anti_aliasing_filter_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_low_pass_anti_aliasing_filter_response),
-    0,
+    0, /* time-out */
     read_low_pass_anti_aliasing_filter_response,
     write_low_pass_anti_aliasing_filter_response,
+    NULL,
     NULL,
 };
 
@@ -4515,15 +5644,34 @@ static void write_device_status(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->status_selector, 1);
 }
 
+static bool asked_device_status_1(const void *value) {
+    const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
+
+    return v->status_selector == 1;
+}
+
+static bool asked_device_status_2(const void *value) {
+    const struct mip_3dm_device_status *v = (const struct mip_3dm_device_status *)value;
+
+    return v->status_selector == 2;
+}
+
+static const struct mip_response responses_device_status[] = {
+    {&mip_3dm_device_status_basic_response_codec, asked_device_status_1},
+    {&mip_3dm_device_status_diagnostic_response_codec, asked_device_status_2},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_3dm_device_status_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DEVICE_STATUS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_3dm_device_status),
-    0,
+    0, /* time-out */
     read_device_status,
     write_device_status,
     NULL,
+    responses_device_status,
 };
 
 mip_error mip_3dm_device_status_decode(struct mip_3dm_device_status *value,
@@ -4537,8 +5685,8 @@ mip_error mip_3dm_device_status_encode(const struct mip_3dm_device_status *value
                             value);
 }
 
-struct mip_3dm_device_status mip_3dm_device_status_make(
-    mip_3dm_device_status_selector status_selector) {
+struct mip_3dm_device_status
+mip_3dm_device_status_make(mip_3dm_device_status_selector status_selector) {
     struct mip_3dm_device_status v;
     memset(&v, 0, sizeof(v));
     v.status_selector = status_selector;
@@ -4566,13 +5714,14 @@ static void write_device_status_basic_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_3dm_device_status_basic_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DEVICE_STATUS_BASIC_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_device_status_basic_response),
-    0,
+    0, /* time-out */
     read_device_status_basic_response,
     write_device_status_basic_response,
+    NULL,
     NULL,
 };
 
@@ -4630,13 +5779,14 @@ static void write_device_status_diagnostic_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_3dm_device_status_diagnostic_response_codec = {
-    0x0C,
+    0x0C, /* descriptor set */
     MIP_3DM_DEVICE_STATUS_DIAGNOSTIC_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_3dm_device_status_diagnostic_response),
-    0,
+    0, /* time-out */
     read_device_status_diagnostic_response,
     write_device_status_diagnostic_response,
+    NULL,
     NULL,
 };
 

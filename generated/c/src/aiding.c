@@ -73,15 +73,28 @@ static void write_frame_configuration(struct mip_writer *w, const void *value) {
     }
 }
 
+static bool asked_frame_configuration_1(const void *value) {
+    const struct mip_aiding_frame_configuration *v =
+        (const struct mip_aiding_frame_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_frame_configuration[] = {
+    {&mip_aiding_frame_configuration_response_codec, asked_frame_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_aiding_frame_configuration_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_FRAME_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_frame_configuration),
-    0,
+    0, /* time-out */
     read_frame_configuration,
     write_frame_configuration,
     NULL,
+    responses_frame_configuration,
 };
 
 mip_error mip_aiding_frame_configuration_decode(struct mip_aiding_frame_configuration *value,
@@ -111,8 +124,8 @@ struct mip_aiding_frame_configuration mip_aiding_frame_configuration_write(
     return v;
 }
 
-struct mip_aiding_frame_configuration mip_aiding_frame_configuration_read(
-    uint8_t frame_id, mip_aiding_frame_format format) {
+struct mip_aiding_frame_configuration
+mip_aiding_frame_configuration_read(uint8_t frame_id, mip_aiding_frame_format format) {
     struct mip_aiding_frame_configuration v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -184,13 +197,14 @@ static void write_frame_configuration_response(struct mip_writer *w, const void 
 }
 
 const struct mip_codec mip_aiding_frame_configuration_response_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_FRAME_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_aiding_frame_configuration_response),
-    0,
+    0, /* time-out */
     read_frame_configuration_response,
     write_frame_configuration_response,
+    NULL,
     NULL,
 };
 
@@ -226,15 +240,27 @@ static void write_echo_control(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->mode, 1);
 }
 
+static bool asked_echo_control_1(const void *value) {
+    const struct mip_aiding_echo_control *v = (const struct mip_aiding_echo_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_echo_control[] = {
+    {&mip_aiding_echo_control_response_codec, asked_echo_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_aiding_echo_control_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_ECHO_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_echo_control),
-    0,
+    0, /* time-out */
     read_echo_control,
     write_echo_control,
     NULL,
+    responses_echo_control,
 };
 
 mip_error mip_aiding_echo_control_decode(struct mip_aiding_echo_control *value,
@@ -296,13 +322,14 @@ static void write_echo_control_response(struct mip_writer *w, const void *value)
 }
 
 const struct mip_codec mip_aiding_echo_control_response_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_ECHO_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_aiding_echo_control_response),
-    0,
+    0, /* time-out */
     read_echo_control_response,
     write_echo_control_response,
+    NULL,
     NULL,
 };
 
@@ -336,13 +363,14 @@ static void write_ecef_position(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_ecef_position_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_ECEF_POSITION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_ecef_position),
-    0,
+    0, /* time-out */
     read_ecef_position,
     write_ecef_position,
+    NULL,
     NULL,
 };
 
@@ -393,13 +421,14 @@ static void write_llh_position(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_llh_position_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_LLH_POSITION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_llh_position),
-    0,
+    0, /* time-out */
     read_llh_position,
     write_llh_position,
+    NULL,
     NULL,
 };
 
@@ -414,10 +443,10 @@ mip_error mip_aiding_llh_position_encode(const struct mip_aiding_llh_position *v
                             value);
 }
 
-struct mip_aiding_llh_position mip_aiding_llh_position_make(
-    const struct mip_aiding_measurement_time *time, uint8_t frame_id, double latitude,
-    double longitude, double height, const float uncertainty[3],
-    mip_aiding_llh_axis_flags valid_flags) {
+struct mip_aiding_llh_position
+mip_aiding_llh_position_make(const struct mip_aiding_measurement_time *time, uint8_t frame_id,
+                             double latitude, double longitude, double height,
+                             const float uncertainty[3], mip_aiding_llh_axis_flags valid_flags) {
     struct mip_aiding_llh_position v;
     memset(&v, 0, sizeof(v));
     v.time = *time;
@@ -450,13 +479,14 @@ static void write_height_above_ellipsoid(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_aiding_height_above_ellipsoid_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_HEIGHT_ABOVE_ELLIPSOID_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_height_above_ellipsoid),
-    0,
+    0, /* time-out */
     read_height_above_ellipsoid,
     write_height_above_ellipsoid,
+    NULL,
     NULL,
 };
 
@@ -503,13 +533,14 @@ static void write_ecef_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_ecef_velocity_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_ECEF_VELOCITY_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_ecef_velocity),
-    0,
+    0, /* time-out */
     read_ecef_velocity,
     write_ecef_velocity,
+    NULL,
     NULL,
 };
 
@@ -556,13 +587,14 @@ static void write_ned_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_ned_velocity_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_NED_VELOCITY_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_ned_velocity),
-    0,
+    0, /* time-out */
     read_ned_velocity,
     write_ned_velocity,
+    NULL,
     NULL,
 };
 
@@ -610,13 +642,14 @@ static void write_body_frame_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_body_frame_velocity_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_BODY_FRAME_VELOCITY_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_body_frame_velocity),
-    0,
+    0, /* time-out */
     read_body_frame_velocity,
     write_body_frame_velocity,
+    NULL,
     NULL,
 };
 
@@ -663,13 +696,14 @@ static void write_true_heading(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_true_heading_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_TRUE_HEADING_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_true_heading),
-    0,
+    0, /* time-out */
     read_true_heading,
     write_true_heading,
+    NULL,
     NULL,
 };
 
@@ -684,9 +718,9 @@ mip_error mip_aiding_true_heading_encode(const struct mip_aiding_true_heading *v
                             value);
 }
 
-struct mip_aiding_true_heading mip_aiding_true_heading_make(
-    const struct mip_aiding_measurement_time *time, uint8_t frame_id, float heading,
-    float uncertainty, uint16_t valid_flags) {
+struct mip_aiding_true_heading
+mip_aiding_true_heading_make(const struct mip_aiding_measurement_time *time, uint8_t frame_id,
+                             float heading, float uncertainty, uint16_t valid_flags) {
     struct mip_aiding_true_heading v;
     memset(&v, 0, sizeof(v));
     v.time = *time;
@@ -716,13 +750,14 @@ static void write_magnetic_field(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_magnetic_field_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_MAGNETIC_FIELD_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_magnetic_field),
-    0,
+    0, /* time-out */
     read_magnetic_field,
     write_magnetic_field,
+    NULL,
     NULL,
 };
 
@@ -769,13 +804,14 @@ static void write_pressure(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_aiding_pressure_codec = {
-    0x13,
+    0x13, /* descriptor set */
     MIP_AIDING_PRESSURE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_aiding_pressure),
-    0,
+    0, /* time-out */
     read_pressure,
     write_pressure,
+    NULL,
     NULL,
 };
 

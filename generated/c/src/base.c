@@ -22,13 +22,14 @@ void mip_base_device_info_write(struct mip_writer *w, const struct mip_base_devi
 }
 
 const struct mip_codec mip_base_ping_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_PING_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_ping),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 
@@ -41,13 +42,14 @@ mip_error mip_base_ping_encode(const struct mip_base_ping *value, struct mip_bui
 }
 
 const struct mip_codec mip_base_set_to_idle_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_SET_TO_IDLE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_set_to_idle),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 
@@ -62,15 +64,21 @@ mip_error mip_base_set_to_idle_encode(const struct mip_base_set_to_idle *value,
                             value);
 }
 
+static const struct mip_response responses_get_device_information[] = {
+    {&mip_base_get_device_information_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_get_device_information_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_INFORMATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_get_device_information),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_device_information,
 };
 
 mip_error mip_base_get_device_information_decode(struct mip_base_get_device_information *value,
@@ -97,13 +105,14 @@ static void write_get_device_information_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_base_get_device_information_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_INFORMATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_get_device_information_response),
-    0,
+    0, /* time-out */
     read_get_device_information_response,
     write_get_device_information_response,
+    NULL,
     NULL,
 };
 
@@ -119,15 +128,21 @@ mip_error mip_base_get_device_information_response_encode(
                             write_get_device_information_response, value);
 }
 
+static const struct mip_response responses_get_device_descriptors[] = {
+    {&mip_base_get_device_descriptors_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_get_device_descriptors_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_DESCRIPTORS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_get_device_descriptors),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_device_descriptors,
 };
 
 mip_error mip_base_get_device_descriptors_decode(struct mip_base_get_device_descriptors *value,
@@ -155,13 +170,14 @@ static void write_get_device_descriptors_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_base_get_device_descriptors_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_DESCRIPTORS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_get_device_descriptors_response),
-    0,
+    0, /* time-out */
     read_get_device_descriptors_response,
     write_get_device_descriptors_response,
+    NULL,
     NULL,
 };
 
@@ -177,15 +193,21 @@ mip_error mip_base_get_device_descriptors_response_encode(
                             write_get_device_descriptors_response, value);
 }
 
+static const struct mip_response responses_built_in_test[] = {
+    {&mip_base_built_in_test_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_built_in_test_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_BUILT_IN_TEST_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_built_in_test),
-    10000,
+    10000, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_built_in_test,
 };
 
 mip_error mip_base_built_in_test_decode(struct mip_base_built_in_test *value,
@@ -211,13 +233,14 @@ static void write_built_in_test_response(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_base_built_in_test_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_BUILT_IN_TEST_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_built_in_test_response),
-    0,
+    0, /* time-out */
     read_built_in_test_response,
     write_built_in_test_response,
+    NULL,
     NULL,
 };
 
@@ -233,13 +256,14 @@ mip_error mip_base_built_in_test_response_encode(
 }
 
 const struct mip_codec mip_base_resume_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_RESUME_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_resume),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 
@@ -251,15 +275,21 @@ mip_error mip_base_resume_encode(const struct mip_base_resume *value, struct mip
     return mip_encode_field(builder, 0x01, MIP_BASE_RESUME_DESCRIPTOR, mip_write_nothing, value);
 }
 
+static const struct mip_response responses_get_device_descriptors_extended[] = {
+    {&mip_base_get_device_descriptors_extended_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_get_device_descriptors_extended_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_get_device_descriptors_extended),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_get_device_descriptors_extended,
 };
 
 mip_error mip_base_get_device_descriptors_extended_decode(
@@ -288,13 +318,14 @@ static void write_get_device_descriptors_extended_response(struct mip_writer *w,
 }
 
 const struct mip_codec mip_base_get_device_descriptors_extended_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GET_DEVICE_DESCRIPTORS_EXTENDED_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_get_device_descriptors_extended_response),
-    0,
+    0, /* time-out */
     read_get_device_descriptors_extended_response,
     write_get_device_descriptors_extended_response,
+    NULL,
     NULL,
 };
 
@@ -313,15 +344,21 @@ mip_error mip_base_get_device_descriptors_extended_response_encode(
                             write_get_device_descriptors_extended_response, value);
 }
 
+static const struct mip_response responses_continuous_built_in_test[] = {
+    {&mip_base_continuous_built_in_test_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_continuous_built_in_test_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_CONTINUOUS_BUILT_IN_TEST_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_continuous_built_in_test),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_continuous_built_in_test,
 };
 
 mip_error mip_base_continuous_built_in_test_decode(struct mip_base_continuous_built_in_test *value,
@@ -348,13 +385,14 @@ static void write_continuous_built_in_test_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_base_continuous_built_in_test_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_CONTINUOUS_BUILT_IN_TEST_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_continuous_built_in_test_response),
-    0,
+    0, /* time-out */
     read_continuous_built_in_test_response,
     write_continuous_built_in_test_response,
+    NULL,
     NULL,
 };
 
@@ -395,15 +433,27 @@ static void write_comm_port_speed(struct mip_writer *w, const void *value) {
     mip_write_u32(w, &v->baud, 1);
 }
 
+static bool asked_comm_port_speed_1(const void *value) {
+    const struct mip_base_comm_port_speed *v = (const struct mip_base_comm_port_speed *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_comm_port_speed[] = {
+    {&mip_base_comm_port_speed_response_codec, asked_comm_port_speed_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_comm_port_speed_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_COMM_PORT_SPEED_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_comm_port_speed),
-    0,
+    0, /* time-out */
     read_comm_port_speed,
     write_comm_port_speed,
     NULL,
+    responses_comm_port_speed,
 };
 
 mip_error mip_base_comm_port_speed_decode(struct mip_base_comm_port_speed *value,
@@ -472,13 +522,14 @@ static void write_comm_port_speed_response(struct mip_writer *w, const void *val
 }
 
 const struct mip_codec mip_base_comm_port_speed_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_COMM_PORT_SPEED_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_comm_port_speed_response),
-    0,
+    0, /* time-out */
     read_comm_port_speed_response,
     write_comm_port_speed_response,
+    NULL,
     NULL,
 };
 
@@ -523,15 +574,34 @@ static bool silent_gps_time_update(const void *value) {
     return v->function == MIP_FUNCTION_SELECTOR_APPLY;
 }
 
+static bool asked_gps_time_update_1(const void *value) {
+    const struct mip_base_gps_time_update *v = (const struct mip_base_gps_time_update *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ && v->field_id == 1;
+}
+
+static bool asked_gps_time_update_2(const void *value) {
+    const struct mip_base_gps_time_update *v = (const struct mip_base_gps_time_update *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ && v->field_id == 2;
+}
+
+static const struct mip_response responses_gps_time_update[] = {
+    {&mip_base_gps_time_update_week_number_response_codec, asked_gps_time_update_1},
+    {&mip_base_gps_time_update_time_of_week_response_codec, asked_gps_time_update_2},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_base_gps_time_update_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GPS_TIME_UPDATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_gps_time_update),
-    0,
+    0, /* time-out */
     read_gps_time_update,
     write_gps_time_update,
     silent_gps_time_update,
+    responses_gps_time_update,
 };
 
 mip_error mip_base_gps_time_update_decode(struct mip_base_gps_time_update *value,
@@ -586,13 +656,14 @@ static void write_gps_time_update_week_number_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_base_gps_time_update_week_number_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GPS_TIME_UPDATE_WEEK_NUMBER_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_gps_time_update_week_number_response),
-    0,
+    0, /* time-out */
     read_gps_time_update_week_number_response,
     write_gps_time_update_week_number_response,
+    NULL,
     NULL,
 };
 
@@ -622,13 +693,14 @@ static void write_gps_time_update_time_of_week_response(struct mip_writer *w, co
 }
 
 const struct mip_codec mip_base_gps_time_update_time_of_week_response_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_GPS_TIME_UPDATE_TIME_OF_WEEK_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_base_gps_time_update_time_of_week_response),
-    0,
+    0, /* time-out */
     read_gps_time_update_time_of_week_response,
     write_gps_time_update_time_of_week_response,
+    NULL,
     NULL,
 };
 
@@ -647,13 +719,14 @@ mip_error mip_base_gps_time_update_time_of_week_response_encode(
 }
 
 const struct mip_codec mip_base_reset_device_codec = {
-    0x01,
+    0x01, /* descriptor set */
     MIP_BASE_RESET_DEVICE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_base_reset_device),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 

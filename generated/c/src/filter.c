@@ -4,13 +4,14 @@
 #include <string.h>
 
 const struct mip_codec mip_filter_reset_navigation_filter_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_RESET_NAVIGATION_FILTER_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_reset_navigation_filter),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 
@@ -41,13 +42,14 @@ static void write_set_initial_attitude(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_filter_set_initial_attitude_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SET_INITIAL_ATTITUDE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_set_initial_attitude),
-    0,
+    0, /* time-out */
     read_set_initial_attitude,
     write_set_initial_attitude,
+    NULL,
     NULL,
 };
 
@@ -85,13 +87,14 @@ static void write_set_initial_heading_control(struct mip_writer *w, const void *
 }
 
 const struct mip_codec mip_filter_set_initial_heading_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SET_INITIAL_HEADING_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_set_initial_heading_control),
-    0,
+    0, /* time-out */
     read_set_initial_heading_control,
     write_set_initial_heading_control,
+    NULL,
     NULL,
 };
 
@@ -106,8 +109,8 @@ mip_error mip_filter_set_initial_heading_control_encode(
                             write_set_initial_heading_control, value);
 }
 
-struct mip_filter_set_initial_heading_control mip_filter_set_initial_heading_control_make(
-    float heading) {
+struct mip_filter_set_initial_heading_control
+mip_filter_set_initial_heading_control_make(float heading) {
     struct mip_filter_set_initial_heading_control v;
     memset(&v, 0, sizeof(v));
     v.heading = heading;
@@ -115,13 +118,14 @@ struct mip_filter_set_initial_heading_control mip_filter_set_initial_heading_con
 }
 
 const struct mip_codec mip_filter_run_navigation_filter_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_RUN_NAVIGATION_FILTER_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_run_navigation_filter),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 
@@ -134,6 +138,137 @@ mip_error mip_filter_run_navigation_filter_encode(
     const struct mip_filter_run_navigation_filter *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0D, MIP_FILTER_RUN_NAVIGATION_FILTER_DESCRIPTOR,
                             mip_write_nothing, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_vehicle_dynamics_mode[] = {0, 1, 0, 0, 0, 0};
+
+static void read_vehicle_dynamics_mode(struct mip_reader *r, void *value) {
+    struct mip_filter_vehicle_dynamics_mode *v = (struct mip_filter_vehicle_dynamics_mode *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_vehicle_dynamics_mode,
+                      sizeof(required_vehicle_dynamics_mode));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->mode, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_vehicle_dynamics_mode(struct mip_writer *w, const void *value) {
+    const struct mip_filter_vehicle_dynamics_mode *v =
+        (const struct mip_filter_vehicle_dynamics_mode *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_vehicle_dynamics_mode,
+                       sizeof(required_vehicle_dynamics_mode), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->mode, 1);
+}
+
+static bool asked_vehicle_dynamics_mode_1(const void *value) {
+    const struct mip_filter_vehicle_dynamics_mode *v =
+        (const struct mip_filter_vehicle_dynamics_mode *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_vehicle_dynamics_mode[] = {
+    {&mip_filter_vehicle_dynamics_mode_response_codec, asked_vehicle_dynamics_mode_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_filter_vehicle_dynamics_mode_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_VEHICLE_DYNAMICS_MODE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_vehicle_dynamics_mode),
+    0, /* time-out */
+    read_vehicle_dynamics_mode,
+    write_vehicle_dynamics_mode,
+    NULL,
+    responses_vehicle_dynamics_mode,
+};
+
+mip_error mip_filter_vehicle_dynamics_mode_decode(struct mip_filter_vehicle_dynamics_mode *value,
+                                                  const struct mip_field *field) {
+    return mip_decode_field(field, read_vehicle_dynamics_mode, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_vehicle_dynamics_mode_encode(
+    const struct mip_filter_vehicle_dynamics_mode *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_VEHICLE_DYNAMICS_MODE_DESCRIPTOR,
+                            write_vehicle_dynamics_mode, value);
+}
+
+struct mip_filter_vehicle_dynamics_mode
+mip_filter_vehicle_dynamics_mode_write(mip_filter_dynamics_mode mode) {
+    struct mip_filter_vehicle_dynamics_mode v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.mode = mode;
+    return v;
+}
+
+struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_read(void) {
+    struct mip_filter_vehicle_dynamics_mode v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_save(void) {
+    struct mip_filter_vehicle_dynamics_mode v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_load(void) {
+    struct mip_filter_vehicle_dynamics_mode v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_default(void) {
+    struct mip_filter_vehicle_dynamics_mode v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_vehicle_dynamics_mode_response(struct mip_reader *r, void *value) {
+    struct mip_filter_vehicle_dynamics_mode_response *v =
+        (struct mip_filter_vehicle_dynamics_mode_response *)value;
+    mip_read_u8(r, &v->mode, 1);
+}
+
+static void write_vehicle_dynamics_mode_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_vehicle_dynamics_mode_response *v =
+        (const struct mip_filter_vehicle_dynamics_mode_response *)value;
+    mip_write_u8(w, &v->mode, 1);
+}
+
+const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_vehicle_dynamics_mode_response),
+    0, /* time-out */
+    read_vehicle_dynamics_mode_response,
+    write_vehicle_dynamics_mode_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_vehicle_dynamics_mode_response_decode(
+    struct mip_filter_vehicle_dynamics_mode_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_vehicle_dynamics_mode_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_vehicle_dynamics_mode_response_encode(
+    const struct mip_filter_vehicle_dynamics_mode_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_DESCRIPTOR,
+                            write_vehicle_dynamics_mode_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -168,15 +303,29 @@ static void write_sensor_to_vehicle_frame_transformation(struct mip_writer *w, c
     mip_write_float(w, &v->yaw, 1);
 }
 
+static bool asked_sensor_to_vehicle_frame_transformation_1(const void *value) {
+    const struct mip_filter_sensor_to_vehicle_frame_transformation *v =
+        (const struct mip_filter_sensor_to_vehicle_frame_transformation *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_frame_transformation[] = {
+    {&mip_filter_sensor_to_vehicle_frame_transformation_response_codec,
+     asked_sensor_to_vehicle_frame_transformation_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_frame_transformation,
     write_sensor_to_vehicle_frame_transformation,
     NULL,
+    responses_sensor_to_vehicle_frame_transformation,
 };
 
 mip_error mip_filter_sensor_to_vehicle_frame_transformation_decode(
@@ -256,13 +405,14 @@ static void write_sensor_to_vehicle_frame_transformation_response(struct mip_wri
 }
 
 const struct mip_codec mip_filter_sensor_to_vehicle_frame_transformation_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_sensor_to_vehicle_frame_transformation_response),
-    0,
+    0, /* time-out */
     read_sensor_to_vehicle_frame_transformation_response,
     write_sensor_to_vehicle_frame_transformation_response,
+    NULL,
     NULL,
 };
 
@@ -279,6 +429,138 @@ mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_encode(
     return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_DESCRIPTOR,
                             write_sensor_to_vehicle_frame_transformation_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_sensor_to_vehicle_offset[] = {0, 1, 0, 0, 0, 0};
+
+static void read_sensor_to_vehicle_offset(struct mip_reader *r, void *value) {
+    struct mip_filter_sensor_to_vehicle_offset *v =
+        (struct mip_filter_sensor_to_vehicle_offset *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_sensor_to_vehicle_offset,
+                      sizeof(required_sensor_to_vehicle_offset));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->offset, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_sensor_to_vehicle_offset(struct mip_writer *w, const void *value) {
+    const struct mip_filter_sensor_to_vehicle_offset *v =
+        (const struct mip_filter_sensor_to_vehicle_offset *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_sensor_to_vehicle_offset,
+                       sizeof(required_sensor_to_vehicle_offset), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->offset, 3);
+}
+
+static bool asked_sensor_to_vehicle_offset_1(const void *value) {
+    const struct mip_filter_sensor_to_vehicle_offset *v =
+        (const struct mip_filter_sensor_to_vehicle_offset *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_offset[] = {
+    {&mip_filter_sensor_to_vehicle_offset_response_codec, asked_sensor_to_vehicle_offset_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_sensor_to_vehicle_offset),
+    0, /* time-out */
+    read_sensor_to_vehicle_offset,
+    write_sensor_to_vehicle_offset,
+    NULL,
+    responses_sensor_to_vehicle_offset,
+};
+
+mip_error mip_filter_sensor_to_vehicle_offset_decode(
+    struct mip_filter_sensor_to_vehicle_offset *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_offset, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_sensor_to_vehicle_offset_encode(
+    const struct mip_filter_sensor_to_vehicle_offset *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_DESCRIPTOR,
+                            write_sensor_to_vehicle_offset, value);
+}
+
+struct mip_filter_sensor_to_vehicle_offset
+mip_filter_sensor_to_vehicle_offset_write(const float offset[3]) {
+    struct mip_filter_sensor_to_vehicle_offset v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.offset, offset, sizeof(v.offset));
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_read(void) {
+    struct mip_filter_sensor_to_vehicle_offset v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_save(void) {
+    struct mip_filter_sensor_to_vehicle_offset v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_load(void) {
+    struct mip_filter_sensor_to_vehicle_offset v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_default(void) {
+    struct mip_filter_sensor_to_vehicle_offset v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_sensor_to_vehicle_offset_response(struct mip_reader *r, void *value) {
+    struct mip_filter_sensor_to_vehicle_offset_response *v =
+        (struct mip_filter_sensor_to_vehicle_offset_response *)value;
+    mip_read_float(r, v->offset, 3);
+}
+
+static void write_sensor_to_vehicle_offset_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_sensor_to_vehicle_offset_response *v =
+        (const struct mip_filter_sensor_to_vehicle_offset_response *)value;
+    mip_write_float(w, v->offset, 3);
+}
+
+const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_sensor_to_vehicle_offset_response),
+    0, /* time-out */
+    read_sensor_to_vehicle_offset_response,
+    write_sensor_to_vehicle_offset_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_sensor_to_vehicle_offset_response_decode(
+    struct mip_filter_sensor_to_vehicle_offset_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_offset_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
+    const struct mip_filter_sensor_to_vehicle_offset_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_DESCRIPTOR,
+                            write_sensor_to_vehicle_offset_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -305,15 +587,28 @@ static void write_gnss_antenna_offset_control(struct mip_writer *w, const void *
     mip_write_float(w, v->offset, 3);
 }
 
+static bool asked_gnss_antenna_offset_control_1(const void *value) {
+    const struct mip_filter_gnss_antenna_offset_control *v =
+        (const struct mip_filter_gnss_antenna_offset_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_antenna_offset_control[] = {
+    {&mip_filter_gnss_antenna_offset_control_response_codec, asked_gnss_antenna_offset_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gnss_antenna_offset_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gnss_antenna_offset_control),
-    0,
+    0, /* time-out */
     read_gnss_antenna_offset_control,
     write_gnss_antenna_offset_control,
     NULL,
+    responses_gnss_antenna_offset_control,
 };
 
 mip_error mip_filter_gnss_antenna_offset_control_decode(
@@ -327,8 +622,8 @@ mip_error mip_filter_gnss_antenna_offset_control_encode(
                             write_gnss_antenna_offset_control, value);
 }
 
-struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_write(
-    const float offset[3]) {
+struct mip_filter_gnss_antenna_offset_control
+mip_filter_gnss_antenna_offset_control_write(const float offset[3]) {
     struct mip_filter_gnss_antenna_offset_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -377,13 +672,14 @@ static void write_gnss_antenna_offset_control_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_filter_gnss_antenna_offset_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gnss_antenna_offset_control_response),
-    0,
+    0, /* time-out */
     read_gnss_antenna_offset_control_response,
     write_gnss_antenna_offset_control_response,
+    NULL,
     NULL,
 };
 
@@ -425,15 +721,28 @@ static void write_estimation_control_flags(struct mip_writer *w, const void *val
     mip_write_u16(w, &v->flags, 1);
 }
 
+static bool asked_estimation_control_flags_1(const void *value) {
+    const struct mip_filter_estimation_control_flags *v =
+        (const struct mip_filter_estimation_control_flags *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_estimation_control_flags[] = {
+    {&mip_filter_estimation_control_flags_response_codec, asked_estimation_control_flags_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_estimation_control_flags_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ESTIMATION_CONTROL_FLAGS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_estimation_control_flags),
-    0,
+    0, /* time-out */
     read_estimation_control_flags,
     write_estimation_control_flags,
     NULL,
+    responses_estimation_control_flags,
 };
 
 mip_error mip_filter_estimation_control_flags_decode(
@@ -447,8 +756,8 @@ mip_error mip_filter_estimation_control_flags_encode(
                             write_estimation_control_flags, value);
 }
 
-struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_write(
-    mip_filter_estimated_states flags) {
+struct mip_filter_estimation_control_flags
+mip_filter_estimation_control_flags_write(mip_filter_estimated_states flags) {
     struct mip_filter_estimation_control_flags v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -497,13 +806,14 @@ static void write_estimation_control_flags_response(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_filter_estimation_control_flags_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ESTIMATION_CONTROL_FLAGS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_estimation_control_flags_response),
-    0,
+    0, /* time-out */
     read_estimation_control_flags_response,
     write_estimation_control_flags_response,
+    NULL,
     NULL,
 };
 
@@ -543,15 +853,28 @@ static void write_gnss_aiding_source_control(struct mip_writer *w, const void *v
     mip_write_u8(w, &v->source, 1);
 }
 
+static bool asked_gnss_aiding_source_control_1(const void *value) {
+    const struct mip_filter_gnss_aiding_source_control *v =
+        (const struct mip_filter_gnss_aiding_source_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_aiding_source_control[] = {
+    {&mip_filter_gnss_aiding_source_control_response_codec, asked_gnss_aiding_source_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gnss_aiding_source_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gnss_aiding_source_control),
-    0,
+    0, /* time-out */
     read_gnss_aiding_source_control,
     write_gnss_aiding_source_control,
     NULL,
+    responses_gnss_aiding_source_control,
 };
 
 mip_error mip_filter_gnss_aiding_source_control_decode(
@@ -565,8 +888,8 @@ mip_error mip_filter_gnss_aiding_source_control_encode(
                             write_gnss_aiding_source_control, value);
 }
 
-struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_write(
-    mip_filter_gnss_aiding_source source) {
+struct mip_filter_gnss_aiding_source_control
+mip_filter_gnss_aiding_source_control_write(mip_filter_gnss_aiding_source source) {
     struct mip_filter_gnss_aiding_source_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -615,13 +938,14 @@ static void write_gnss_aiding_source_control_response(struct mip_writer *w, cons
 }
 
 const struct mip_codec mip_filter_gnss_aiding_source_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gnss_aiding_source_control_response),
-    0,
+    0, /* time-out */
     read_gnss_aiding_source_control_response,
     write_gnss_aiding_source_control_response,
+    NULL,
     NULL,
 };
 
@@ -637,6 +961,71 @@ mip_error mip_filter_gnss_aiding_source_control_response_encode(
     return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_GNSS_AIDING_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
                             write_gnss_aiding_source_control_response, value);
+}
+
+static void read_external_gnss_update(struct mip_reader *r, void *value) {
+    struct mip_filter_external_gnss_update *v = (struct mip_filter_external_gnss_update *)value;
+    mip_read_double(r, &v->tow, 1);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_double(r, &v->latitude, 1);
+    mip_read_double(r, &v->longitude, 1);
+    mip_read_double(r, &v->height, 1);
+    mip_read_float(r, v->velocity, 3);
+    mip_read_float(r, v->position_uncertainty, 3);
+    mip_read_float(r, v->velocity_uncertainty, 3);
+}
+
+static void write_external_gnss_update(struct mip_writer *w, const void *value) {
+    const struct mip_filter_external_gnss_update *v =
+        (const struct mip_filter_external_gnss_update *)value;
+    mip_write_double(w, &v->tow, 1);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_double(w, &v->latitude, 1);
+    mip_write_double(w, &v->longitude, 1);
+    mip_write_double(w, &v->height, 1);
+    mip_write_float(w, v->velocity, 3);
+    mip_write_float(w, v->position_uncertainty, 3);
+    mip_write_float(w, v->velocity_uncertainty, 3);
+}
+
+const struct mip_codec mip_filter_external_gnss_update_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_EXTERNAL_GNSS_UPDATE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_external_gnss_update),
+    0, /* time-out */
+    read_external_gnss_update,
+    write_external_gnss_update,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_external_gnss_update_decode(struct mip_filter_external_gnss_update *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, read_external_gnss_update, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_external_gnss_update_encode(
+    const struct mip_filter_external_gnss_update *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_EXTERNAL_GNSS_UPDATE_DESCRIPTOR,
+                            write_external_gnss_update, value);
+}
+
+struct mip_filter_external_gnss_update mip_filter_external_gnss_update_make(
+    double tow, uint16_t week_number, double latitude, double longitude, double height,
+    const float velocity[3], const float position_uncertainty[3],
+    const float velocity_uncertainty[3]) {
+    struct mip_filter_external_gnss_update v;
+    memset(&v, 0, sizeof(v));
+    v.tow = tow;
+    v.week_number = week_number;
+    v.latitude = latitude;
+    v.longitude = longitude;
+    v.height = height;
+    memcpy(v.velocity, velocity, sizeof(v.velocity));
+    memcpy(v.position_uncertainty, position_uncertainty, sizeof(v.position_uncertainty));
+    memcpy(v.velocity_uncertainty, velocity_uncertainty, sizeof(v.velocity_uncertainty));
+    return v;
 }
 
 static void read_external_heading_update(struct mip_reader *r, void *value) {
@@ -656,13 +1045,14 @@ static void write_external_heading_update(struct mip_writer *w, const void *valu
 }
 
 const struct mip_codec mip_filter_external_heading_update_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_EXTERNAL_HEADING_UPDATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_external_heading_update),
-    0,
+    0, /* time-out */
     read_external_heading_update,
     write_external_heading_update,
+    NULL,
     NULL,
 };
 
@@ -710,15 +1100,28 @@ static void write_heading_update_control(struct mip_writer *w, const void *value
     mip_write_u8(w, &v->enable, 1);
 }
 
+static bool asked_heading_update_control_1(const void *value) {
+    const struct mip_filter_heading_update_control *v =
+        (const struct mip_filter_heading_update_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_heading_update_control[] = {
+    {&mip_filter_heading_update_control_response_codec, asked_heading_update_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_heading_update_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_HEADING_UPDATE_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_heading_update_control),
-    0,
+    0, /* time-out */
     read_heading_update_control,
     write_heading_update_control,
     NULL,
+    responses_heading_update_control,
 };
 
 mip_error mip_filter_heading_update_control_decode(struct mip_filter_heading_update_control *value,
@@ -732,8 +1135,8 @@ mip_error mip_filter_heading_update_control_encode(
                             write_heading_update_control, value);
 }
 
-struct mip_filter_heading_update_control mip_filter_heading_update_control_write(
-    mip_filter_heading_update_source enable) {
+struct mip_filter_heading_update_control
+mip_filter_heading_update_control_write(mip_filter_heading_update_source enable) {
     struct mip_filter_heading_update_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -782,13 +1185,14 @@ static void write_heading_update_control_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_heading_update_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_HEADING_UPDATE_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_heading_update_control_response),
-    0,
+    0, /* time-out */
     read_heading_update_control_response,
     write_heading_update_control_response,
+    NULL,
     NULL,
 };
 
@@ -828,15 +1232,28 @@ static void write_auto_initialization_control(struct mip_writer *w, const void *
     mip_write_u8(w, &v->enable, 1);
 }
 
+static bool asked_auto_initialization_control_1(const void *value) {
+    const struct mip_filter_auto_initialization_control *v =
+        (const struct mip_filter_auto_initialization_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_auto_initialization_control[] = {
+    {&mip_filter_auto_initialization_control_response_codec, asked_auto_initialization_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_auto_initialization_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AUTO_INITIALIZATION_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_auto_initialization_control),
-    0,
+    0, /* time-out */
     read_auto_initialization_control,
     write_auto_initialization_control,
     NULL,
+    responses_auto_initialization_control,
 };
 
 mip_error mip_filter_auto_initialization_control_decode(
@@ -850,8 +1267,8 @@ mip_error mip_filter_auto_initialization_control_encode(
                             write_auto_initialization_control, value);
 }
 
-struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_write(
-    uint8_t enable) {
+struct mip_filter_auto_initialization_control
+mip_filter_auto_initialization_control_write(uint8_t enable) {
     struct mip_filter_auto_initialization_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -900,13 +1317,14 @@ static void write_auto_initialization_control_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_filter_auto_initialization_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AUTO_INITIALIZATION_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_auto_initialization_control_response),
-    0,
+    0, /* time-out */
     read_auto_initialization_control_response,
     write_auto_initialization_control_response,
+    NULL,
     NULL,
 };
 
@@ -948,15 +1366,29 @@ static void write_accelerometer_noise_standard_deviation(struct mip_writer *w, c
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_accelerometer_noise_standard_deviation_1(const void *value) {
+    const struct mip_filter_accelerometer_noise_standard_deviation *v =
+        (const struct mip_filter_accelerometer_noise_standard_deviation *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_accelerometer_noise_standard_deviation[] = {
+    {&mip_filter_accelerometer_noise_standard_deviation_response_codec,
+     asked_accelerometer_noise_standard_deviation_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_accelerometer_noise_standard_deviation),
-    0,
+    0, /* time-out */
     read_accelerometer_noise_standard_deviation,
     write_accelerometer_noise_standard_deviation,
     NULL,
+    responses_accelerometer_noise_standard_deviation,
 };
 
 mip_error mip_filter_accelerometer_noise_standard_deviation_decode(
@@ -1030,13 +1462,14 @@ static void write_accelerometer_noise_standard_deviation_response(struct mip_wri
 }
 
 const struct mip_codec mip_filter_accelerometer_noise_standard_deviation_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_accelerometer_noise_standard_deviation_response),
-    0,
+    0, /* time-out */
     read_accelerometer_noise_standard_deviation_response,
     write_accelerometer_noise_standard_deviation_response,
+    NULL,
     NULL,
 };
 
@@ -1079,15 +1512,29 @@ static void write_gyroscope_noise_standard_deviation(struct mip_writer *w, const
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_gyroscope_noise_standard_deviation_1(const void *value) {
+    const struct mip_filter_gyroscope_noise_standard_deviation *v =
+        (const struct mip_filter_gyroscope_noise_standard_deviation *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gyroscope_noise_standard_deviation[] = {
+    {&mip_filter_gyroscope_noise_standard_deviation_response_codec,
+     asked_gyroscope_noise_standard_deviation_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gyroscope_noise_standard_deviation),
-    0,
+    0, /* time-out */
     read_gyroscope_noise_standard_deviation,
     write_gyroscope_noise_standard_deviation,
     NULL,
+    responses_gyroscope_noise_standard_deviation,
 };
 
 mip_error mip_filter_gyroscope_noise_standard_deviation_decode(
@@ -1158,13 +1605,14 @@ static void write_gyroscope_noise_standard_deviation_response(struct mip_writer 
 }
 
 const struct mip_codec mip_filter_gyroscope_noise_standard_deviation_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gyroscope_noise_standard_deviation_response),
-    0,
+    0, /* time-out */
     read_gyroscope_noise_standard_deviation_response,
     write_gyroscope_noise_standard_deviation_response,
+    NULL,
     NULL,
 };
 
@@ -1211,15 +1659,29 @@ static void write_accelerometer_bias_model_parameters(struct mip_writer *w, cons
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_accelerometer_bias_model_parameters_1(const void *value) {
+    const struct mip_filter_accelerometer_bias_model_parameters *v =
+        (const struct mip_filter_accelerometer_bias_model_parameters *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_accelerometer_bias_model_parameters[] = {
+    {&mip_filter_accelerometer_bias_model_parameters_response_codec,
+     asked_accelerometer_bias_model_parameters_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_accelerometer_bias_model_parameters_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_accelerometer_bias_model_parameters),
-    0,
+    0, /* time-out */
     read_accelerometer_bias_model_parameters,
     write_accelerometer_bias_model_parameters,
     NULL,
+    responses_accelerometer_bias_model_parameters,
 };
 
 mip_error mip_filter_accelerometer_bias_model_parameters_decode(
@@ -1294,13 +1756,14 @@ static void write_accelerometer_bias_model_parameters_response(struct mip_writer
 }
 
 const struct mip_codec mip_filter_accelerometer_bias_model_parameters_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_accelerometer_bias_model_parameters_response),
-    0,
+    0, /* time-out */
     read_accelerometer_bias_model_parameters_response,
     write_accelerometer_bias_model_parameters_response,
+    NULL,
     NULL,
 };
 
@@ -1347,15 +1810,29 @@ static void write_gyroscope_bias_model_parameters(struct mip_writer *w, const vo
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_gyroscope_bias_model_parameters_1(const void *value) {
+    const struct mip_filter_gyroscope_bias_model_parameters *v =
+        (const struct mip_filter_gyroscope_bias_model_parameters *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gyroscope_bias_model_parameters[] = {
+    {&mip_filter_gyroscope_bias_model_parameters_response_codec,
+     asked_gyroscope_bias_model_parameters_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gyroscope_bias_model_parameters_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gyroscope_bias_model_parameters),
-    0,
+    0, /* time-out */
     read_gyroscope_bias_model_parameters,
     write_gyroscope_bias_model_parameters,
     NULL,
+    responses_gyroscope_bias_model_parameters,
 };
 
 mip_error mip_filter_gyroscope_bias_model_parameters_decode(
@@ -1370,8 +1847,8 @@ mip_error mip_filter_gyroscope_bias_model_parameters_encode(
                             write_gyroscope_bias_model_parameters, value);
 }
 
-struct mip_filter_gyroscope_bias_model_parameters mip_filter_gyroscope_bias_model_parameters_write(
-    const float beta[3], const float noise[3]) {
+struct mip_filter_gyroscope_bias_model_parameters
+mip_filter_gyroscope_bias_model_parameters_write(const float beta[3], const float noise[3]) {
     struct mip_filter_gyroscope_bias_model_parameters v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -1428,13 +1905,14 @@ static void write_gyroscope_bias_model_parameters_response(struct mip_writer *w,
 }
 
 const struct mip_codec mip_filter_gyroscope_bias_model_parameters_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gyroscope_bias_model_parameters_response),
-    0,
+    0, /* time-out */
     read_gyroscope_bias_model_parameters_response,
     write_gyroscope_bias_model_parameters_response,
+    NULL,
     NULL,
 };
 
@@ -1451,6 +1929,136 @@ mip_error mip_filter_gyroscope_bias_model_parameters_response_encode(
     return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_DESCRIPTOR,
                             write_gyroscope_bias_model_parameters_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_auto_zupt[] = {0, 2, 0, 0, 0, 0};
+
+static void read_auto_zupt(struct mip_reader *r, void *value) {
+    struct mip_filter_auto_zupt *v = (struct mip_filter_auto_zupt *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_auto_zupt, sizeof(required_auto_zupt));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->enable, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, &v->threshold, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_auto_zupt(struct mip_writer *w, const void *value) {
+    const struct mip_filter_auto_zupt *v = (const struct mip_filter_auto_zupt *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_auto_zupt, sizeof(required_auto_zupt), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->enable, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, &v->threshold, 1);
+}
+
+static bool asked_auto_zupt_1(const void *value) {
+    const struct mip_filter_auto_zupt *v = (const struct mip_filter_auto_zupt *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_auto_zupt[] = {
+    {&mip_filter_auto_zupt_response_codec, asked_auto_zupt_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_filter_auto_zupt_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_AUTO_ZUPT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_auto_zupt),
+    0, /* time-out */
+    read_auto_zupt,
+    write_auto_zupt,
+    NULL,
+    responses_auto_zupt,
+};
+
+mip_error mip_filter_auto_zupt_decode(struct mip_filter_auto_zupt *value,
+                                      const struct mip_field *field) {
+    return mip_decode_field(field, read_auto_zupt, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_auto_zupt_encode(const struct mip_filter_auto_zupt *value,
+                                      struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_AUTO_ZUPT_DESCRIPTOR, write_auto_zupt, value);
+}
+
+struct mip_filter_auto_zupt mip_filter_auto_zupt_write(uint8_t enable, float threshold) {
+    struct mip_filter_auto_zupt v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.enable = enable;
+    v.threshold = threshold;
+    return v;
+}
+
+struct mip_filter_auto_zupt mip_filter_auto_zupt_read(void) {
+    struct mip_filter_auto_zupt v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_auto_zupt mip_filter_auto_zupt_save(void) {
+    struct mip_filter_auto_zupt v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_auto_zupt mip_filter_auto_zupt_load(void) {
+    struct mip_filter_auto_zupt v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_auto_zupt mip_filter_auto_zupt_default(void) {
+    struct mip_filter_auto_zupt v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_auto_zupt_response(struct mip_reader *r, void *value) {
+    struct mip_filter_auto_zupt_response *v = (struct mip_filter_auto_zupt_response *)value;
+    mip_read_u8(r, &v->enable, 1);
+    mip_read_float(r, &v->threshold, 1);
+}
+
+static void write_auto_zupt_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_auto_zupt_response *v =
+        (const struct mip_filter_auto_zupt_response *)value;
+    mip_write_u8(w, &v->enable, 1);
+    mip_write_float(w, &v->threshold, 1);
+}
+
+const struct mip_codec mip_filter_auto_zupt_response_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_AUTO_ZUPT_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_auto_zupt_response),
+    0, /* time-out */
+    read_auto_zupt_response,
+    write_auto_zupt_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_auto_zupt_response_decode(struct mip_filter_auto_zupt_response *value,
+                                               const struct mip_field *field) {
+    return mip_decode_field(field, read_auto_zupt_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_auto_zupt_response_encode(const struct mip_filter_auto_zupt_response *value,
+                                               struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_AUTO_ZUPT_RESPONSE_DESCRIPTOR,
+                            write_auto_zupt_response, value);
 }
 
 static void read_external_heading_update_with_time(struct mip_reader *r, void *value) {
@@ -1474,13 +2082,14 @@ static void write_external_heading_update_with_time(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_filter_external_heading_update_with_time_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_EXTERNAL_HEADING_UPDATE_WITH_TIME_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_external_heading_update_with_time),
-    0,
+    0, /* time-out */
     read_external_heading_update_with_time,
     write_external_heading_update_with_time,
+    NULL,
     NULL,
 };
 
@@ -1538,15 +2147,29 @@ static void write_zero_angular_rate_update_control(struct mip_writer *w, const v
     mip_write_float(w, &v->threshold, 1);
 }
 
+static bool asked_zero_angular_rate_update_control_1(const void *value) {
+    const struct mip_filter_zero_angular_rate_update_control *v =
+        (const struct mip_filter_zero_angular_rate_update_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_zero_angular_rate_update_control[] = {
+    {&mip_filter_zero_angular_rate_update_control_response_codec,
+     asked_zero_angular_rate_update_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_zero_angular_rate_update_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_zero_angular_rate_update_control),
-    0,
+    0, /* time-out */
     read_zero_angular_rate_update_control,
     write_zero_angular_rate_update_control,
     NULL,
+    responses_zero_angular_rate_update_control,
 };
 
 mip_error mip_filter_zero_angular_rate_update_control_decode(
@@ -1619,13 +2242,14 @@ static void write_zero_angular_rate_update_control_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_filter_zero_angular_rate_update_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_zero_angular_rate_update_control_response),
-    0,
+    0, /* time-out */
     read_zero_angular_rate_update_control_response,
     write_zero_angular_rate_update_control_response,
+    NULL,
     NULL,
 };
 
@@ -1665,15 +2289,27 @@ static void write_tare_orientation(struct mip_writer *w, const void *value) {
     mip_write_u8(w, &v->axes, 1);
 }
 
+static bool asked_tare_orientation_1(const void *value) {
+    const struct mip_filter_tare_orientation *v = (const struct mip_filter_tare_orientation *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_tare_orientation[] = {
+    {&mip_filter_tare_orientation_response_codec, asked_tare_orientation_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_tare_orientation_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_TARE_ORIENTATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_tare_orientation),
-    0,
+    0, /* time-out */
     read_tare_orientation,
     write_tare_orientation,
     NULL,
+    responses_tare_orientation,
 };
 
 mip_error mip_filter_tare_orientation_decode(struct mip_filter_tare_orientation *value,
@@ -1692,6 +2328,13 @@ struct mip_filter_tare_orientation mip_filter_tare_orientation_write(mip_filter_
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
     v.axes = axes;
+    return v;
+}
+
+struct mip_filter_tare_orientation mip_filter_tare_orientation_read(void) {
+    struct mip_filter_tare_orientation v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
     return v;
 }
 
@@ -1716,14 +2359,73 @@ struct mip_filter_tare_orientation mip_filter_tare_orientation_default(void) {
     return v;
 }
 
+static void read_tare_orientation_response(struct mip_reader *r, void *value) {
+    struct mip_filter_tare_orientation_response *v =
+        (struct mip_filter_tare_orientation_response *)value;
+    mip_read_u8(r, &v->axes, 1);
+}
+
+static void write_tare_orientation_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_tare_orientation_response *v =
+        (const struct mip_filter_tare_orientation_response *)value;
+    mip_write_u8(w, &v->axes, 1);
+}
+
+const struct mip_codec mip_filter_tare_orientation_response_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_TARE_ORIENTATION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_tare_orientation_response),
+    0, /* time-out */
+    read_tare_orientation_response,
+    write_tare_orientation_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_tare_orientation_response_decode(
+    struct mip_filter_tare_orientation_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_tare_orientation_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_tare_orientation_response_encode(
+    const struct mip_filter_tare_orientation_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_TARE_ORIENTATION_RESPONSE_DESCRIPTOR,
+                            write_tare_orientation_response, value);
+}
+
+const struct mip_codec mip_filter_commanded_zupt_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_COMMANDED_ZUPT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_commanded_zupt),
+    0, /* time-out */
+    mip_read_nothing,
+    mip_write_nothing,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_commanded_zupt_decode(struct mip_filter_commanded_zupt *value,
+                                           const struct mip_field *field) {
+    return mip_decode_field(field, mip_read_nothing, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_commanded_zupt_encode(const struct mip_filter_commanded_zupt *value,
+                                           struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_COMMANDED_ZUPT_DESCRIPTOR, mip_write_nothing,
+                            value);
+}
+
 const struct mip_codec mip_filter_commanded_zero_angular_rate_update_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_COMMANDED_ZERO_ANGULAR_RATE_UPDATE_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_commanded_zero_angular_rate_update),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
+    NULL,
     NULL,
 };
 
@@ -1774,15 +2476,28 @@ static void write_set_reference_position(struct mip_writer *w, const void *value
     mip_write_double(w, &v->altitude, 1);
 }
 
+static bool asked_set_reference_position_1(const void *value) {
+    const struct mip_filter_set_reference_position *v =
+        (const struct mip_filter_set_reference_position *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_set_reference_position[] = {
+    {&mip_filter_set_reference_position_response_codec, asked_set_reference_position_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_set_reference_position_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SET_REFERENCE_POSITION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_set_reference_position),
-    0,
+    0, /* time-out */
     read_set_reference_position,
     write_set_reference_position,
     NULL,
+    responses_set_reference_position,
 };
 
 mip_error mip_filter_set_reference_position_decode(struct mip_filter_set_reference_position *value,
@@ -1857,13 +2572,14 @@ static void write_set_reference_position_response(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_filter_set_reference_position_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_SET_REFERENCE_POSITION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_set_reference_position_response),
-    0,
+    0, /* time-out */
     read_set_reference_position_response,
     write_set_reference_position_response,
+    NULL,
     NULL,
 };
 
@@ -1877,6 +2593,54 @@ mip_error mip_filter_set_reference_position_response_encode(
     const struct mip_filter_set_reference_position_response *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0D, MIP_FILTER_SET_REFERENCE_POSITION_RESPONSE_DESCRIPTOR,
                             write_set_reference_position_response, value);
+}
+
+static void read_mag_capture_auto_cal(struct mip_reader *r, void *value) {
+    struct mip_filter_mag_capture_auto_cal *v = (struct mip_filter_mag_capture_auto_cal *)value;
+    mip_read_u8(r, &v->function, 1);
+}
+
+static void write_mag_capture_auto_cal(struct mip_writer *w, const void *value) {
+    const struct mip_filter_mag_capture_auto_cal *v =
+        (const struct mip_filter_mag_capture_auto_cal *)value;
+    mip_write_u8(w, &v->function, 1);
+}
+
+const struct mip_codec mip_filter_mag_capture_auto_cal_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_MAG_CAPTURE_AUTO_CAL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_mag_capture_auto_cal),
+    0, /* time-out */
+    read_mag_capture_auto_cal,
+    write_mag_capture_auto_cal,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_mag_capture_auto_cal_decode(struct mip_filter_mag_capture_auto_cal *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_capture_auto_cal, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_mag_capture_auto_cal_encode(
+    const struct mip_filter_mag_capture_auto_cal *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAG_CAPTURE_AUTO_CAL_DESCRIPTOR,
+                            write_mag_capture_auto_cal, value);
+}
+
+struct mip_filter_mag_capture_auto_cal mip_filter_mag_capture_auto_cal_write(void) {
+    struct mip_filter_mag_capture_auto_cal v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    return v;
+}
+
+struct mip_filter_mag_capture_auto_cal mip_filter_mag_capture_auto_cal_save(void) {
+    struct mip_filter_mag_capture_auto_cal v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
 }
 
 /** Parameters that each function requires, by its value. */
@@ -1903,15 +2667,29 @@ static void write_gravity_noise_standard_deviation(struct mip_writer *w, const v
     mip_write_float(w, v->noise, 3);
 }
 
+static bool asked_gravity_noise_standard_deviation_1(const void *value) {
+    const struct mip_filter_gravity_noise_standard_deviation *v =
+        (const struct mip_filter_gravity_noise_standard_deviation *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gravity_noise_standard_deviation[] = {
+    {&mip_filter_gravity_noise_standard_deviation_response_codec,
+     asked_gravity_noise_standard_deviation_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gravity_noise_standard_deviation_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gravity_noise_standard_deviation),
-    0,
+    0, /* time-out */
     read_gravity_noise_standard_deviation,
     write_gravity_noise_standard_deviation,
     NULL,
+    responses_gravity_noise_standard_deviation,
 };
 
 mip_error mip_filter_gravity_noise_standard_deviation_decode(
@@ -1981,13 +2759,14 @@ static void write_gravity_noise_standard_deviation_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_filter_gravity_noise_standard_deviation_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gravity_noise_standard_deviation_response),
-    0,
+    0, /* time-out */
     read_gravity_noise_standard_deviation_response,
     write_gravity_noise_standard_deviation_response,
+    NULL,
     NULL,
 };
 
@@ -2004,6 +2783,399 @@ mip_error mip_filter_gravity_noise_standard_deviation_response_encode(
     return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_DESCRIPTOR,
                             write_gravity_noise_standard_deviation_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_pressure_altitude_noise[] = {0, 1, 0, 0, 0, 0};
+
+static void read_pressure_altitude_noise(struct mip_reader *r, void *value) {
+    struct mip_filter_pressure_altitude_noise *v =
+        (struct mip_filter_pressure_altitude_noise *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_pressure_altitude_noise,
+                      sizeof(required_pressure_altitude_noise));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, &v->noise, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_pressure_altitude_noise(struct mip_writer *w, const void *value) {
+    const struct mip_filter_pressure_altitude_noise *v =
+        (const struct mip_filter_pressure_altitude_noise *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_pressure_altitude_noise,
+                       sizeof(required_pressure_altitude_noise), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, &v->noise, 1);
+}
+
+static bool asked_pressure_altitude_noise_1(const void *value) {
+    const struct mip_filter_pressure_altitude_noise *v =
+        (const struct mip_filter_pressure_altitude_noise *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_pressure_altitude_noise[] = {
+    {&mip_filter_pressure_altitude_noise_response_codec, asked_pressure_altitude_noise_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_filter_pressure_altitude_noise_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_PRESSURE_ALTITUDE_NOISE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_pressure_altitude_noise),
+    0, /* time-out */
+    read_pressure_altitude_noise,
+    write_pressure_altitude_noise,
+    NULL,
+    responses_pressure_altitude_noise,
+};
+
+mip_error mip_filter_pressure_altitude_noise_decode(
+    struct mip_filter_pressure_altitude_noise *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_pressure_altitude_noise, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_pressure_altitude_noise_encode(
+    const struct mip_filter_pressure_altitude_noise *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_PRESSURE_ALTITUDE_NOISE_DESCRIPTOR,
+                            write_pressure_altitude_noise, value);
+}
+
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_write(float noise) {
+    struct mip_filter_pressure_altitude_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.noise = noise;
+    return v;
+}
+
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_read(void) {
+    struct mip_filter_pressure_altitude_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_save(void) {
+    struct mip_filter_pressure_altitude_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_load(void) {
+    struct mip_filter_pressure_altitude_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_default(void) {
+    struct mip_filter_pressure_altitude_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_pressure_altitude_noise_response(struct mip_reader *r, void *value) {
+    struct mip_filter_pressure_altitude_noise_response *v =
+        (struct mip_filter_pressure_altitude_noise_response *)value;
+    mip_read_float(r, &v->noise, 1);
+}
+
+static void write_pressure_altitude_noise_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_pressure_altitude_noise_response *v =
+        (const struct mip_filter_pressure_altitude_noise_response *)value;
+    mip_write_float(w, &v->noise, 1);
+}
+
+const struct mip_codec mip_filter_pressure_altitude_noise_response_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_pressure_altitude_noise_response),
+    0, /* time-out */
+    read_pressure_altitude_noise_response,
+    write_pressure_altitude_noise_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_pressure_altitude_noise_response_decode(
+    struct mip_filter_pressure_altitude_noise_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_pressure_altitude_noise_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_pressure_altitude_noise_response_encode(
+    const struct mip_filter_pressure_altitude_noise_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_DESCRIPTOR,
+                            write_pressure_altitude_noise_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_hard_iron_offset_noise[] = {0, 1, 0, 0, 0, 0};
+
+static void read_hard_iron_offset_noise(struct mip_reader *r, void *value) {
+    struct mip_filter_hard_iron_offset_noise *v = (struct mip_filter_hard_iron_offset_noise *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_hard_iron_offset_noise,
+                      sizeof(required_hard_iron_offset_noise));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->noise, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_hard_iron_offset_noise(struct mip_writer *w, const void *value) {
+    const struct mip_filter_hard_iron_offset_noise *v =
+        (const struct mip_filter_hard_iron_offset_noise *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_hard_iron_offset_noise,
+                       sizeof(required_hard_iron_offset_noise), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->noise, 3);
+}
+
+static bool asked_hard_iron_offset_noise_1(const void *value) {
+    const struct mip_filter_hard_iron_offset_noise *v =
+        (const struct mip_filter_hard_iron_offset_noise *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_hard_iron_offset_noise[] = {
+    {&mip_filter_hard_iron_offset_noise_response_codec, asked_hard_iron_offset_noise_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_filter_hard_iron_offset_noise_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_HARD_IRON_OFFSET_NOISE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_hard_iron_offset_noise),
+    0, /* time-out */
+    read_hard_iron_offset_noise,
+    write_hard_iron_offset_noise,
+    NULL,
+    responses_hard_iron_offset_noise,
+};
+
+mip_error mip_filter_hard_iron_offset_noise_decode(struct mip_filter_hard_iron_offset_noise *value,
+                                                   const struct mip_field *field) {
+    return mip_decode_field(field, read_hard_iron_offset_noise, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_hard_iron_offset_noise_encode(
+    const struct mip_filter_hard_iron_offset_noise *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_HARD_IRON_OFFSET_NOISE_DESCRIPTOR,
+                            write_hard_iron_offset_noise, value);
+}
+
+struct mip_filter_hard_iron_offset_noise
+mip_filter_hard_iron_offset_noise_write(const float noise[3]) {
+    struct mip_filter_hard_iron_offset_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.noise, noise, sizeof(v.noise));
+    return v;
+}
+
+struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_read(void) {
+    struct mip_filter_hard_iron_offset_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_save(void) {
+    struct mip_filter_hard_iron_offset_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_load(void) {
+    struct mip_filter_hard_iron_offset_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_default(void) {
+    struct mip_filter_hard_iron_offset_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_hard_iron_offset_noise_response(struct mip_reader *r, void *value) {
+    struct mip_filter_hard_iron_offset_noise_response *v =
+        (struct mip_filter_hard_iron_offset_noise_response *)value;
+    mip_read_float(r, v->noise, 3);
+}
+
+static void write_hard_iron_offset_noise_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_hard_iron_offset_noise_response *v =
+        (const struct mip_filter_hard_iron_offset_noise_response *)value;
+    mip_write_float(w, v->noise, 3);
+}
+
+const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_hard_iron_offset_noise_response),
+    0, /* time-out */
+    read_hard_iron_offset_noise_response,
+    write_hard_iron_offset_noise_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_hard_iron_offset_noise_response_decode(
+    struct mip_filter_hard_iron_offset_noise_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_hard_iron_offset_noise_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_hard_iron_offset_noise_response_encode(
+    const struct mip_filter_hard_iron_offset_noise_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_DESCRIPTOR,
+                            write_hard_iron_offset_noise_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_soft_iron_matrix_noise[] = {0, 1, 0, 0, 0, 0};
+
+static void read_soft_iron_matrix_noise(struct mip_reader *r, void *value) {
+    struct mip_filter_soft_iron_matrix_noise *v = (struct mip_filter_soft_iron_matrix_noise *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_soft_iron_matrix_noise,
+                      sizeof(required_soft_iron_matrix_noise));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->noise, 9);
+    v->present = mip_read_present(r);
+}
+
+static void write_soft_iron_matrix_noise(struct mip_writer *w, const void *value) {
+    const struct mip_filter_soft_iron_matrix_noise *v =
+        (const struct mip_filter_soft_iron_matrix_noise *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_soft_iron_matrix_noise,
+                       sizeof(required_soft_iron_matrix_noise), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->noise, 9);
+}
+
+static bool asked_soft_iron_matrix_noise_1(const void *value) {
+    const struct mip_filter_soft_iron_matrix_noise *v =
+        (const struct mip_filter_soft_iron_matrix_noise *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_soft_iron_matrix_noise[] = {
+    {&mip_filter_soft_iron_matrix_noise_response_codec, asked_soft_iron_matrix_noise_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_filter_soft_iron_matrix_noise_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_SOFT_IRON_MATRIX_NOISE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_soft_iron_matrix_noise),
+    0, /* time-out */
+    read_soft_iron_matrix_noise,
+    write_soft_iron_matrix_noise,
+    NULL,
+    responses_soft_iron_matrix_noise,
+};
+
+mip_error mip_filter_soft_iron_matrix_noise_decode(struct mip_filter_soft_iron_matrix_noise *value,
+                                                   const struct mip_field *field) {
+    return mip_decode_field(field, read_soft_iron_matrix_noise, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_soft_iron_matrix_noise_encode(
+    const struct mip_filter_soft_iron_matrix_noise *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SOFT_IRON_MATRIX_NOISE_DESCRIPTOR,
+                            write_soft_iron_matrix_noise, value);
+}
+
+struct mip_filter_soft_iron_matrix_noise
+mip_filter_soft_iron_matrix_noise_write(const float noise[9]) {
+    struct mip_filter_soft_iron_matrix_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.noise, noise, sizeof(v.noise));
+    return v;
+}
+
+struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_read(void) {
+    struct mip_filter_soft_iron_matrix_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_save(void) {
+    struct mip_filter_soft_iron_matrix_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_load(void) {
+    struct mip_filter_soft_iron_matrix_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_default(void) {
+    struct mip_filter_soft_iron_matrix_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_soft_iron_matrix_noise_response(struct mip_reader *r, void *value) {
+    struct mip_filter_soft_iron_matrix_noise_response *v =
+        (struct mip_filter_soft_iron_matrix_noise_response *)value;
+    mip_read_float(r, v->noise, 9);
+}
+
+static void write_soft_iron_matrix_noise_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_soft_iron_matrix_noise_response *v =
+        (const struct mip_filter_soft_iron_matrix_noise_response *)value;
+    mip_write_float(w, v->noise, 9);
+}
+
+const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_soft_iron_matrix_noise_response),
+    0, /* time-out */
+    read_soft_iron_matrix_noise_response,
+    write_soft_iron_matrix_noise_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_soft_iron_matrix_noise_response_decode(
+    struct mip_filter_soft_iron_matrix_noise_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_soft_iron_matrix_noise_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_soft_iron_matrix_noise_response_encode(
+    const struct mip_filter_soft_iron_matrix_noise_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_DESCRIPTOR,
+                            write_soft_iron_matrix_noise_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -2030,15 +3202,28 @@ static void write_enable_disable_measurements(struct mip_writer *w, const void *
     mip_write_u16(w, &v->control, 1);
 }
 
+static bool asked_enable_disable_measurements_1(const void *value) {
+    const struct mip_filter_enable_disable_measurements *v =
+        (const struct mip_filter_enable_disable_measurements *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_enable_disable_measurements[] = {
+    {&mip_filter_enable_disable_measurements_response_codec, asked_enable_disable_measurements_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_enable_disable_measurements_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_enable_disable_measurements),
-    0,
+    0, /* time-out */
     read_enable_disable_measurements,
     write_enable_disable_measurements,
     NULL,
+    responses_enable_disable_measurements,
 };
 
 mip_error mip_filter_enable_disable_measurements_decode(
@@ -2052,8 +3237,8 @@ mip_error mip_filter_enable_disable_measurements_encode(
                             write_enable_disable_measurements, value);
 }
 
-struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_write(
-    mip_filter_measurement_flags control) {
+struct mip_filter_enable_disable_measurements
+mip_filter_enable_disable_measurements_write(mip_filter_measurement_flags control) {
     struct mip_filter_enable_disable_measurements v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -2102,13 +3287,14 @@ static void write_enable_disable_measurements_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_filter_enable_disable_measurements_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_enable_disable_measurements_response),
-    0,
+    0, /* time-out */
     read_enable_disable_measurements_response,
     write_enable_disable_measurements_response,
+    NULL,
     NULL,
 };
 
@@ -2124,6 +3310,129 @@ mip_error mip_filter_enable_disable_measurements_response_encode(
     return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_ENABLE_DISABLE_MEASUREMENTS_RESPONSE_DESCRIPTOR,
                             write_enable_disable_measurements_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_mag_noise[] = {0, 1, 0, 0, 0, 0};
+
+static void read_mag_noise(struct mip_reader *r, void *value) {
+    struct mip_filter_mag_noise *v = (struct mip_filter_mag_noise *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_mag_noise, sizeof(required_mag_noise));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->noise, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_mag_noise(struct mip_writer *w, const void *value) {
+    const struct mip_filter_mag_noise *v = (const struct mip_filter_mag_noise *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_mag_noise, sizeof(required_mag_noise), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->noise, 3);
+}
+
+static bool asked_mag_noise_1(const void *value) {
+    const struct mip_filter_mag_noise *v = (const struct mip_filter_mag_noise *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_mag_noise[] = {
+    {&mip_filter_mag_noise_response_codec, asked_mag_noise_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_filter_mag_noise_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_MAG_NOISE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_mag_noise),
+    0, /* time-out */
+    read_mag_noise,
+    write_mag_noise,
+    NULL,
+    responses_mag_noise,
+};
+
+mip_error mip_filter_mag_noise_decode(struct mip_filter_mag_noise *value,
+                                      const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_noise, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_mag_noise_encode(const struct mip_filter_mag_noise *value,
+                                      struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAG_NOISE_DESCRIPTOR, write_mag_noise, value);
+}
+
+struct mip_filter_mag_noise mip_filter_mag_noise_write(const float noise[3]) {
+    struct mip_filter_mag_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.noise, noise, sizeof(v.noise));
+    return v;
+}
+
+struct mip_filter_mag_noise mip_filter_mag_noise_read(void) {
+    struct mip_filter_mag_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_mag_noise mip_filter_mag_noise_save(void) {
+    struct mip_filter_mag_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_mag_noise mip_filter_mag_noise_load(void) {
+    struct mip_filter_mag_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_mag_noise mip_filter_mag_noise_default(void) {
+    struct mip_filter_mag_noise v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_mag_noise_response(struct mip_reader *r, void *value) {
+    struct mip_filter_mag_noise_response *v = (struct mip_filter_mag_noise_response *)value;
+    mip_read_float(r, v->noise, 3);
+}
+
+static void write_mag_noise_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_mag_noise_response *v =
+        (const struct mip_filter_mag_noise_response *)value;
+    mip_write_float(w, v->noise, 3);
+}
+
+const struct mip_codec mip_filter_mag_noise_response_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_MAG_NOISE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_mag_noise_response),
+    0, /* time-out */
+    read_mag_noise_response,
+    write_mag_noise_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_mag_noise_response_decode(struct mip_filter_mag_noise_response *value,
+                                               const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_noise_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_mag_noise_response_encode(const struct mip_filter_mag_noise_response *value,
+                                               struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAG_NOISE_RESPONSE_DESCRIPTOR,
+                            write_mag_noise_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -2155,15 +3464,29 @@ static void write_magnetic_field_declination_source_control(struct mip_writer *w
     mip_write_float(w, &v->declination, 1);
 }
 
+static bool asked_magnetic_field_declination_source_control_1(const void *value) {
+    const struct mip_filter_magnetic_field_declination_source_control *v =
+        (const struct mip_filter_magnetic_field_declination_source_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_magnetic_field_declination_source_control[] = {
+    {&mip_filter_magnetic_field_declination_source_control_response_codec,
+     asked_magnetic_field_declination_source_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_magnetic_field_declination_source_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_magnetic_field_declination_source_control),
-    0,
+    0, /* time-out */
     read_magnetic_field_declination_source_control,
     write_magnetic_field_declination_source_control,
     NULL,
+    responses_magnetic_field_declination_source_control,
 };
 
 mip_error mip_filter_magnetic_field_declination_source_control_decode(
@@ -2182,7 +3505,7 @@ mip_error mip_filter_magnetic_field_declination_source_control_encode(
 }
 
 struct mip_filter_magnetic_field_declination_source_control
-mip_filter_magnetic_field_declination_source_control_write(mip_filter_declination_source source,
+mip_filter_magnetic_field_declination_source_control_write(mip_filter_mag_parameter_source source,
                                                            float declination) {
     struct mip_filter_magnetic_field_declination_source_control v;
     memset(&v, 0, sizeof(v));
@@ -2241,13 +3564,14 @@ static void write_magnetic_field_declination_source_control_response(struct mip_
 }
 
 const struct mip_codec mip_filter_magnetic_field_declination_source_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_magnetic_field_declination_source_control_response),
-    0,
+    0, /* time-out */
     read_magnetic_field_declination_source_control_response,
     write_magnetic_field_declination_source_control_response,
+    NULL,
     NULL,
 };
 
@@ -2315,15 +3639,29 @@ static void write_gravity_magnitude_error_adaptive_measurement(struct mip_writer
     mip_write_float(w, &v->minimum_uncertainty, 1);
 }
 
+static bool asked_gravity_magnitude_error_adaptive_measurement_1(const void *value) {
+    const struct mip_filter_gravity_magnitude_error_adaptive_measurement *v =
+        (const struct mip_filter_gravity_magnitude_error_adaptive_measurement *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gravity_magnitude_error_adaptive_measurement[] = {
+    {&mip_filter_gravity_magnitude_error_adaptive_measurement_response_codec,
+     asked_gravity_magnitude_error_adaptive_measurement_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement),
-    0,
+    0, /* time-out */
     read_gravity_magnitude_error_adaptive_measurement,
     write_gravity_magnitude_error_adaptive_measurement,
     NULL,
+    responses_gravity_magnitude_error_adaptive_measurement,
 };
 
 mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_decode(
@@ -2410,13 +3748,14 @@ static void write_gravity_magnitude_error_adaptive_measurement_response(struct m
 }
 
 const struct mip_codec mip_filter_gravity_magnitude_error_adaptive_measurement_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gravity_magnitude_error_adaptive_measurement_response),
-    0,
+    0, /* time-out */
     read_gravity_magnitude_error_adaptive_measurement_response,
     write_gravity_magnitude_error_adaptive_measurement_response,
+    NULL,
     NULL,
 };
 
@@ -2433,6 +3772,503 @@ mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_encod
     return mip_encode_field(
         builder, 0x0D, MIP_FILTER_GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
         write_gravity_magnitude_error_adaptive_measurement_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_mag_magnitude_error_adaptive_measurement[] = {0, 7, 0, 0, 0, 0};
+
+static void read_mag_magnitude_error_adaptive_measurement(struct mip_reader *r, void *value) {
+    struct mip_filter_mag_magnitude_error_adaptive_measurement *v =
+        (struct mip_filter_mag_magnitude_error_adaptive_measurement *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_mag_magnitude_error_adaptive_measurement,
+                      sizeof(required_mag_magnitude_error_adaptive_measurement));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->adaptive_measurement, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, &v->frequency, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_float(r, &v->low_limit, 1);
+    mip_read_group(r, 4, 4);
+    mip_read_float(r, &v->high_limit, 1);
+    mip_read_group(r, 5, 5);
+    mip_read_float(r, &v->low_limit_uncertainty, 1);
+    mip_read_group(r, 6, 6);
+    mip_read_float(r, &v->high_limit_uncertainty, 1);
+    mip_read_group(r, 7, 7);
+    mip_read_float(r, &v->minimum_uncertainty, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_mag_magnitude_error_adaptive_measurement(struct mip_writer *w,
+                                                           const void *value) {
+    const struct mip_filter_mag_magnitude_error_adaptive_measurement *v =
+        (const struct mip_filter_mag_magnitude_error_adaptive_measurement *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_mag_magnitude_error_adaptive_measurement,
+                       sizeof(required_mag_magnitude_error_adaptive_measurement), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->adaptive_measurement, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, &v->frequency, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_float(w, &v->low_limit, 1);
+    mip_write_group(w, 4, 4);
+    mip_write_float(w, &v->high_limit, 1);
+    mip_write_group(w, 5, 5);
+    mip_write_float(w, &v->low_limit_uncertainty, 1);
+    mip_write_group(w, 6, 6);
+    mip_write_float(w, &v->high_limit_uncertainty, 1);
+    mip_write_group(w, 7, 7);
+    mip_write_float(w, &v->minimum_uncertainty, 1);
+}
+
+static bool asked_mag_magnitude_error_adaptive_measurement_1(const void *value) {
+    const struct mip_filter_mag_magnitude_error_adaptive_measurement *v =
+        (const struct mip_filter_mag_magnitude_error_adaptive_measurement *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_mag_magnitude_error_adaptive_measurement[] = {
+    {&mip_filter_mag_magnitude_error_adaptive_measurement_response_codec,
+     asked_mag_magnitude_error_adaptive_measurement_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement),
+    0, /* time-out */
+    read_mag_magnitude_error_adaptive_measurement,
+    write_mag_magnitude_error_adaptive_measurement,
+    NULL,
+    responses_mag_magnitude_error_adaptive_measurement,
+};
+
+mip_error mip_filter_mag_magnitude_error_adaptive_measurement_decode(
+    struct mip_filter_mag_magnitude_error_adaptive_measurement *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_magnitude_error_adaptive_measurement, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_mag_magnitude_error_adaptive_measurement_encode(
+    const struct mip_filter_mag_magnitude_error_adaptive_measurement *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
+                            write_mag_magnitude_error_adaptive_measurement, value);
+}
+
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_write(
+    mip_filter_adaptive_measurement_selector adaptive_measurement, float frequency, float low_limit,
+    float high_limit, float low_limit_uncertainty, float high_limit_uncertainty,
+    float minimum_uncertainty) {
+    struct mip_filter_mag_magnitude_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.adaptive_measurement = adaptive_measurement;
+    v.frequency = frequency;
+    v.low_limit = low_limit;
+    v.high_limit = high_limit;
+    v.low_limit_uncertainty = low_limit_uncertainty;
+    v.high_limit_uncertainty = high_limit_uncertainty;
+    v.minimum_uncertainty = minimum_uncertainty;
+    return v;
+}
+
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_read(void) {
+    struct mip_filter_mag_magnitude_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_save(void) {
+    struct mip_filter_mag_magnitude_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_load(void) {
+    struct mip_filter_mag_magnitude_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_default(void) {
+    struct mip_filter_mag_magnitude_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_mag_magnitude_error_adaptive_measurement_response(struct mip_reader *r,
+                                                                   void *value) {
+    struct mip_filter_mag_magnitude_error_adaptive_measurement_response *v =
+        (struct mip_filter_mag_magnitude_error_adaptive_measurement_response *)value;
+    mip_read_u8(r, &v->adaptive_measurement, 1);
+    mip_read_float(r, &v->frequency, 1);
+    mip_read_float(r, &v->low_limit, 1);
+    mip_read_float(r, &v->high_limit, 1);
+    mip_read_float(r, &v->low_limit_uncertainty, 1);
+    mip_read_float(r, &v->high_limit_uncertainty, 1);
+    mip_read_float(r, &v->minimum_uncertainty, 1);
+}
+
+static void write_mag_magnitude_error_adaptive_measurement_response(struct mip_writer *w,
+                                                                    const void *value) {
+    const struct mip_filter_mag_magnitude_error_adaptive_measurement_response *v =
+        (const struct mip_filter_mag_magnitude_error_adaptive_measurement_response *)value;
+    mip_write_u8(w, &v->adaptive_measurement, 1);
+    mip_write_float(w, &v->frequency, 1);
+    mip_write_float(w, &v->low_limit, 1);
+    mip_write_float(w, &v->high_limit, 1);
+    mip_write_float(w, &v->low_limit_uncertainty, 1);
+    mip_write_float(w, &v->high_limit_uncertainty, 1);
+    mip_write_float(w, &v->minimum_uncertainty, 1);
+}
+
+const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_response_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_mag_magnitude_error_adaptive_measurement_response),
+    0, /* time-out */
+    read_mag_magnitude_error_adaptive_measurement_response,
+    write_mag_magnitude_error_adaptive_measurement_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_decode(
+    struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_magnitude_error_adaptive_measurement_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_encode(
+    const struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
+                            write_mag_magnitude_error_adaptive_measurement_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_mag_dip_angle_error_adaptive_measurement[] = {0, 5, 0, 0, 0, 0};
+
+static void read_mag_dip_angle_error_adaptive_measurement(struct mip_reader *r, void *value) {
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement *v =
+        (struct mip_filter_mag_dip_angle_error_adaptive_measurement *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_mag_dip_angle_error_adaptive_measurement,
+                      sizeof(required_mag_dip_angle_error_adaptive_measurement));
+    mip_read_group(r, 1, 1);
+    mip_read_bool(r, &v->enable, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, &v->frequency, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_float(r, &v->high_limit, 1);
+    mip_read_group(r, 4, 4);
+    mip_read_float(r, &v->high_limit_uncertainty, 1);
+    mip_read_group(r, 5, 5);
+    mip_read_float(r, &v->minimum_uncertainty, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_mag_dip_angle_error_adaptive_measurement(struct mip_writer *w,
+                                                           const void *value) {
+    const struct mip_filter_mag_dip_angle_error_adaptive_measurement *v =
+        (const struct mip_filter_mag_dip_angle_error_adaptive_measurement *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_mag_dip_angle_error_adaptive_measurement,
+                       sizeof(required_mag_dip_angle_error_adaptive_measurement), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_bool(w, &v->enable, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, &v->frequency, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_float(w, &v->high_limit, 1);
+    mip_write_group(w, 4, 4);
+    mip_write_float(w, &v->high_limit_uncertainty, 1);
+    mip_write_group(w, 5, 5);
+    mip_write_float(w, &v->minimum_uncertainty, 1);
+}
+
+static bool asked_mag_dip_angle_error_adaptive_measurement_1(const void *value) {
+    const struct mip_filter_mag_dip_angle_error_adaptive_measurement *v =
+        (const struct mip_filter_mag_dip_angle_error_adaptive_measurement *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_mag_dip_angle_error_adaptive_measurement[] = {
+    {&mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec,
+     asked_mag_dip_angle_error_adaptive_measurement_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement),
+    0, /* time-out */
+    read_mag_dip_angle_error_adaptive_measurement,
+    write_mag_dip_angle_error_adaptive_measurement,
+    NULL,
+    responses_mag_dip_angle_error_adaptive_measurement,
+};
+
+mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_decode(
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_dip_angle_error_adaptive_measurement, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_encode(
+    const struct mip_filter_mag_dip_angle_error_adaptive_measurement *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR,
+                            write_mag_dip_angle_error_adaptive_measurement, value);
+}
+
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_write(mip_bool enable, float frequency,
+                                                          float high_limit,
+                                                          float high_limit_uncertainty,
+                                                          float minimum_uncertainty) {
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.enable = enable;
+    v.frequency = frequency;
+    v.high_limit = high_limit;
+    v.high_limit_uncertainty = high_limit_uncertainty;
+    v.minimum_uncertainty = minimum_uncertainty;
+    return v;
+}
+
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_read(void) {
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_save(void) {
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_load(void) {
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_default(void) {
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_mag_dip_angle_error_adaptive_measurement_response(struct mip_reader *r,
+                                                                   void *value) {
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *v =
+        (struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *)value;
+    mip_read_bool(r, &v->enable, 1);
+    mip_read_float(r, &v->frequency, 1);
+    mip_read_float(r, &v->high_limit, 1);
+    mip_read_float(r, &v->high_limit_uncertainty, 1);
+    mip_read_float(r, &v->minimum_uncertainty, 1);
+}
+
+static void write_mag_dip_angle_error_adaptive_measurement_response(struct mip_writer *w,
+                                                                    const void *value) {
+    const struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *v =
+        (const struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *)value;
+    mip_write_bool(w, &v->enable, 1);
+    mip_write_float(w, &v->frequency, 1);
+    mip_write_float(w, &v->high_limit, 1);
+    mip_write_float(w, &v->high_limit_uncertainty, 1);
+    mip_write_float(w, &v->minimum_uncertainty, 1);
+}
+
+const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_mag_dip_angle_error_adaptive_measurement_response),
+    0, /* time-out */
+    read_mag_dip_angle_error_adaptive_measurement_response,
+    write_mag_dip_angle_error_adaptive_measurement_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_decode(
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_dip_angle_error_adaptive_measurement_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_encode(
+    const struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR,
+                            write_mag_dip_angle_error_adaptive_measurement_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_altitude_aiding[] = {0, 1, 0, 0, 0, 0};
+
+static void read_altitude_aiding(struct mip_reader *r, void *value) {
+    struct mip_filter_altitude_aiding *v = (struct mip_filter_altitude_aiding *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_altitude_aiding, sizeof(required_altitude_aiding));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->selector, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_altitude_aiding(struct mip_writer *w, const void *value) {
+    const struct mip_filter_altitude_aiding *v = (const struct mip_filter_altitude_aiding *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_altitude_aiding, sizeof(required_altitude_aiding),
+                       v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->selector, 1);
+}
+
+static bool asked_altitude_aiding_1(const void *value) {
+    const struct mip_filter_altitude_aiding *v = (const struct mip_filter_altitude_aiding *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_altitude_aiding[] = {
+    {&mip_filter_altitude_aiding_response_codec, asked_altitude_aiding_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_filter_altitude_aiding_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_ALTITUDE_AIDING_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_altitude_aiding),
+    0, /* time-out */
+    read_altitude_aiding,
+    write_altitude_aiding,
+    NULL,
+    responses_altitude_aiding,
+};
+
+mip_error mip_filter_altitude_aiding_decode(struct mip_filter_altitude_aiding *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_altitude_aiding, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_altitude_aiding_encode(const struct mip_filter_altitude_aiding *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ALTITUDE_AIDING_DESCRIPTOR,
+                            write_altitude_aiding, value);
+}
+
+struct mip_filter_altitude_aiding
+mip_filter_altitude_aiding_write(mip_filter_altitude_aiding_source selector) {
+    struct mip_filter_altitude_aiding v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.selector = selector;
+    return v;
+}
+
+struct mip_filter_altitude_aiding mip_filter_altitude_aiding_read(void) {
+    struct mip_filter_altitude_aiding v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_altitude_aiding mip_filter_altitude_aiding_save(void) {
+    struct mip_filter_altitude_aiding v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_altitude_aiding mip_filter_altitude_aiding_load(void) {
+    struct mip_filter_altitude_aiding v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_altitude_aiding mip_filter_altitude_aiding_default(void) {
+    struct mip_filter_altitude_aiding v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_altitude_aiding_response(struct mip_reader *r, void *value) {
+    struct mip_filter_altitude_aiding_response *v =
+        (struct mip_filter_altitude_aiding_response *)value;
+    mip_read_u8(r, &v->selector, 1);
+}
+
+static void write_altitude_aiding_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_altitude_aiding_response *v =
+        (const struct mip_filter_altitude_aiding_response *)value;
+    mip_write_u8(w, &v->selector, 1);
+}
+
+const struct mip_codec mip_filter_altitude_aiding_response_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_ALTITUDE_AIDING_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_altitude_aiding_response),
+    0, /* time-out */
+    read_altitude_aiding_response,
+    write_altitude_aiding_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_altitude_aiding_response_decode(
+    struct mip_filter_altitude_aiding_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_altitude_aiding_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_altitude_aiding_response_encode(
+    const struct mip_filter_altitude_aiding_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_ALTITUDE_AIDING_RESPONSE_DESCRIPTOR,
+                            write_altitude_aiding_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -2459,15 +4295,28 @@ static void write_pitch_roll_aiding_control(struct mip_writer *w, const void *va
     mip_write_u8(w, &v->aiding, 1);
 }
 
+static bool asked_pitch_roll_aiding_control_1(const void *value) {
+    const struct mip_filter_pitch_roll_aiding_control *v =
+        (const struct mip_filter_pitch_roll_aiding_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_pitch_roll_aiding_control[] = {
+    {&mip_filter_pitch_roll_aiding_control_response_codec, asked_pitch_roll_aiding_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_pitch_roll_aiding_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_pitch_roll_aiding_control),
-    0,
+    0, /* time-out */
     read_pitch_roll_aiding_control,
     write_pitch_roll_aiding_control,
     NULL,
+    responses_pitch_roll_aiding_control,
 };
 
 mip_error mip_filter_pitch_roll_aiding_control_decode(
@@ -2481,8 +4330,8 @@ mip_error mip_filter_pitch_roll_aiding_control_encode(
                             write_pitch_roll_aiding_control, value);
 }
 
-struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_write(
-    mip_filter_pitch_roll_aiding_source aiding) {
+struct mip_filter_pitch_roll_aiding_control
+mip_filter_pitch_roll_aiding_control_write(mip_filter_pitch_roll_aiding_source aiding) {
     struct mip_filter_pitch_roll_aiding_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -2531,13 +4380,14 @@ static void write_pitch_roll_aiding_control_response(struct mip_writer *w, const
 }
 
 const struct mip_codec mip_filter_pitch_roll_aiding_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_pitch_roll_aiding_control_response),
-    0,
+    0, /* time-out */
     read_pitch_roll_aiding_control_response,
     write_pitch_roll_aiding_control_response,
+    NULL,
     NULL,
 };
 
@@ -2552,6 +4402,569 @@ mip_error mip_filter_pitch_roll_aiding_control_response_encode(
     struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0D, MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_RESPONSE_DESCRIPTOR,
                             write_pitch_roll_aiding_control_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_inclination_source[] = {0, 2, 0, 0, 0, 0};
+
+static void read_inclination_source(struct mip_reader *r, void *value) {
+    struct mip_filter_inclination_source *v = (struct mip_filter_inclination_source *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_inclination_source,
+                      sizeof(required_inclination_source));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->source, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, &v->inclination, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_inclination_source(struct mip_writer *w, const void *value) {
+    const struct mip_filter_inclination_source *v =
+        (const struct mip_filter_inclination_source *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_inclination_source,
+                       sizeof(required_inclination_source), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->source, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, &v->inclination, 1);
+}
+
+static bool asked_inclination_source_1(const void *value) {
+    const struct mip_filter_inclination_source *v =
+        (const struct mip_filter_inclination_source *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_inclination_source[] = {
+    {&mip_filter_inclination_source_response_codec, asked_inclination_source_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_filter_inclination_source_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_INCLINATION_SOURCE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_inclination_source),
+    0, /* time-out */
+    read_inclination_source,
+    write_inclination_source,
+    NULL,
+    responses_inclination_source,
+};
+
+mip_error mip_filter_inclination_source_decode(struct mip_filter_inclination_source *value,
+                                               const struct mip_field *field) {
+    return mip_decode_field(field, read_inclination_source, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_inclination_source_encode(const struct mip_filter_inclination_source *value,
+                                               struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_INCLINATION_SOURCE_DESCRIPTOR,
+                            write_inclination_source, value);
+}
+
+struct mip_filter_inclination_source
+mip_filter_inclination_source_write(mip_filter_mag_parameter_source source, float inclination) {
+    struct mip_filter_inclination_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.source = source;
+    v.inclination = inclination;
+    return v;
+}
+
+struct mip_filter_inclination_source mip_filter_inclination_source_read(void) {
+    struct mip_filter_inclination_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_inclination_source mip_filter_inclination_source_save(void) {
+    struct mip_filter_inclination_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_inclination_source mip_filter_inclination_source_load(void) {
+    struct mip_filter_inclination_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_inclination_source mip_filter_inclination_source_default(void) {
+    struct mip_filter_inclination_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_inclination_source_response(struct mip_reader *r, void *value) {
+    struct mip_filter_inclination_source_response *v =
+        (struct mip_filter_inclination_source_response *)value;
+    mip_read_u8(r, &v->source, 1);
+    mip_read_float(r, &v->inclination, 1);
+}
+
+static void write_inclination_source_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_inclination_source_response *v =
+        (const struct mip_filter_inclination_source_response *)value;
+    mip_write_u8(w, &v->source, 1);
+    mip_write_float(w, &v->inclination, 1);
+}
+
+const struct mip_codec mip_filter_inclination_source_response_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_inclination_source_response),
+    0, /* time-out */
+    read_inclination_source_response,
+    write_inclination_source_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_inclination_source_response_decode(
+    struct mip_filter_inclination_source_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_inclination_source_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_inclination_source_response_encode(
+    const struct mip_filter_inclination_source_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR,
+                            write_inclination_source_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_mag_field_magnitude_source[] = {0, 2, 0, 0, 0, 0};
+
+static void read_mag_field_magnitude_source(struct mip_reader *r, void *value) {
+    struct mip_filter_mag_field_magnitude_source *v =
+        (struct mip_filter_mag_field_magnitude_source *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_mag_field_magnitude_source,
+                      sizeof(required_mag_field_magnitude_source));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->source, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_float(r, &v->magnitude, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_mag_field_magnitude_source(struct mip_writer *w, const void *value) {
+    const struct mip_filter_mag_field_magnitude_source *v =
+        (const struct mip_filter_mag_field_magnitude_source *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_mag_field_magnitude_source,
+                       sizeof(required_mag_field_magnitude_source), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->source, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_float(w, &v->magnitude, 1);
+}
+
+static bool asked_mag_field_magnitude_source_1(const void *value) {
+    const struct mip_filter_mag_field_magnitude_source *v =
+        (const struct mip_filter_mag_field_magnitude_source *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_mag_field_magnitude_source[] = {
+    {&mip_filter_mag_field_magnitude_source_response_codec, asked_mag_field_magnitude_source_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_filter_mag_field_magnitude_source_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_mag_field_magnitude_source),
+    0, /* time-out */
+    read_mag_field_magnitude_source,
+    write_mag_field_magnitude_source,
+    NULL,
+    responses_mag_field_magnitude_source,
+};
+
+mip_error mip_filter_mag_field_magnitude_source_decode(
+    struct mip_filter_mag_field_magnitude_source *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_field_magnitude_source, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_mag_field_magnitude_source_encode(
+    const struct mip_filter_mag_field_magnitude_source *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_DESCRIPTOR,
+                            write_mag_field_magnitude_source, value);
+}
+
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_write(
+    mip_filter_mag_parameter_source source, float magnitude) {
+    struct mip_filter_mag_field_magnitude_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.source = source;
+    v.magnitude = magnitude;
+    return v;
+}
+
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_read(void) {
+    struct mip_filter_mag_field_magnitude_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_save(void) {
+    struct mip_filter_mag_field_magnitude_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_load(void) {
+    struct mip_filter_mag_field_magnitude_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_default(void) {
+    struct mip_filter_mag_field_magnitude_source v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_mag_field_magnitude_source_response(struct mip_reader *r, void *value) {
+    struct mip_filter_mag_field_magnitude_source_response *v =
+        (struct mip_filter_mag_field_magnitude_source_response *)value;
+    mip_read_u8(r, &v->source, 1);
+    mip_read_float(r, &v->magnitude, 1);
+}
+
+static void write_mag_field_magnitude_source_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_mag_field_magnitude_source_response *v =
+        (const struct mip_filter_mag_field_magnitude_source_response *)value;
+    mip_write_u8(w, &v->source, 1);
+    mip_write_float(w, &v->magnitude, 1);
+}
+
+const struct mip_codec mip_filter_mag_field_magnitude_source_response_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_mag_field_magnitude_source_response),
+    0, /* time-out */
+    read_mag_field_magnitude_source_response,
+    write_mag_field_magnitude_source_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_mag_field_magnitude_source_response_decode(
+    struct mip_filter_mag_field_magnitude_source_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_mag_field_magnitude_source_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_mag_field_magnitude_source_response_encode(
+    const struct mip_filter_mag_field_magnitude_source_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR,
+                            write_mag_field_magnitude_source_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_sensor_to_vehicle_rotation_dcm[] = {0, 1, 0, 0, 0, 0};
+
+static void read_sensor_to_vehicle_rotation_dcm(struct mip_reader *r, void *value) {
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *v =
+        (struct mip_filter_sensor_to_vehicle_rotation_dcm *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_sensor_to_vehicle_rotation_dcm,
+                      sizeof(required_sensor_to_vehicle_rotation_dcm));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->dcm, 9);
+    v->present = mip_read_present(r);
+}
+
+static void write_sensor_to_vehicle_rotation_dcm(struct mip_writer *w, const void *value) {
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm *v =
+        (const struct mip_filter_sensor_to_vehicle_rotation_dcm *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_sensor_to_vehicle_rotation_dcm,
+                       sizeof(required_sensor_to_vehicle_rotation_dcm), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->dcm, 9);
+}
+
+static bool asked_sensor_to_vehicle_rotation_dcm_1(const void *value) {
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm *v =
+        (const struct mip_filter_sensor_to_vehicle_rotation_dcm *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_rotation_dcm[] = {
+    {&mip_filter_sensor_to_vehicle_rotation_dcm_response_codec,
+     asked_sensor_to_vehicle_rotation_dcm_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm),
+    0, /* time-out */
+    read_sensor_to_vehicle_rotation_dcm,
+    write_sensor_to_vehicle_rotation_dcm,
+    NULL,
+    responses_sensor_to_vehicle_rotation_dcm,
+};
+
+mip_error mip_filter_sensor_to_vehicle_rotation_dcm_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_rotation_dcm, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_sensor_to_vehicle_rotation_dcm_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_DESCRIPTOR,
+                            write_sensor_to_vehicle_rotation_dcm, value);
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_write(const float dcm[9]) {
+    struct mip_filter_sensor_to_vehicle_rotation_dcm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.dcm, dcm, sizeof(v.dcm));
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_read(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_dcm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_save(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_dcm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_load(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_dcm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_default(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_dcm v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_sensor_to_vehicle_rotation_dcm_response(struct mip_reader *r, void *value) {
+    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *v =
+        (struct mip_filter_sensor_to_vehicle_rotation_dcm_response *)value;
+    mip_read_float(r, v->dcm, 9);
+}
+
+static void write_sensor_to_vehicle_rotation_dcm_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *v =
+        (const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *)value;
+    mip_write_float(w, v->dcm, 9);
+}
+
+const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_dcm_response),
+    0, /* time-out */
+    read_sensor_to_vehicle_rotation_dcm_response,
+    write_sensor_to_vehicle_rotation_dcm_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_rotation_dcm_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_DESCRIPTOR,
+                            write_sensor_to_vehicle_rotation_dcm_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_sensor_to_vehicle_rotation_quaternion[] = {0, 1, 0, 0, 0, 0};
+
+static void read_sensor_to_vehicle_rotation_quaternion(struct mip_reader *r, void *value) {
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion *v =
+        (struct mip_filter_sensor_to_vehicle_rotation_quaternion *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_sensor_to_vehicle_rotation_quaternion,
+                      sizeof(required_sensor_to_vehicle_rotation_quaternion));
+    mip_read_group(r, 1, 1);
+    mip_read_float(r, v->quat, 4);
+    v->present = mip_read_present(r);
+}
+
+static void write_sensor_to_vehicle_rotation_quaternion(struct mip_writer *w, const void *value) {
+    const struct mip_filter_sensor_to_vehicle_rotation_quaternion *v =
+        (const struct mip_filter_sensor_to_vehicle_rotation_quaternion *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_sensor_to_vehicle_rotation_quaternion,
+                       sizeof(required_sensor_to_vehicle_rotation_quaternion), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_float(w, v->quat, 4);
+}
+
+static bool asked_sensor_to_vehicle_rotation_quaternion_1(const void *value) {
+    const struct mip_filter_sensor_to_vehicle_rotation_quaternion *v =
+        (const struct mip_filter_sensor_to_vehicle_rotation_quaternion *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_sensor_to_vehicle_rotation_quaternion[] = {
+    {&mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec,
+     asked_sensor_to_vehicle_rotation_quaternion_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion),
+    0, /* time-out */
+    read_sensor_to_vehicle_rotation_quaternion,
+    write_sensor_to_vehicle_rotation_quaternion,
+    NULL,
+    responses_sensor_to_vehicle_rotation_quaternion,
+};
+
+mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_rotation_quaternion, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_quaternion *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_DESCRIPTOR,
+                            write_sensor_to_vehicle_rotation_quaternion, value);
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_write(const float quat[4]) {
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    memcpy(v.quat, quat, sizeof(v.quat));
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_read(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_save(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_load(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_default(void) {
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_sensor_to_vehicle_rotation_quaternion_response(struct mip_reader *r, void *value) {
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *v =
+        (struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *)value;
+    mip_read_float(r, v->quat, 4);
+}
+
+static void write_sensor_to_vehicle_rotation_quaternion_response(struct mip_writer *w,
+                                                                 const void *value) {
+    const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *v =
+        (const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *)value;
+    mip_write_float(w, v->quat, 4);
+}
+
+const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_sensor_to_vehicle_rotation_quaternion_response),
+    0, /* time-out */
+    read_sensor_to_vehicle_rotation_quaternion_response,
+    write_sensor_to_vehicle_rotation_quaternion_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_sensor_to_vehicle_rotation_quaternion_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_DESCRIPTOR,
+                            write_sensor_to_vehicle_rotation_quaternion_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -2582,15 +4995,28 @@ static void write_aiding_measurement_control(struct mip_writer *w, const void *v
     mip_write_bool(w, &v->enable, 1);
 }
 
+static bool asked_aiding_measurement_control_1(const void *value) {
+    const struct mip_filter_aiding_measurement_control *v =
+        (const struct mip_filter_aiding_measurement_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_aiding_measurement_control[] = {
+    {&mip_filter_aiding_measurement_control_response_codec, asked_aiding_measurement_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_aiding_measurement_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AIDING_MEASUREMENT_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_aiding_measurement_control),
-    0,
+    0, /* time-out */
     read_aiding_measurement_control,
     write_aiding_measurement_control,
     NULL,
+    responses_aiding_measurement_control,
 };
 
 mip_error mip_filter_aiding_measurement_control_decode(
@@ -2614,8 +5040,8 @@ struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_contr
     return v;
 }
 
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_read(
-    mip_filter_aiding_source aiding_source) {
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_read(mip_filter_aiding_source aiding_source) {
     struct mip_filter_aiding_measurement_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_READ;
@@ -2623,8 +5049,8 @@ struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_contr
     return v;
 }
 
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_save(
-    mip_filter_aiding_source aiding_source) {
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_save(mip_filter_aiding_source aiding_source) {
     struct mip_filter_aiding_measurement_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_SAVE;
@@ -2632,8 +5058,8 @@ struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_contr
     return v;
 }
 
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_load(
-    mip_filter_aiding_source aiding_source) {
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_load(mip_filter_aiding_source aiding_source) {
     struct mip_filter_aiding_measurement_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_LOAD;
@@ -2641,8 +5067,8 @@ struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_contr
     return v;
 }
 
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_default(
-    mip_filter_aiding_source aiding_source) {
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_default(mip_filter_aiding_source aiding_source) {
     struct mip_filter_aiding_measurement_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
@@ -2665,13 +5091,14 @@ static void write_aiding_measurement_control_response(struct mip_writer *w, cons
 }
 
 const struct mip_codec mip_filter_aiding_measurement_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_AIDING_MEASUREMENT_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_aiding_measurement_control_response),
-    0,
+    0, /* time-out */
     read_aiding_measurement_control_response,
     write_aiding_measurement_control_response,
+    NULL,
     NULL,
 };
 
@@ -2687,6 +5114,152 @@ mip_error mip_filter_aiding_measurement_control_response_encode(
     return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_AIDING_MEASUREMENT_CONTROL_RESPONSE_DESCRIPTOR,
                             write_aiding_measurement_control_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_kinematic_constraint[] = {0, 3, 0, 0, 0, 0};
+
+static void read_kinematic_constraint(struct mip_reader *r, void *value) {
+    struct mip_filter_kinematic_constraint *v = (struct mip_filter_kinematic_constraint *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_kinematic_constraint,
+                      sizeof(required_kinematic_constraint));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->accel_constraint, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_u8(r, &v->velocity_constraint, 1);
+    mip_read_group(r, 3, 3);
+    mip_read_u8(r, &v->angular_constraint, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_kinematic_constraint(struct mip_writer *w, const void *value) {
+    const struct mip_filter_kinematic_constraint *v =
+        (const struct mip_filter_kinematic_constraint *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_kinematic_constraint,
+                       sizeof(required_kinematic_constraint), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->accel_constraint, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_u8(w, &v->velocity_constraint, 1);
+    mip_write_group(w, 3, 3);
+    mip_write_u8(w, &v->angular_constraint, 1);
+}
+
+static bool asked_kinematic_constraint_1(const void *value) {
+    const struct mip_filter_kinematic_constraint *v =
+        (const struct mip_filter_kinematic_constraint *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_kinematic_constraint[] = {
+    {&mip_filter_kinematic_constraint_response_codec, asked_kinematic_constraint_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_filter_kinematic_constraint_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_KINEMATIC_CONSTRAINT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_kinematic_constraint),
+    0, /* time-out */
+    read_kinematic_constraint,
+    write_kinematic_constraint,
+    NULL,
+    responses_kinematic_constraint,
+};
+
+mip_error mip_filter_kinematic_constraint_decode(struct mip_filter_kinematic_constraint *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, read_kinematic_constraint, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_kinematic_constraint_encode(
+    const struct mip_filter_kinematic_constraint *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_KINEMATIC_CONSTRAINT_DESCRIPTOR,
+                            write_kinematic_constraint, value);
+}
+
+struct mip_filter_kinematic_constraint
+mip_filter_kinematic_constraint_write(mip_filter_accel_constraint accel_constraint,
+                                      mip_filter_velocity_constraint velocity_constraint,
+                                      mip_filter_angular_constraint angular_constraint) {
+    struct mip_filter_kinematic_constraint v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.accel_constraint = accel_constraint;
+    v.velocity_constraint = velocity_constraint;
+    v.angular_constraint = angular_constraint;
+    return v;
+}
+
+struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_read(void) {
+    struct mip_filter_kinematic_constraint v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_save(void) {
+    struct mip_filter_kinematic_constraint v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_load(void) {
+    struct mip_filter_kinematic_constraint v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_default(void) {
+    struct mip_filter_kinematic_constraint v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_kinematic_constraint_response(struct mip_reader *r, void *value) {
+    struct mip_filter_kinematic_constraint_response *v =
+        (struct mip_filter_kinematic_constraint_response *)value;
+    mip_read_u8(r, &v->accel_constraint, 1);
+    mip_read_u8(r, &v->velocity_constraint, 1);
+    mip_read_u8(r, &v->angular_constraint, 1);
+}
+
+static void write_kinematic_constraint_response(struct mip_writer *w, const void *value) {
+    const struct mip_filter_kinematic_constraint_response *v =
+        (const struct mip_filter_kinematic_constraint_response *)value;
+    mip_write_u8(w, &v->accel_constraint, 1);
+    mip_write_u8(w, &v->velocity_constraint, 1);
+    mip_write_u8(w, &v->angular_constraint, 1);
+}
+
+const struct mip_codec mip_filter_kinematic_constraint_response_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_kinematic_constraint_response),
+    0, /* time-out */
+    read_kinematic_constraint_response,
+    write_kinematic_constraint_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_kinematic_constraint_response_decode(
+    struct mip_filter_kinematic_constraint_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_kinematic_constraint_response, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_kinematic_constraint_response_encode(
+    const struct mip_filter_kinematic_constraint_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_DESCRIPTOR,
+                            write_kinematic_constraint_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -2745,15 +5318,29 @@ static void write_navigation_filter_initialization(struct mip_writer *w, const v
     mip_write_u8(w, &v->reference_frame_selector, 1);
 }
 
+static bool asked_navigation_filter_initialization_1(const void *value) {
+    const struct mip_filter_navigation_filter_initialization *v =
+        (const struct mip_filter_navigation_filter_initialization *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_navigation_filter_initialization[] = {
+    {&mip_filter_navigation_filter_initialization_response_codec,
+     asked_navigation_filter_initialization_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_navigation_filter_initialization_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_navigation_filter_initialization),
-    0,
+    0, /* time-out */
     read_navigation_filter_initialization,
     write_navigation_filter_initialization,
     NULL,
+    responses_navigation_filter_initialization,
 };
 
 mip_error mip_filter_navigation_filter_initialization_decode(
@@ -2851,13 +5438,14 @@ static void write_navigation_filter_initialization_response(struct mip_writer *w
 }
 
 const struct mip_codec mip_filter_navigation_filter_initialization_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_NAVIGATION_FILTER_INITIALIZATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_navigation_filter_initialization_response),
-    0,
+    0, /* time-out */
     read_navigation_filter_initialization_response,
     write_navigation_filter_initialization_response,
+    NULL,
     NULL,
 };
 
@@ -2904,15 +5492,28 @@ static void write_adaptive_filter_control(struct mip_writer *w, const void *valu
     mip_write_u16(w, &v->time_limit, 1);
 }
 
+static bool asked_adaptive_filter_control_1(const void *value) {
+    const struct mip_filter_adaptive_filter_control *v =
+        (const struct mip_filter_adaptive_filter_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_adaptive_filter_control[] = {
+    {&mip_filter_adaptive_filter_control_response_codec, asked_adaptive_filter_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_adaptive_filter_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ADAPTIVE_FILTER_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_adaptive_filter_control),
-    0,
+    0, /* time-out */
     read_adaptive_filter_control,
     write_adaptive_filter_control,
     NULL,
+    responses_adaptive_filter_control,
 };
 
 mip_error mip_filter_adaptive_filter_control_decode(
@@ -2926,8 +5527,8 @@ mip_error mip_filter_adaptive_filter_control_encode(
                             write_adaptive_filter_control, value);
 }
 
-struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_write(
-    mip_filter_adaptive_level level, uint16_t time_limit) {
+struct mip_filter_adaptive_filter_control
+mip_filter_adaptive_filter_control_write(mip_filter_adaptive_level level, uint16_t time_limit) {
     struct mip_filter_adaptive_filter_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -2979,13 +5580,14 @@ static void write_adaptive_filter_control_response(struct mip_writer *w, const v
 }
 
 const struct mip_codec mip_filter_adaptive_filter_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_ADAPTIVE_FILTER_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_adaptive_filter_control_response),
-    0,
+    0, /* time-out */
     read_adaptive_filter_control_response,
     write_adaptive_filter_control_response,
+    NULL,
     NULL,
 };
 
@@ -3029,15 +5631,29 @@ static void write_gnss_multi_antenna_offset_control(struct mip_writer *w, const 
     mip_write_float(w, v->antenna_offset, 3);
 }
 
+static bool asked_gnss_multi_antenna_offset_control_1(const void *value) {
+    const struct mip_filter_gnss_multi_antenna_offset_control *v =
+        (const struct mip_filter_gnss_multi_antenna_offset_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_multi_antenna_offset_control[] = {
+    {&mip_filter_gnss_multi_antenna_offset_control_response_codec,
+     asked_gnss_multi_antenna_offset_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gnss_multi_antenna_offset_control),
-    0,
+    0, /* time-out */
     read_gnss_multi_antenna_offset_control,
     write_gnss_multi_antenna_offset_control,
     NULL,
+    responses_gnss_multi_antenna_offset_control,
 };
 
 mip_error mip_filter_gnss_multi_antenna_offset_control_decode(
@@ -3115,13 +5731,14 @@ static void write_gnss_multi_antenna_offset_control_response(struct mip_writer *
 }
 
 const struct mip_codec mip_filter_gnss_multi_antenna_offset_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gnss_multi_antenna_offset_control_response),
-    0,
+    0, /* time-out */
     read_gnss_multi_antenna_offset_control_response,
     write_gnss_multi_antenna_offset_control_response,
+    NULL,
     NULL,
 };
 
@@ -3172,15 +5789,29 @@ static void write_relative_position_configuration(struct mip_writer *w, const vo
     mip_write_double(w, v->reference_coordinates, 3);
 }
 
+static bool asked_relative_position_configuration_1(const void *value) {
+    const struct mip_filter_relative_position_configuration *v =
+        (const struct mip_filter_relative_position_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_relative_position_configuration[] = {
+    {&mip_filter_relative_position_configuration_response_codec,
+     asked_relative_position_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_relative_position_configuration_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_relative_position_configuration),
-    0,
+    0, /* time-out */
     read_relative_position_configuration,
     write_relative_position_configuration,
     NULL,
+    responses_relative_position_configuration,
 };
 
 mip_error mip_filter_relative_position_configuration_decode(
@@ -3257,13 +5888,14 @@ static void write_relative_position_configuration_response(struct mip_writer *w,
 }
 
 const struct mip_codec mip_filter_relative_position_configuration_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_RELATIVE_POSITION_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_relative_position_configuration_response),
-    0,
+    0, /* time-out */
     read_relative_position_configuration_response,
     write_relative_position_configuration_response,
+    NULL,
     NULL,
 };
 
@@ -3310,15 +5942,28 @@ static void write_reference_point_lever_arm(struct mip_writer *w, const void *va
     mip_write_float(w, v->lever_arm_offset, 3);
 }
 
+static bool asked_reference_point_lever_arm_1(const void *value) {
+    const struct mip_filter_reference_point_lever_arm *v =
+        (const struct mip_filter_reference_point_lever_arm *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_reference_point_lever_arm[] = {
+    {&mip_filter_reference_point_lever_arm_response_codec, asked_reference_point_lever_arm_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_reference_point_lever_arm_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_REFERENCE_POINT_LEVER_ARM_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_reference_point_lever_arm),
-    0,
+    0, /* time-out */
     read_reference_point_lever_arm,
     write_reference_point_lever_arm,
     NULL,
+    responses_reference_point_lever_arm,
 };
 
 mip_error mip_filter_reference_point_lever_arm_decode(
@@ -3385,13 +6030,14 @@ static void write_reference_point_lever_arm_response(struct mip_writer *w, const
 }
 
 const struct mip_codec mip_filter_reference_point_lever_arm_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_reference_point_lever_arm_response),
-    0,
+    0, /* time-out */
     read_reference_point_lever_arm_response,
     write_reference_point_lever_arm_response,
+    NULL,
     NULL,
 };
 
@@ -3406,6 +6052,57 @@ mip_error mip_filter_reference_point_lever_arm_response_encode(
     struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0D, MIP_FILTER_REFERENCE_POINT_LEVER_ARM_RESPONSE_DESCRIPTOR,
                             write_reference_point_lever_arm_response, value);
+}
+
+static void read_speed_measurement(struct mip_reader *r, void *value) {
+    struct mip_filter_speed_measurement *v = (struct mip_filter_speed_measurement *)value;
+    mip_read_u8(r, &v->source, 1);
+    mip_read_float(r, &v->tow, 1);
+    mip_read_float(r, &v->speed, 1);
+    mip_read_float(r, &v->speed_uncertainty, 1);
+}
+
+static void write_speed_measurement(struct mip_writer *w, const void *value) {
+    const struct mip_filter_speed_measurement *v =
+        (const struct mip_filter_speed_measurement *)value;
+    mip_write_u8(w, &v->source, 1);
+    mip_write_float(w, &v->tow, 1);
+    mip_write_float(w, &v->speed, 1);
+    mip_write_float(w, &v->speed_uncertainty, 1);
+}
+
+const struct mip_codec mip_filter_speed_measurement_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_SPEED_MEASUREMENT_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_speed_measurement),
+    0, /* time-out */
+    read_speed_measurement,
+    write_speed_measurement,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_speed_measurement_decode(struct mip_filter_speed_measurement *value,
+                                              const struct mip_field *field) {
+    return mip_decode_field(field, read_speed_measurement, value, sizeof(*value), NULL);
+}
+
+mip_error mip_filter_speed_measurement_encode(const struct mip_filter_speed_measurement *value,
+                                              struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_SPEED_MEASUREMENT_DESCRIPTOR,
+                            write_speed_measurement, value);
+}
+
+struct mip_filter_speed_measurement mip_filter_speed_measurement_make(float tow, float speed,
+                                                                      float speed_uncertainty) {
+    struct mip_filter_speed_measurement v;
+    memset(&v, 0, sizeof(v));
+    v.source = 1;
+    v.tow = tow;
+    v.speed = speed;
+    v.speed_uncertainty = speed_uncertainty;
+    return v;
 }
 
 /** Parameters that each function requires, by its value. */
@@ -3436,15 +6133,28 @@ static void write_measurement_speed_lever_arm(struct mip_writer *w, const void *
     mip_write_float(w, v->lever_arm_offset, 3);
 }
 
+static bool asked_measurement_speed_lever_arm_1(const void *value) {
+    const struct mip_filter_measurement_speed_lever_arm *v =
+        (const struct mip_filter_measurement_speed_lever_arm *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_measurement_speed_lever_arm[] = {
+    {&mip_filter_measurement_speed_lever_arm_response_codec, asked_measurement_speed_lever_arm_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_measurement_speed_lever_arm_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_measurement_speed_lever_arm),
-    0,
+    0, /* time-out */
     read_measurement_speed_lever_arm,
     write_measurement_speed_lever_arm,
     NULL,
+    responses_measurement_speed_lever_arm,
 };
 
 mip_error mip_filter_measurement_speed_lever_arm_decode(
@@ -3458,8 +6168,8 @@ mip_error mip_filter_measurement_speed_lever_arm_encode(
                             write_measurement_speed_lever_arm, value);
 }
 
-struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_write(
-    const float lever_arm_offset[3]) {
+struct mip_filter_measurement_speed_lever_arm
+mip_filter_measurement_speed_lever_arm_write(const float lever_arm_offset[3]) {
     struct mip_filter_measurement_speed_lever_arm v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
@@ -3515,13 +6225,14 @@ static void write_measurement_speed_lever_arm_response(struct mip_writer *w, con
 }
 
 const struct mip_codec mip_filter_measurement_speed_lever_arm_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_measurement_speed_lever_arm_response),
-    0,
+    0, /* time-out */
     read_measurement_speed_lever_arm_response,
     write_measurement_speed_lever_arm_response,
+    NULL,
     NULL,
 };
 
@@ -3537,6 +6248,148 @@ mip_error mip_filter_measurement_speed_lever_arm_response_encode(
     return mip_encode_field(builder, 0x0D,
                             MIP_FILTER_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_DESCRIPTOR,
                             write_measurement_speed_lever_arm_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_vertical_gyro_constraint_control[] = {0, 1, 0, 0, 0, 0};
+
+static void read_vertical_gyro_constraint_control(struct mip_reader *r, void *value) {
+    struct mip_filter_vertical_gyro_constraint_control *v =
+        (struct mip_filter_vertical_gyro_constraint_control *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_vertical_gyro_constraint_control,
+                      sizeof(required_vertical_gyro_constraint_control));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->enable, 1);
+    v->present = mip_read_present(r);
+}
+
+static void write_vertical_gyro_constraint_control(struct mip_writer *w, const void *value) {
+    const struct mip_filter_vertical_gyro_constraint_control *v =
+        (const struct mip_filter_vertical_gyro_constraint_control *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_vertical_gyro_constraint_control,
+                       sizeof(required_vertical_gyro_constraint_control), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->enable, 1);
+}
+
+static bool asked_vertical_gyro_constraint_control_1(const void *value) {
+    const struct mip_filter_vertical_gyro_constraint_control *v =
+        (const struct mip_filter_vertical_gyro_constraint_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_vertical_gyro_constraint_control[] = {
+    {&mip_filter_vertical_gyro_constraint_control_response_codec,
+     asked_vertical_gyro_constraint_control_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_filter_vertical_gyro_constraint_control),
+    0, /* time-out */
+    read_vertical_gyro_constraint_control,
+    write_vertical_gyro_constraint_control,
+    NULL,
+    responses_vertical_gyro_constraint_control,
+};
+
+mip_error mip_filter_vertical_gyro_constraint_control_decode(
+    struct mip_filter_vertical_gyro_constraint_control *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_vertical_gyro_constraint_control, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_filter_vertical_gyro_constraint_control_encode(
+    const struct mip_filter_vertical_gyro_constraint_control *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D, MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_DESCRIPTOR,
+                            write_vertical_gyro_constraint_control, value);
+}
+
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_write(uint8_t enable) {
+    struct mip_filter_vertical_gyro_constraint_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.enable = enable;
+    return v;
+}
+
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_read(void) {
+    struct mip_filter_vertical_gyro_constraint_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_save(void) {
+    struct mip_filter_vertical_gyro_constraint_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_load(void) {
+    struct mip_filter_vertical_gyro_constraint_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_default(void) {
+    struct mip_filter_vertical_gyro_constraint_control v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_vertical_gyro_constraint_control_response(struct mip_reader *r, void *value) {
+    struct mip_filter_vertical_gyro_constraint_control_response *v =
+        (struct mip_filter_vertical_gyro_constraint_control_response *)value;
+    mip_read_u8(r, &v->enable, 1);
+}
+
+static void write_vertical_gyro_constraint_control_response(struct mip_writer *w,
+                                                            const void *value) {
+    const struct mip_filter_vertical_gyro_constraint_control_response *v =
+        (const struct mip_filter_vertical_gyro_constraint_control_response *)value;
+    mip_write_u8(w, &v->enable, 1);
+}
+
+const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_codec = {
+    0x0D, /* descriptor set */
+    MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_filter_vertical_gyro_constraint_control_response),
+    0, /* time-out */
+    read_vertical_gyro_constraint_control_response,
+    write_vertical_gyro_constraint_control_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_filter_vertical_gyro_constraint_control_response_decode(
+    struct mip_filter_vertical_gyro_constraint_control_response *value,
+    const struct mip_field *field) {
+    return mip_decode_field(field, read_vertical_gyro_constraint_control_response, value,
+                            sizeof(*value), NULL);
+}
+
+mip_error mip_filter_vertical_gyro_constraint_control_response_encode(
+    const struct mip_filter_vertical_gyro_constraint_control_response *value,
+    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0D,
+                            MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR,
+                            write_vertical_gyro_constraint_control_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -3563,15 +6416,29 @@ static void write_wheeled_vehicle_constraint_control(struct mip_writer *w, const
     mip_write_u8(w, &v->enable, 1);
 }
 
+static bool asked_wheeled_vehicle_constraint_control_1(const void *value) {
+    const struct mip_filter_wheeled_vehicle_constraint_control *v =
+        (const struct mip_filter_wheeled_vehicle_constraint_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_wheeled_vehicle_constraint_control[] = {
+    {&mip_filter_wheeled_vehicle_constraint_control_response_codec,
+     asked_wheeled_vehicle_constraint_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_wheeled_vehicle_constraint_control),
-    0,
+    0, /* time-out */
     read_wheeled_vehicle_constraint_control,
     write_wheeled_vehicle_constraint_control,
     NULL,
+    responses_wheeled_vehicle_constraint_control,
 };
 
 mip_error mip_filter_wheeled_vehicle_constraint_control_decode(
@@ -3642,13 +6509,14 @@ static void write_wheeled_vehicle_constraint_control_response(struct mip_writer 
 }
 
 const struct mip_codec mip_filter_wheeled_vehicle_constraint_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_wheeled_vehicle_constraint_control_response),
-    0,
+    0, /* time-out */
     read_wheeled_vehicle_constraint_control_response,
     write_wheeled_vehicle_constraint_control_response,
+    NULL,
     NULL,
 };
 
@@ -3695,15 +6563,29 @@ static void write_gnss_antenna_offset_calibration_control(struct mip_writer *w, 
     mip_write_float(w, &v->max_offset, 1);
 }
 
+static bool asked_gnss_antenna_offset_calibration_control_1(const void *value) {
+    const struct mip_filter_gnss_antenna_offset_calibration_control *v =
+        (const struct mip_filter_gnss_antenna_offset_calibration_control *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_gnss_antenna_offset_calibration_control[] = {
+    {&mip_filter_gnss_antenna_offset_calibration_control_response_codec,
+     asked_gnss_antenna_offset_calibration_control_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_filter_gnss_antenna_offset_calibration_control),
-    0,
+    0, /* time-out */
     read_gnss_antenna_offset_calibration_control,
     write_gnss_antenna_offset_calibration_control,
     NULL,
+    responses_gnss_antenna_offset_calibration_control,
 };
 
 mip_error mip_filter_gnss_antenna_offset_calibration_control_decode(
@@ -3780,13 +6662,14 @@ static void write_gnss_antenna_offset_calibration_control_response(struct mip_wr
 }
 
 const struct mip_codec mip_filter_gnss_antenna_offset_calibration_control_response_codec = {
-    0x0D,
+    0x0D, /* descriptor set */
     MIP_FILTER_GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_filter_gnss_antenna_offset_calibration_control_response),
-    0,
+    0, /* time-out */
     read_gnss_antenna_offset_calibration_control_response,
     write_gnss_antenna_offset_calibration_control_response,
+    NULL,
     NULL,
 };
 

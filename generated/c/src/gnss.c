@@ -17,15 +17,21 @@ void mip_gnss_receiver_info_entry_write(struct mip_writer *w,
     mip_write_char(w, v->description, 32);
 }
 
+static const struct mip_response responses_receiver_info[] = {
+    {&mip_gnss_receiver_info_response_codec, NULL},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_gnss_receiver_info_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_RECEIVER_INFO_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_gnss_receiver_info),
-    0,
+    0, /* time-out */
     mip_read_nothing,
     mip_write_nothing,
     NULL,
+    responses_receiver_info,
 };
 
 mip_error mip_gnss_receiver_info_decode(struct mip_gnss_receiver_info *value,
@@ -57,13 +63,14 @@ static void write_receiver_info_response(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_gnss_receiver_info_response_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_RECEIVER_INFO_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_gnss_receiver_info_response),
-    0,
+    0, /* time-out */
     read_receiver_info_response,
     write_receiver_info_response,
+    NULL,
     NULL,
 };
 
@@ -117,15 +124,28 @@ static void write_signal_configuration(struct mip_writer *w, const void *value) 
     mip_write_u8(w, v->reserved, 4);
 }
 
+static bool asked_signal_configuration_1(const void *value) {
+    const struct mip_gnss_signal_configuration *v =
+        (const struct mip_gnss_signal_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_signal_configuration[] = {
+    {&mip_gnss_signal_configuration_response_codec, asked_signal_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_gnss_signal_configuration_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_SIGNAL_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_gnss_signal_configuration),
-    0,
+    0, /* time-out */
     read_signal_configuration,
     write_signal_configuration,
     NULL,
+    responses_signal_configuration,
 };
 
 mip_error mip_gnss_signal_configuration_decode(struct mip_gnss_signal_configuration *value,
@@ -201,13 +221,14 @@ static void write_signal_configuration_response(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_gnss_signal_configuration_response_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_SIGNAL_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_gnss_signal_configuration_response),
-    0,
+    0, /* time-out */
     read_signal_configuration_response,
     write_signal_configuration_response,
+    NULL,
     NULL,
 };
 
@@ -220,6 +241,142 @@ mip_error mip_gnss_signal_configuration_response_encode(
     const struct mip_gnss_signal_configuration_response *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x0E, MIP_GNSS_SIGNAL_CONFIGURATION_RESPONSE_DESCRIPTOR,
                             write_signal_configuration_response, value);
+}
+
+/** Parameters that each function requires, by its value. */
+static const uint8_t required_rtk_dongle_configuration[] = {0, 2, 0, 0, 0, 0};
+
+static void read_rtk_dongle_configuration(struct mip_reader *r, void *value) {
+    struct mip_gnss_rtk_dongle_configuration *v = (struct mip_gnss_rtk_dongle_configuration *)value;
+    mip_read_u8(r, &v->function, 1);
+    mip_read_required(r, v->function, required_rtk_dongle_configuration,
+                      sizeof(required_rtk_dongle_configuration));
+    mip_read_group(r, 1, 1);
+    mip_read_u8(r, &v->enable, 1);
+    mip_read_group(r, 2, 2);
+    mip_read_u8(r, v->reserved, 3);
+    v->present = mip_read_present(r);
+}
+
+static void write_rtk_dongle_configuration(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_rtk_dongle_configuration *v =
+        (const struct mip_gnss_rtk_dongle_configuration *)value;
+    mip_write_u8(w, &v->function, 1);
+    mip_write_required(w, v->function, required_rtk_dongle_configuration,
+                       sizeof(required_rtk_dongle_configuration), v->present);
+    mip_write_group(w, 1, 1);
+    mip_write_u8(w, &v->enable, 1);
+    mip_write_group(w, 2, 2);
+    mip_write_u8(w, v->reserved, 3);
+}
+
+static bool asked_rtk_dongle_configuration_1(const void *value) {
+    const struct mip_gnss_rtk_dongle_configuration *v =
+        (const struct mip_gnss_rtk_dongle_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_rtk_dongle_configuration[] = {
+    {&mip_gnss_rtk_dongle_configuration_response_codec, asked_rtk_dongle_configuration_1},
+    {NULL, NULL},
+};
+
+const struct mip_codec mip_gnss_rtk_dongle_configuration_codec = {
+    0x0E, /* descriptor set */
+    MIP_GNSS_RTK_DONGLE_CONFIGURATION_DESCRIPTOR,
+    MIP_COMMAND,
+    sizeof(struct mip_gnss_rtk_dongle_configuration),
+    0, /* time-out */
+    read_rtk_dongle_configuration,
+    write_rtk_dongle_configuration,
+    NULL,
+    responses_rtk_dongle_configuration,
+};
+
+mip_error mip_gnss_rtk_dongle_configuration_decode(struct mip_gnss_rtk_dongle_configuration *value,
+                                                   const struct mip_field *field) {
+    return mip_decode_field(field, read_rtk_dongle_configuration, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_rtk_dongle_configuration_encode(
+    const struct mip_gnss_rtk_dongle_configuration *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0E, MIP_GNSS_RTK_DONGLE_CONFIGURATION_DESCRIPTOR,
+                            write_rtk_dongle_configuration, value);
+}
+
+struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_write(uint8_t enable) {
+    struct mip_gnss_rtk_dongle_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_WRITE;
+    v.enable = enable;
+    return v;
+}
+
+struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_read(void) {
+    struct mip_gnss_rtk_dongle_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_READ;
+    return v;
+}
+
+struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_save(void) {
+    struct mip_gnss_rtk_dongle_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_SAVE;
+    return v;
+}
+
+struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_load(void) {
+    struct mip_gnss_rtk_dongle_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_LOAD;
+    return v;
+}
+
+struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_default(void) {
+    struct mip_gnss_rtk_dongle_configuration v;
+    memset(&v, 0, sizeof(v));
+    v.function = MIP_FUNCTION_SELECTOR_DEFAULT;
+    return v;
+}
+
+static void read_rtk_dongle_configuration_response(struct mip_reader *r, void *value) {
+    struct mip_gnss_rtk_dongle_configuration_response *v =
+        (struct mip_gnss_rtk_dongle_configuration_response *)value;
+    mip_read_u8(r, &v->enable, 1);
+    mip_read_u8(r, v->reserved, 3);
+}
+
+static void write_rtk_dongle_configuration_response(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_rtk_dongle_configuration_response *v =
+        (const struct mip_gnss_rtk_dongle_configuration_response *)value;
+    mip_write_u8(w, &v->enable, 1);
+    mip_write_u8(w, v->reserved, 3);
+}
+
+const struct mip_codec mip_gnss_rtk_dongle_configuration_response_codec = {
+    0x0E, /* descriptor set */
+    MIP_GNSS_RTK_DONGLE_CONFIGURATION_RESPONSE_DESCRIPTOR,
+    MIP_RESPONSE,
+    sizeof(struct mip_gnss_rtk_dongle_configuration_response),
+    0, /* time-out */
+    read_rtk_dongle_configuration_response,
+    write_rtk_dongle_configuration_response,
+    NULL,
+    NULL,
+};
+
+mip_error mip_gnss_rtk_dongle_configuration_response_decode(
+    struct mip_gnss_rtk_dongle_configuration_response *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_rtk_dongle_configuration_response, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_gnss_rtk_dongle_configuration_response_encode(
+    const struct mip_gnss_rtk_dongle_configuration_response *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x0E, MIP_GNSS_RTK_DONGLE_CONFIGURATION_RESPONSE_DESCRIPTOR,
+                            write_rtk_dongle_configuration_response, value);
 }
 
 /** Parameters that each function requires, by its value. */
@@ -273,15 +430,28 @@ static void write_spartn_configuration(struct mip_writer *w, const void *value) 
     mip_write_u8(w, v->next_key, 32);
 }
 
+static bool asked_spartn_configuration_1(const void *value) {
+    const struct mip_gnss_spartn_configuration *v =
+        (const struct mip_gnss_spartn_configuration *)value;
+
+    return v->function == MIP_FUNCTION_SELECTOR_READ;
+}
+
+static const struct mip_response responses_spartn_configuration[] = {
+    {&mip_gnss_spartn_configuration_response_codec, asked_spartn_configuration_1},
+    {NULL, NULL},
+};
+
 const struct mip_codec mip_gnss_spartn_configuration_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_SPARTN_CONFIGURATION_DESCRIPTOR,
     MIP_COMMAND,
     sizeof(struct mip_gnss_spartn_configuration),
-    0,
+    0, /* time-out */
     read_spartn_configuration,
     write_spartn_configuration,
     NULL,
+    responses_spartn_configuration,
 };
 
 mip_error mip_gnss_spartn_configuration_decode(struct mip_gnss_spartn_configuration *value,
@@ -368,13 +538,14 @@ static void write_spartn_configuration_response(struct mip_writer *w, const void
 }
 
 const struct mip_codec mip_gnss_spartn_configuration_response_codec = {
-    0x0E,
+    0x0E, /* descriptor set */
     MIP_GNSS_SPARTN_CONFIGURATION_RESPONSE_DESCRIPTOR,
     MIP_RESPONSE,
     sizeof(struct mip_gnss_spartn_configuration_response),
-    0,
+    0, /* time-out */
     read_spartn_configuration_response,
     write_spartn_configuration_response,
+    NULL,
     NULL,
 };
 

@@ -27,13 +27,14 @@ static void write_gnss_llh_position(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_gnss_llh_position_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_GNSS_LLH_POSITION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_gnss_llh_position),
-    0,
+    0, /* time-out */
     read_gnss_llh_position,
     write_gnss_llh_position,
+    NULL,
     NULL,
 };
 
@@ -64,13 +65,14 @@ static void write_gnss_ecef_position(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_gnss_ecef_position_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_GNSS_ECEF_POSITION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_gnss_ecef_position),
-    0,
+    0, /* time-out */
     read_gnss_ecef_position,
     write_gnss_ecef_position,
+    NULL,
     NULL,
 };
 
@@ -108,13 +110,14 @@ static void write_ned_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_ned_velocity_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_NED_VELOCITY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_ned_velocity),
-    0,
+    0, /* time-out */
     read_ned_velocity,
     write_ned_velocity,
+    NULL,
     NULL,
 };
 
@@ -145,13 +148,14 @@ static void write_gnss_ecef_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_gnss_ecef_velocity_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_GNSS_ECEF_VELOCITY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_gnss_ecef_velocity),
-    0,
+    0, /* time-out */
     read_gnss_ecef_velocity,
     write_gnss_ecef_velocity,
+    NULL,
     NULL,
 };
 
@@ -191,13 +195,14 @@ static void write_dop(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_dop_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_DOP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_dop),
-    0,
+    0, /* time-out */
     read_dop,
     write_dop,
+    NULL,
     NULL,
 };
 
@@ -234,13 +239,14 @@ static void write_utc_time(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_utc_time_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_UTC_TIME_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_utc_time),
-    0,
+    0, /* time-out */
     read_utc_time,
     write_utc_time,
+    NULL,
     NULL,
 };
 
@@ -269,13 +275,14 @@ static void write_gps_time(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_gps_time_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_GPS_TIME_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_gps_time),
-    0,
+    0, /* time-out */
     read_gps_time,
     write_gps_time,
+    NULL,
     NULL,
 };
 
@@ -287,6 +294,45 @@ mip_error mip_gnss_1_gps_time_decode(struct mip_gnss_1_gps_time *value,
 mip_error mip_gnss_1_gps_time_encode(const struct mip_gnss_1_gps_time *value,
                                      struct mip_builder *builder) {
     return mip_encode_field(builder, 0x91, MIP_GNSS_1_GPS_TIME_DESCRIPTOR, write_gps_time, value);
+}
+
+static void read_clock_info(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_clock_info *v = (struct mip_gnss_1_clock_info *)value;
+    mip_read_double(r, &v->bias, 1);
+    mip_read_double(r, &v->drift, 1);
+    mip_read_double(r, &v->accuracy_estimate, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_clock_info(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_clock_info *v = (const struct mip_gnss_1_clock_info *)value;
+    mip_write_double(w, &v->bias, 1);
+    mip_write_double(w, &v->drift, 1);
+    mip_write_double(w, &v->accuracy_estimate, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_clock_info_codec = {
+    0x91, /* descriptor set */
+    MIP_GNSS_1_CLOCK_INFO_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_clock_info),
+    0, /* time-out */
+    read_clock_info,
+    write_clock_info,
+    NULL,
+    NULL,
+};
+
+mip_error mip_gnss_1_clock_info_decode(struct mip_gnss_1_clock_info *value,
+                                       const struct mip_field *field) {
+    return mip_decode_field(field, read_clock_info, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_clock_info_encode(const struct mip_gnss_1_clock_info *value,
+                                       struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_CLOCK_INFO_DESCRIPTOR, write_clock_info,
+                            value);
 }
 
 static void read_fix_info(struct mip_reader *r, void *value) {
@@ -306,13 +352,14 @@ static void write_fix_info(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_fix_info_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_FIX_INFO_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_fix_info),
-    0,
+    0, /* time-out */
     read_fix_info,
     write_fix_info,
+    NULL,
     NULL,
 };
 
@@ -324,6 +371,50 @@ mip_error mip_gnss_1_fix_info_decode(struct mip_gnss_1_fix_info *value,
 mip_error mip_gnss_1_fix_info_encode(const struct mip_gnss_1_fix_info *value,
                                      struct mip_builder *builder) {
     return mip_encode_field(builder, 0x91, MIP_GNSS_1_FIX_INFO_DESCRIPTOR, write_fix_info, value);
+}
+
+static void read_sv_info(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_sv_info *v = (struct mip_gnss_1_sv_info *)value;
+    mip_read_u8(r, &v->channel, 1);
+    mip_read_u8(r, &v->satellite_id, 1);
+    mip_read_u16(r, &v->carrier_noise_ratio, 1);
+    mip_read_s16(r, &v->azimuth, 1);
+    mip_read_s16(r, &v->elevation, 1);
+    mip_read_u16(r, &v->sv_flags, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_sv_info(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_sv_info *v = (const struct mip_gnss_1_sv_info *)value;
+    mip_write_u8(w, &v->channel, 1);
+    mip_write_u8(w, &v->satellite_id, 1);
+    mip_write_u16(w, &v->carrier_noise_ratio, 1);
+    mip_write_s16(w, &v->azimuth, 1);
+    mip_write_s16(w, &v->elevation, 1);
+    mip_write_u16(w, &v->sv_flags, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_sv_info_codec = {
+    0x91, /* descriptor set */
+    MIP_GNSS_1_SV_INFO_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_sv_info),
+    0, /* time-out */
+    read_sv_info,
+    write_sv_info,
+    NULL,
+    NULL,
+};
+
+mip_error mip_gnss_1_sv_info_decode(struct mip_gnss_1_sv_info *value,
+                                    const struct mip_field *field) {
+    return mip_decode_field(field, read_sv_info, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_sv_info_encode(const struct mip_gnss_1_sv_info *value,
+                                    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_SV_INFO_DESCRIPTOR, write_sv_info, value);
 }
 
 static void read_gnss_hardware_status(struct mip_reader *r, void *value) {
@@ -344,13 +435,14 @@ static void write_gnss_hardware_status(struct mip_writer *w, const void *value) 
 }
 
 const struct mip_codec mip_gnss_1_gnss_hardware_status_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_GNSS_HARDWARE_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_gnss_hardware_status),
-    0,
+    0, /* time-out */
     read_gnss_hardware_status,
     write_gnss_hardware_status,
+    NULL,
     NULL,
 };
 
@@ -363,6 +455,87 @@ mip_error mip_gnss_1_gnss_hardware_status_encode(
     const struct mip_gnss_1_gnss_hardware_status *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x91, MIP_GNSS_1_GNSS_HARDWARE_STATUS_DESCRIPTOR,
                             write_gnss_hardware_status, value);
+}
+
+static void read_dgps_info(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_dgps_info *v = (struct mip_gnss_1_dgps_info *)value;
+    mip_read_float(r, &v->age, 1);
+    mip_read_s16(r, &v->base_station_id, 1);
+    mip_read_s16(r, &v->base_station_status, 1);
+    mip_read_u16(r, &v->num_channels, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_dgps_info(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_dgps_info *v = (const struct mip_gnss_1_dgps_info *)value;
+    mip_write_float(w, &v->age, 1);
+    mip_write_s16(w, &v->base_station_id, 1);
+    mip_write_s16(w, &v->base_station_status, 1);
+    mip_write_u16(w, &v->num_channels, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_dgps_info_codec = {
+    0x91, /* descriptor set */
+    MIP_GNSS_1_DGPS_INFO_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_dgps_info),
+    0, /* time-out */
+    read_dgps_info,
+    write_dgps_info,
+    NULL,
+    NULL,
+};
+
+mip_error mip_gnss_1_dgps_info_decode(struct mip_gnss_1_dgps_info *value,
+                                      const struct mip_field *field) {
+    return mip_decode_field(field, read_dgps_info, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_dgps_info_encode(const struct mip_gnss_1_dgps_info *value,
+                                      struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_DGPS_INFO_DESCRIPTOR, write_dgps_info, value);
+}
+
+static void read_dgps_channel(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_dgps_channel *v = (struct mip_gnss_1_dgps_channel *)value;
+    mip_read_u8(r, &v->satellite_id, 1);
+    mip_read_float(r, &v->age, 1);
+    mip_read_float(r, &v->range_correction, 1);
+    mip_read_float(r, &v->range_rate_correction, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_dgps_channel(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_dgps_channel *v = (const struct mip_gnss_1_dgps_channel *)value;
+    mip_write_u8(w, &v->satellite_id, 1);
+    mip_write_float(w, &v->age, 1);
+    mip_write_float(w, &v->range_correction, 1);
+    mip_write_float(w, &v->range_rate_correction, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_dgps_channel_codec = {
+    0x91, /* descriptor set */
+    MIP_GNSS_1_DGPS_CHANNEL_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_dgps_channel),
+    0, /* time-out */
+    read_dgps_channel,
+    write_dgps_channel,
+    NULL,
+    NULL,
+};
+
+mip_error mip_gnss_1_dgps_channel_decode(struct mip_gnss_1_dgps_channel *value,
+                                         const struct mip_field *field) {
+    return mip_decode_field(field, read_dgps_channel, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_dgps_channel_encode(const struct mip_gnss_1_dgps_channel *value,
+                                         struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_DGPS_CHANNEL_DESCRIPTOR, write_dgps_channel,
+                            value);
 }
 
 static void read_clock_info_2(struct mip_reader *r, void *value) {
@@ -384,13 +557,14 @@ static void write_clock_info_2(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_clock_info_2_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_CLOCK_INFO_2_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_clock_info_2),
-    0,
+    0, /* time-out */
     read_clock_info_2,
     write_clock_info_2,
+    NULL,
     NULL,
 };
 
@@ -418,13 +592,14 @@ static void write_gps_leap_seconds(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_gps_leap_seconds_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_GPS_LEAP_SECONDS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_gps_leap_seconds),
-    0,
+    0, /* time-out */
     read_gps_leap_seconds,
     write_gps_leap_seconds,
+    NULL,
     NULL,
 };
 
@@ -462,13 +637,14 @@ static void write_sbas_info(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_sbas_info_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_SBAS_INFO_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_sbas_info),
-    0,
+    0, /* time-out */
     read_sbas_info,
     write_sbas_info,
+    NULL,
     NULL,
 };
 
@@ -480,6 +656,99 @@ mip_error mip_gnss_1_sbas_info_decode(struct mip_gnss_1_sbas_info *value,
 mip_error mip_gnss_1_sbas_info_encode(const struct mip_gnss_1_sbas_info *value,
                                       struct mip_builder *builder) {
     return mip_encode_field(builder, 0x91, MIP_GNSS_1_SBAS_INFO_DESCRIPTOR, write_sbas_info, value);
+}
+
+static void read_sbas_correction(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_sbas_correction *v = (struct mip_gnss_1_sbas_correction *)value;
+    mip_read_u8(r, &v->index, 1);
+    mip_read_u8(r, &v->count, 1);
+    mip_read_double(r, &v->tow, 1);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_u8(r, &v->gnss_id, 1);
+    mip_read_u8(r, &v->satellite_id, 1);
+    mip_read_u8(r, &v->udrei, 1);
+    mip_read_float(r, &v->pseudorange_correction, 1);
+    mip_read_float(r, &v->iono_correction, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_sbas_correction(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_sbas_correction *v = (const struct mip_gnss_1_sbas_correction *)value;
+    mip_write_u8(w, &v->index, 1);
+    mip_write_u8(w, &v->count, 1);
+    mip_write_double(w, &v->tow, 1);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_u8(w, &v->gnss_id, 1);
+    mip_write_u8(w, &v->satellite_id, 1);
+    mip_write_u8(w, &v->udrei, 1);
+    mip_write_float(w, &v->pseudorange_correction, 1);
+    mip_write_float(w, &v->iono_correction, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_sbas_correction_codec = {
+    0x91, /* descriptor set */
+    MIP_GNSS_1_SBAS_CORRECTION_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_sbas_correction),
+    0, /* time-out */
+    read_sbas_correction,
+    write_sbas_correction,
+    NULL,
+    NULL,
+};
+
+mip_error mip_gnss_1_sbas_correction_decode(struct mip_gnss_1_sbas_correction *value,
+                                            const struct mip_field *field) {
+    return mip_decode_field(field, read_sbas_correction, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_sbas_correction_encode(const struct mip_gnss_1_sbas_correction *value,
+                                            struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_SBAS_CORRECTION_DESCRIPTOR,
+                            write_sbas_correction, value);
+}
+
+static void read_rf_error_detection(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_rf_error_detection *v = (struct mip_gnss_1_rf_error_detection *)value;
+    mip_read_u8(r, &v->rf_band, 1);
+    mip_read_u8(r, &v->jamming_state, 1);
+    mip_read_u8(r, &v->spoofing_state, 1);
+    mip_read_u8(r, v->reserved, 4);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_rf_error_detection(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_rf_error_detection *v =
+        (const struct mip_gnss_1_rf_error_detection *)value;
+    mip_write_u8(w, &v->rf_band, 1);
+    mip_write_u8(w, &v->jamming_state, 1);
+    mip_write_u8(w, &v->spoofing_state, 1);
+    mip_write_u8(w, v->reserved, 4);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_rf_error_detection_codec = {
+    0x91, /* descriptor set */
+    MIP_GNSS_1_RF_ERROR_DETECTION_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_rf_error_detection),
+    0, /* time-out */
+    read_rf_error_detection,
+    write_rf_error_detection,
+    NULL,
+    NULL,
+};
+
+mip_error mip_gnss_1_rf_error_detection_decode(struct mip_gnss_1_rf_error_detection *value,
+                                               const struct mip_field *field) {
+    return mip_decode_field(field, read_rf_error_detection, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_rf_error_detection_encode(const struct mip_gnss_1_rf_error_detection *value,
+                                               struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_RF_ERROR_DETECTION_DESCRIPTOR,
+                            write_rf_error_detection, value);
 }
 
 static void read_satellite_status(struct mip_reader *r, void *value) {
@@ -511,13 +780,14 @@ static void write_satellite_status(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_satellite_status_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_SATELLITE_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_satellite_status),
-    0,
+    0, /* time-out */
     read_satellite_status,
     write_satellite_status,
+    NULL,
     NULL,
 };
 
@@ -579,13 +849,14 @@ static void write_raw(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_raw_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_RAW_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_raw),
-    0,
+    0, /* time-out */
     read_raw,
     write_raw,
+    NULL,
     NULL,
 };
 
@@ -595,6 +866,104 @@ mip_error mip_gnss_1_raw_decode(struct mip_gnss_1_raw *value, const struct mip_f
 
 mip_error mip_gnss_1_raw_encode(const struct mip_gnss_1_raw *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x91, MIP_GNSS_1_RAW_DESCRIPTOR, write_raw, value);
+}
+
+static void read_base_station_info(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_base_station_info *v = (struct mip_gnss_1_base_station_info *)value;
+    mip_read_double(r, &v->time_of_week, 1);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_double(r, v->ecef_pos, 3);
+    mip_read_float(r, &v->height, 1);
+    mip_read_u16(r, &v->station_id, 1);
+    mip_read_u16(r, &v->indicators, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_base_station_info(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_base_station_info *v =
+        (const struct mip_gnss_1_base_station_info *)value;
+    mip_write_double(w, &v->time_of_week, 1);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_double(w, v->ecef_pos, 3);
+    mip_write_float(w, &v->height, 1);
+    mip_write_u16(w, &v->station_id, 1);
+    mip_write_u16(w, &v->indicators, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_base_station_info_codec = {
+    0x91, /* descriptor set */
+    MIP_GNSS_1_BASE_STATION_INFO_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_base_station_info),
+    0, /* time-out */
+    read_base_station_info,
+    write_base_station_info,
+    NULL,
+    NULL,
+};
+
+mip_error mip_gnss_1_base_station_info_decode(struct mip_gnss_1_base_station_info *value,
+                                              const struct mip_field *field) {
+    return mip_decode_field(field, read_base_station_info, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_base_station_info_encode(const struct mip_gnss_1_base_station_info *value,
+                                              struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_BASE_STATION_INFO_DESCRIPTOR,
+                            write_base_station_info, value);
+}
+
+static void read_rtk_corrections_status(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_rtk_corrections_status *v = (struct mip_gnss_1_rtk_corrections_status *)value;
+    mip_read_double(r, &v->time_of_week, 1);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_u16(r, &v->epoch_status, 1);
+    mip_read_u32(r, &v->dongle_status, 1);
+    mip_read_float(r, &v->gps_correction_latency, 1);
+    mip_read_float(r, &v->glonass_correction_latency, 1);
+    mip_read_float(r, &v->galileo_correction_latency, 1);
+    mip_read_float(r, &v->beidou_correction_latency, 1);
+    mip_read_u32(r, v->reserved, 4);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_rtk_corrections_status(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_rtk_corrections_status *v =
+        (const struct mip_gnss_1_rtk_corrections_status *)value;
+    mip_write_double(w, &v->time_of_week, 1);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_u16(w, &v->epoch_status, 1);
+    mip_write_u32(w, &v->dongle_status, 1);
+    mip_write_float(w, &v->gps_correction_latency, 1);
+    mip_write_float(w, &v->glonass_correction_latency, 1);
+    mip_write_float(w, &v->galileo_correction_latency, 1);
+    mip_write_float(w, &v->beidou_correction_latency, 1);
+    mip_write_u32(w, v->reserved, 4);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_rtk_corrections_status_codec = {
+    0x91, /* descriptor set */
+    MIP_GNSS_1_RTK_CORRECTIONS_STATUS_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_rtk_corrections_status),
+    0, /* time-out */
+    read_rtk_corrections_status,
+    write_rtk_corrections_status,
+    NULL,
+    NULL,
+};
+
+mip_error mip_gnss_1_rtk_corrections_status_decode(struct mip_gnss_1_rtk_corrections_status *value,
+                                                   const struct mip_field *field) {
+    return mip_decode_field(field, read_rtk_corrections_status, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_rtk_corrections_status_encode(
+    const struct mip_gnss_1_rtk_corrections_status *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_RTK_CORRECTIONS_STATUS_DESCRIPTOR,
+                            write_rtk_corrections_status, value);
 }
 
 static void read_gps_ephemeris(struct mip_reader *r, void *value) {
@@ -674,13 +1043,14 @@ static void write_gps_ephemeris(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_gps_ephemeris_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_GPS_EPHEMERIS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_gps_ephemeris),
-    0,
+    0, /* time-out */
     read_gps_ephemeris,
     write_gps_ephemeris,
+    NULL,
     NULL,
 };
 
@@ -755,13 +1125,14 @@ static void write_glonass_ephemeris(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_glonass_ephemeris_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_GLONASS_EPHEMERIS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_glonass_ephemeris),
-    0,
+    0, /* time-out */
     read_glonass_ephemeris,
     write_glonass_ephemeris,
+    NULL,
     NULL,
 };
 
@@ -854,13 +1225,14 @@ static void write_galileo_ephemeris(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_galileo_ephemeris_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_GALILEO_EPHEMERIS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_galileo_ephemeris),
-    0,
+    0, /* time-out */
     read_galileo_ephemeris,
     write_galileo_ephemeris,
+    NULL,
     NULL,
 };
 
@@ -952,13 +1324,14 @@ static void write_beidou_ephemeris(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_gnss_1_beidou_ephemeris_codec = {
-    0x91,
+    0x91, /* descriptor set */
     MIP_GNSS_1_BEIDOU_EPHEMERIS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_gnss_1_beidou_ephemeris),
-    0,
+    0, /* time-out */
     read_beidou_ephemeris,
     write_beidou_ephemeris,
+    NULL,
     NULL,
 };
 
@@ -971,4 +1344,133 @@ mip_error mip_gnss_1_beidou_ephemeris_encode(const struct mip_gnss_1_beidou_ephe
                                              struct mip_builder *builder) {
     return mip_encode_field(builder, 0x91, MIP_GNSS_1_BEIDOU_EPHEMERIS_DESCRIPTOR,
                             write_beidou_ephemeris, value);
+}
+
+static void read_gps_iono_correction(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_gps_iono_correction *v = (struct mip_gnss_1_gps_iono_correction *)value;
+    mip_read_double(r, &v->tow, 1);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_double(r, v->alpha, 4);
+    mip_read_double(r, v->beta, 4);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_gps_iono_correction(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_gps_iono_correction *v =
+        (const struct mip_gnss_1_gps_iono_correction *)value;
+    mip_write_double(w, &v->tow, 1);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_double(w, v->alpha, 4);
+    mip_write_double(w, v->beta, 4);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_gps_iono_correction_codec = {
+    0x91, /* descriptor set */
+    MIP_GNSS_1_GPS_IONO_CORRECTION_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_gps_iono_correction),
+    0, /* time-out */
+    read_gps_iono_correction,
+    write_gps_iono_correction,
+    NULL,
+    NULL,
+};
+
+mip_error mip_gnss_1_gps_iono_correction_decode(struct mip_gnss_1_gps_iono_correction *value,
+                                                const struct mip_field *field) {
+    return mip_decode_field(field, read_gps_iono_correction, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_gps_iono_correction_encode(const struct mip_gnss_1_gps_iono_correction *value,
+                                                struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_GPS_IONO_CORRECTION_DESCRIPTOR,
+                            write_gps_iono_correction, value);
+}
+
+static void read_galileo_iono_correction(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_galileo_iono_correction *v =
+        (struct mip_gnss_1_galileo_iono_correction *)value;
+    mip_read_double(r, &v->tow, 1);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_double(r, v->alpha, 3);
+    mip_read_u8(r, &v->disturbance_flags, 1);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_galileo_iono_correction(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_galileo_iono_correction *v =
+        (const struct mip_gnss_1_galileo_iono_correction *)value;
+    mip_write_double(w, &v->tow, 1);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_double(w, v->alpha, 3);
+    mip_write_u8(w, &v->disturbance_flags, 1);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_galileo_iono_correction_codec = {
+    0x91, /* descriptor set */
+    MIP_GNSS_1_GALILEO_IONO_CORRECTION_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_galileo_iono_correction),
+    0, /* time-out */
+    read_galileo_iono_correction,
+    write_galileo_iono_correction,
+    NULL,
+    NULL,
+};
+
+mip_error mip_gnss_1_galileo_iono_correction_decode(
+    struct mip_gnss_1_galileo_iono_correction *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_galileo_iono_correction, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_galileo_iono_correction_encode(
+    const struct mip_gnss_1_galileo_iono_correction *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_GALILEO_IONO_CORRECTION_DESCRIPTOR,
+                            write_galileo_iono_correction, value);
+}
+
+static void read_beidou_iono_correction(struct mip_reader *r, void *value) {
+    struct mip_gnss_1_beidou_iono_correction *v = (struct mip_gnss_1_beidou_iono_correction *)value;
+    mip_read_double(r, &v->tow, 1);
+    mip_read_u16(r, &v->week_number, 1);
+    mip_read_double(r, v->alpha, 4);
+    mip_read_double(r, v->beta, 4);
+    mip_read_double(r, v->alpha_correction, 9);
+    mip_read_u16(r, &v->valid_flags, 1);
+}
+
+static void write_beidou_iono_correction(struct mip_writer *w, const void *value) {
+    const struct mip_gnss_1_beidou_iono_correction *v =
+        (const struct mip_gnss_1_beidou_iono_correction *)value;
+    mip_write_double(w, &v->tow, 1);
+    mip_write_u16(w, &v->week_number, 1);
+    mip_write_double(w, v->alpha, 4);
+    mip_write_double(w, v->beta, 4);
+    mip_write_double(w, v->alpha_correction, 9);
+    mip_write_u16(w, &v->valid_flags, 1);
+}
+
+const struct mip_codec mip_gnss_1_beidou_iono_correction_codec = {
+    0x91, /* descriptor set */
+    MIP_GNSS_1_BEIDOU_IONO_CORRECTION_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_gnss_1_beidou_iono_correction),
+    0, /* time-out */
+    read_beidou_iono_correction,
+    write_beidou_iono_correction,
+    NULL,
+    NULL,
+};
+
+mip_error mip_gnss_1_beidou_iono_correction_decode(struct mip_gnss_1_beidou_iono_correction *value,
+                                                   const struct mip_field *field) {
+    return mip_decode_field(field, read_beidou_iono_correction, value, sizeof(*value), NULL);
+}
+
+mip_error mip_gnss_1_beidou_iono_correction_encode(
+    const struct mip_gnss_1_beidou_iono_correction *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x91, MIP_GNSS_1_BEIDOU_IONO_CORRECTION_DESCRIPTOR,
+                            write_beidou_iono_correction, value);
 }

@@ -3,6 +3,102 @@
 
 #include <string.h>
 
+static void read_raw_accel(struct mip_reader *r, void *value) {
+    struct mip_sensor_raw_accel *v = (struct mip_sensor_raw_accel *)value;
+    mip_read_float(r, v->raw_accel, 3);
+}
+
+static void write_raw_accel(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_raw_accel *v = (const struct mip_sensor_raw_accel *)value;
+    mip_write_float(w, v->raw_accel, 3);
+}
+
+const struct mip_codec mip_sensor_raw_accel_codec = {
+    0x80, /* descriptor set */
+    MIP_SENSOR_RAW_ACCEL_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_raw_accel),
+    0, /* time-out */
+    read_raw_accel,
+    write_raw_accel,
+    NULL,
+    NULL,
+};
+
+mip_error mip_sensor_raw_accel_decode(struct mip_sensor_raw_accel *value,
+                                      const struct mip_field *field) {
+    return mip_decode_field(field, read_raw_accel, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_raw_accel_encode(const struct mip_sensor_raw_accel *value,
+                                      struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_RAW_ACCEL_DESCRIPTOR, write_raw_accel, value);
+}
+
+static void read_raw_gyro(struct mip_reader *r, void *value) {
+    struct mip_sensor_raw_gyro *v = (struct mip_sensor_raw_gyro *)value;
+    mip_read_float(r, v->raw_gyro, 3);
+}
+
+static void write_raw_gyro(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_raw_gyro *v = (const struct mip_sensor_raw_gyro *)value;
+    mip_write_float(w, v->raw_gyro, 3);
+}
+
+const struct mip_codec mip_sensor_raw_gyro_codec = {
+    0x80, /* descriptor set */
+    MIP_SENSOR_RAW_GYRO_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_raw_gyro),
+    0, /* time-out */
+    read_raw_gyro,
+    write_raw_gyro,
+    NULL,
+    NULL,
+};
+
+mip_error mip_sensor_raw_gyro_decode(struct mip_sensor_raw_gyro *value,
+                                     const struct mip_field *field) {
+    return mip_decode_field(field, read_raw_gyro, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_raw_gyro_encode(const struct mip_sensor_raw_gyro *value,
+                                     struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_RAW_GYRO_DESCRIPTOR, write_raw_gyro, value);
+}
+
+static void read_raw_mag(struct mip_reader *r, void *value) {
+    struct mip_sensor_raw_mag *v = (struct mip_sensor_raw_mag *)value;
+    mip_read_float(r, v->raw_mag, 3);
+}
+
+static void write_raw_mag(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_raw_mag *v = (const struct mip_sensor_raw_mag *)value;
+    mip_write_float(w, v->raw_mag, 3);
+}
+
+const struct mip_codec mip_sensor_raw_mag_codec = {
+    0x80, /* descriptor set */
+    MIP_SENSOR_RAW_MAG_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_raw_mag),
+    0, /* time-out */
+    read_raw_mag,
+    write_raw_mag,
+    NULL,
+    NULL,
+};
+
+mip_error mip_sensor_raw_mag_decode(struct mip_sensor_raw_mag *value,
+                                    const struct mip_field *field) {
+    return mip_decode_field(field, read_raw_mag, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_raw_mag_encode(const struct mip_sensor_raw_mag *value,
+                                    struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_RAW_MAG_DESCRIPTOR, write_raw_mag, value);
+}
+
 static void read_scaled_accel(struct mip_reader *r, void *value) {
     struct mip_sensor_scaled_accel *v = (struct mip_sensor_scaled_accel *)value;
     mip_read_float(r, v->scaled_accel, 3);
@@ -14,13 +110,14 @@ static void write_scaled_accel(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_scaled_accel_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_SCALED_ACCEL_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_scaled_accel),
-    0,
+    0, /* time-out */
     read_scaled_accel,
     write_scaled_accel,
+    NULL,
     NULL,
 };
 
@@ -46,13 +143,14 @@ static void write_scaled_gyro(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_scaled_gyro_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_SCALED_GYRO_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_scaled_gyro),
-    0,
+    0, /* time-out */
     read_scaled_gyro,
     write_scaled_gyro,
+    NULL,
     NULL,
 };
 
@@ -78,13 +176,14 @@ static void write_scaled_mag(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_scaled_mag_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_SCALED_MAG_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_scaled_mag),
-    0,
+    0, /* time-out */
     read_scaled_mag,
     write_scaled_mag,
+    NULL,
     NULL,
 };
 
@@ -110,13 +209,14 @@ static void write_delta_theta(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_delta_theta_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_DELTA_THETA_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_delta_theta),
-    0,
+    0, /* time-out */
     read_delta_theta,
     write_delta_theta,
+    NULL,
     NULL,
 };
 
@@ -142,13 +242,14 @@ static void write_delta_velocity(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_delta_velocity_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_DELTA_VELOCITY_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_delta_velocity),
-    0,
+    0, /* time-out */
     read_delta_velocity,
     write_delta_velocity,
+    NULL,
     NULL,
 };
 
@@ -176,13 +277,14 @@ static void write_complementary_filter_orientation_matrix(struct mip_writer *w, 
 }
 
 const struct mip_codec mip_sensor_complementary_filter_orientation_matrix_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMPLEMENTARY_FILTER_ORIENTATION_MATRIX_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_complementary_filter_orientation_matrix),
-    0,
+    0, /* time-out */
     read_complementary_filter_orientation_matrix,
     write_complementary_filter_orientation_matrix,
+    NULL,
     NULL,
 };
 
@@ -214,13 +316,14 @@ static void write_complementary_filter_quaternion(struct mip_writer *w, const vo
 }
 
 const struct mip_codec mip_sensor_complementary_filter_quaternion_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMPLEMENTARY_FILTER_QUATERNION_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_complementary_filter_quaternion),
-    0,
+    0, /* time-out */
     read_complementary_filter_quaternion,
     write_complementary_filter_quaternion,
+    NULL,
     NULL,
 };
 
@@ -234,6 +337,42 @@ mip_error mip_sensor_complementary_filter_quaternion_encode(
     const struct mip_sensor_complementary_filter_quaternion *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x80, MIP_SENSOR_COMPLEMENTARY_FILTER_QUATERNION_DESCRIPTOR,
                             write_complementary_filter_quaternion, value);
+}
+
+static void read_comp_orientation_update_matrix(struct mip_reader *r, void *value) {
+    struct mip_sensor_comp_orientation_update_matrix *v =
+        (struct mip_sensor_comp_orientation_update_matrix *)value;
+    mip_read_float(r, v->m, 9);
+}
+
+static void write_comp_orientation_update_matrix(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_comp_orientation_update_matrix *v =
+        (const struct mip_sensor_comp_orientation_update_matrix *)value;
+    mip_write_float(w, v->m, 9);
+}
+
+const struct mip_codec mip_sensor_comp_orientation_update_matrix_codec = {
+    0x80, /* descriptor set */
+    MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_comp_orientation_update_matrix),
+    0, /* time-out */
+    read_comp_orientation_update_matrix,
+    write_comp_orientation_update_matrix,
+    NULL,
+    NULL,
+};
+
+mip_error mip_sensor_comp_orientation_update_matrix_decode(
+    struct mip_sensor_comp_orientation_update_matrix *value, const struct mip_field *field) {
+    return mip_decode_field(field, read_comp_orientation_update_matrix, value, sizeof(*value),
+                            NULL);
+}
+
+mip_error mip_sensor_comp_orientation_update_matrix_encode(
+    const struct mip_sensor_comp_orientation_update_matrix *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_COMP_ORIENTATION_UPDATE_MATRIX_DESCRIPTOR,
+                            write_comp_orientation_update_matrix, value);
 }
 
 static void read_complementary_filter_euler_angles(struct mip_reader *r, void *value) {
@@ -253,13 +392,14 @@ static void write_complementary_filter_euler_angles(struct mip_writer *w, const 
 }
 
 const struct mip_codec mip_sensor_complementary_filter_euler_angles_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMPLEMENTARY_FILTER_EULER_ANGLES_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_complementary_filter_euler_angles),
-    0,
+    0, /* time-out */
     read_complementary_filter_euler_angles,
     write_complementary_filter_euler_angles,
+    NULL,
     NULL,
 };
 
@@ -273,6 +413,109 @@ mip_error mip_sensor_complementary_filter_euler_angles_encode(
     const struct mip_sensor_complementary_filter_euler_angles *value, struct mip_builder *builder) {
     return mip_encode_field(builder, 0x80, MIP_SENSOR_COMPLEMENTARY_FILTER_EULER_ANGLES_DESCRIPTOR,
                             write_complementary_filter_euler_angles, value);
+}
+
+static void read_orientation_raw_temp(struct mip_reader *r, void *value) {
+    struct mip_sensor_orientation_raw_temp *v = (struct mip_sensor_orientation_raw_temp *)value;
+    mip_read_u16(r, v->raw_temp, 4);
+}
+
+static void write_orientation_raw_temp(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_orientation_raw_temp *v =
+        (const struct mip_sensor_orientation_raw_temp *)value;
+    mip_write_u16(w, v->raw_temp, 4);
+}
+
+const struct mip_codec mip_sensor_orientation_raw_temp_codec = {
+    0x80, /* descriptor set */
+    MIP_SENSOR_ORIENTATION_RAW_TEMP_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_orientation_raw_temp),
+    0, /* time-out */
+    read_orientation_raw_temp,
+    write_orientation_raw_temp,
+    NULL,
+    NULL,
+};
+
+mip_error mip_sensor_orientation_raw_temp_decode(struct mip_sensor_orientation_raw_temp *value,
+                                                 const struct mip_field *field) {
+    return mip_decode_field(field, read_orientation_raw_temp, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_orientation_raw_temp_encode(
+    const struct mip_sensor_orientation_raw_temp *value, struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_ORIENTATION_RAW_TEMP_DESCRIPTOR,
+                            write_orientation_raw_temp, value);
+}
+
+static void read_internal_timestamp(struct mip_reader *r, void *value) {
+    struct mip_sensor_internal_timestamp *v = (struct mip_sensor_internal_timestamp *)value;
+    mip_read_u32(r, &v->counts, 1);
+}
+
+static void write_internal_timestamp(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_internal_timestamp *v =
+        (const struct mip_sensor_internal_timestamp *)value;
+    mip_write_u32(w, &v->counts, 1);
+}
+
+const struct mip_codec mip_sensor_internal_timestamp_codec = {
+    0x80, /* descriptor set */
+    MIP_SENSOR_INTERNAL_TIMESTAMP_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_internal_timestamp),
+    0, /* time-out */
+    read_internal_timestamp,
+    write_internal_timestamp,
+    NULL,
+    NULL,
+};
+
+mip_error mip_sensor_internal_timestamp_decode(struct mip_sensor_internal_timestamp *value,
+                                               const struct mip_field *field) {
+    return mip_decode_field(field, read_internal_timestamp, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_internal_timestamp_encode(const struct mip_sensor_internal_timestamp *value,
+                                               struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_INTERNAL_TIMESTAMP_DESCRIPTOR,
+                            write_internal_timestamp, value);
+}
+
+static void read_pps_timestamp(struct mip_reader *r, void *value) {
+    struct mip_sensor_pps_timestamp *v = (struct mip_sensor_pps_timestamp *)value;
+    mip_read_u32(r, &v->seconds, 1);
+    mip_read_u32(r, &v->useconds, 1);
+}
+
+static void write_pps_timestamp(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_pps_timestamp *v = (const struct mip_sensor_pps_timestamp *)value;
+    mip_write_u32(w, &v->seconds, 1);
+    mip_write_u32(w, &v->useconds, 1);
+}
+
+const struct mip_codec mip_sensor_pps_timestamp_codec = {
+    0x80, /* descriptor set */
+    MIP_SENSOR_PPS_TIMESTAMP_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_pps_timestamp),
+    0, /* time-out */
+    read_pps_timestamp,
+    write_pps_timestamp,
+    NULL,
+    NULL,
+};
+
+mip_error mip_sensor_pps_timestamp_decode(struct mip_sensor_pps_timestamp *value,
+                                          const struct mip_field *field) {
+    return mip_decode_field(field, read_pps_timestamp, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_pps_timestamp_encode(const struct mip_sensor_pps_timestamp *value,
+                                          struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_PPS_TIMESTAMP_DESCRIPTOR, write_pps_timestamp,
+                            value);
 }
 
 static void read_complementary_filter_stabilized_north_vector(struct mip_reader *r, void *value) {
@@ -289,13 +532,14 @@ static void write_complementary_filter_stabilized_north_vector(struct mip_writer
 }
 
 const struct mip_codec mip_sensor_complementary_filter_stabilized_north_vector_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_NORTH_VECTOR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_complementary_filter_stabilized_north_vector),
-    0,
+    0, /* time-out */
     read_complementary_filter_stabilized_north_vector,
     write_complementary_filter_stabilized_north_vector,
+    NULL,
     NULL,
 };
 
@@ -328,13 +572,14 @@ static void write_complementary_filter_stabilized_up_vector(struct mip_writer *w
 }
 
 const struct mip_codec mip_sensor_complementary_filter_stabilized_up_vector_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_COMPLEMENTARY_FILTER_STABILIZED_UP_VECTOR_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_complementary_filter_stabilized_up_vector),
-    0,
+    0, /* time-out */
     read_complementary_filter_stabilized_up_vector,
     write_complementary_filter_stabilized_up_vector,
+    NULL,
     NULL,
 };
 
@@ -368,13 +613,14 @@ static void write_gps_timestamp(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_gps_timestamp_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_GPS_TIMESTAMP_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_gps_timestamp),
-    0,
+    0, /* time-out */
     read_gps_timestamp,
     write_gps_timestamp,
+    NULL,
     NULL,
 };
 
@@ -405,13 +651,14 @@ static void write_temperature_statistics(struct mip_writer *w, const void *value
 }
 
 const struct mip_codec mip_sensor_temperature_statistics_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_TEMPERATURE_STATISTICS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_temperature_statistics),
-    0,
+    0, /* time-out */
     read_temperature_statistics,
     write_temperature_statistics,
+    NULL,
     NULL,
 };
 
@@ -426,6 +673,39 @@ mip_error mip_sensor_temperature_statistics_encode(
                             write_temperature_statistics, value);
 }
 
+static void read_raw_pressure(struct mip_reader *r, void *value) {
+    struct mip_sensor_raw_pressure *v = (struct mip_sensor_raw_pressure *)value;
+    mip_read_float(r, &v->raw_pressure, 1);
+}
+
+static void write_raw_pressure(struct mip_writer *w, const void *value) {
+    const struct mip_sensor_raw_pressure *v = (const struct mip_sensor_raw_pressure *)value;
+    mip_write_float(w, &v->raw_pressure, 1);
+}
+
+const struct mip_codec mip_sensor_raw_pressure_codec = {
+    0x80, /* descriptor set */
+    MIP_SENSOR_RAW_PRESSURE_DESCRIPTOR,
+    MIP_DATA,
+    sizeof(struct mip_sensor_raw_pressure),
+    0, /* time-out */
+    read_raw_pressure,
+    write_raw_pressure,
+    NULL,
+    NULL,
+};
+
+mip_error mip_sensor_raw_pressure_decode(struct mip_sensor_raw_pressure *value,
+                                         const struct mip_field *field) {
+    return mip_decode_field(field, read_raw_pressure, value, sizeof(*value), NULL);
+}
+
+mip_error mip_sensor_raw_pressure_encode(const struct mip_sensor_raw_pressure *value,
+                                         struct mip_builder *builder) {
+    return mip_encode_field(builder, 0x80, MIP_SENSOR_RAW_PRESSURE_DESCRIPTOR, write_raw_pressure,
+                            value);
+}
+
 static void read_scaled_pressure(struct mip_reader *r, void *value) {
     struct mip_sensor_scaled_pressure *v = (struct mip_sensor_scaled_pressure *)value;
     mip_read_float(r, &v->scaled_pressure, 1);
@@ -437,13 +717,14 @@ static void write_scaled_pressure(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_scaled_pressure_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_SCALED_PRESSURE_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_scaled_pressure),
-    0,
+    0, /* time-out */
     read_scaled_pressure,
     write_scaled_pressure,
+    NULL,
     NULL,
 };
 
@@ -469,13 +750,14 @@ static void write_overrange_status(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_overrange_status_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_OVERRANGE_STATUS_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_overrange_status),
-    0,
+    0, /* time-out */
     read_overrange_status,
     write_overrange_status,
+    NULL,
     NULL,
 };
 
@@ -505,13 +787,14 @@ static void write_odometer(struct mip_writer *w, const void *value) {
 }
 
 const struct mip_codec mip_sensor_odometer_codec = {
-    0x80,
+    0x80, /* descriptor set */
     MIP_SENSOR_ODOMETER_DESCRIPTOR,
     MIP_DATA,
     sizeof(struct mip_sensor_odometer),
-    0,
+    0, /* time-out */
     read_odometer,
     write_odometer,
+    NULL,
     NULL,
 };
 

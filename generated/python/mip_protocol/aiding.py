@@ -1,6 +1,9 @@
 """Aiding commands (0x13).
 
 Measurements of external sensors for the navigation filter, and the frames of the sensors.
+
+- 3dm-cv7-gnss-ins: Aiding (0x13)
+- 3dm-cv7-gnss-ins: Filter Aiding Measurements
 """
 
 from __future__ import annotations
@@ -10,12 +13,15 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, Structure
+from .field import Command, Field, Response, ResponseClass, Structure
 from .protocol import FunctionSelector
 
 
 class AidingFrameFormat(codec.OpenEnum):
-    """How the rotation of an aiding frame is given."""
+    """How the rotation of an aiding frame is given.
+
+    - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
+    """
 
     EULER = 1
     """Euler angles: roll, pitch, yaw."""
@@ -24,7 +30,10 @@ class AidingFrameFormat(codec.OpenEnum):
 
 
 class AidingEchoMode(codec.OpenEnum):
-    """How the device answers aiding measurements."""
+    """How the device answers aiding measurements.
+
+    - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
+    """
 
     SUPPRESS_ACK = 0
     """No acknowledge."""
@@ -55,8 +64,9 @@ class MeasurementTime(Structure):
     timebase: Timebase
     """Clock of the time."""
     reserved: int = field(default=1, kw_only=True)
+    """Reserved: send 1."""
     nanoseconds: int
-    """Time by that clock. [ns]"""
+    """Time by that clock. Unit: ns."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MeasurementTime, int]:
@@ -77,11 +87,11 @@ class AxisFlags(IntFlag):
     """Which axes of a measurement are valid; the others are ignored."""
 
     X = 1 << 0
-    """First axis."""
+    """First axis. Bit 0."""
     Y = 1 << 1
-    """Second axis."""
+    """Second axis. Bit 1."""
     Z = 1 << 2
-    """Third axis."""
+    """Third axis. Bit 2."""
 
 
 @codec.open_flag(16)
@@ -89,28 +99,26 @@ class LlhAxisFlags(IntFlag):
     """Which coordinates of a position are valid; the others are ignored."""
 
     LATITUDE = 1 << 0
-    """Latitude and its uncertainty."""
+    """Latitude and its uncertainty. Bit 0."""
     LONGITUDE = 1 << 1
-    """Longitude and its uncertainty."""
+    """Longitude and its uncertainty. Bit 1."""
     HEIGHT = 1 << 2
-    """Height and its uncertainty."""
+    """Height and its uncertainty. Bit 2."""
 
 
 _FRAME_CONFIGURATION_RESPONSE_0 = codec.Block(
-    "BBBfff", "frame_id", "format", "tracking_enabled", "translation", "translation", "translation"
+    "BBBfff", "frame_id", "format", "tracking_enabled", *["translation"] * 3
 )
-_FRAME_CONFIGURATION_RESPONSE_1 = codec.Block("fff", "rotation", "rotation", "rotation")
-_FRAME_CONFIGURATION_RESPONSE_2 = codec.Block(
-    "ffff", "rotation", "rotation", "rotation", "rotation"
-)
+_FRAME_CONFIGURATION_RESPONSE_1 = codec.Block("fff", *["rotation"] * 3)
+_FRAME_CONFIGURATION_RESPONSE_2 = codec.Block("ffff", *["rotation"] * 4)
 
 
 @dataclass(slots=True)
 class FrameConfigurationResponse(Response):
     """Frame configuration response (0x13,0x81).
 
-    Answers Frame configuration (0x13,0x01).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `frame_config_response`. Answers `FrameConfiguration`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -128,9 +136,15 @@ class FrameConfigurationResponse(Response):
     tracking_enabled: bool
     """Whether the filter estimates the errors of the frame."""
     translation: types.Vector3f
-    """Origin of the frame in the vehicle. [m] Frame: vehicle."""
+    """Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle."""
     rotation: types.Vector3f | types.Quatf | None = None
-    """Rotation from the frame to the vehicle."""
+    """Rotation from the frame to the vehicle. Selected by `format`.
+
+    - If `format` is `AidingFrameFormat.EULER`: `types.Vector3f`. Roll, pitch and yaw. Elements: x,
+      y, z. Unit: rad. Range: -3.141592653589793 to 3.141592653589793.
+    - If `format` is `AidingFrameFormat.QUATERNION`: `types.Quatf`. Quaternion, scalar part first.
+      Elements: w, x, y, z. Unit: 1.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[FrameConfigurationResponse, int]:
@@ -182,8 +196,7 @@ _ECHO_CONTROL_RESPONSE_0 = codec.Block("B", "mode")
 class EchoControlResponse(Response):
     """Echo control response (0x13,0x9F).
 
-    Answers Echo control (0x13,0x1F).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `EchoControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
     - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -213,9 +226,9 @@ _FRAME_CONFIGURATION_0 = codec.Block("B", "function")
 _FRAME_CONFIGURATION_1 = codec.Block("B", "frame_id")
 _FRAME_CONFIGURATION_2 = codec.Block("B", "format")
 _FRAME_CONFIGURATION_3 = codec.Block("B", "tracking_enabled")
-_FRAME_CONFIGURATION_4 = codec.Block("fff", "translation", "translation", "translation")
-_FRAME_CONFIGURATION_5 = codec.Block("fff", "rotation", "rotation", "rotation")
-_FRAME_CONFIGURATION_6 = codec.Block("ffff", "rotation", "rotation", "rotation", "rotation")
+_FRAME_CONFIGURATION_4 = codec.Block("fff", *["translation"] * 3)
+_FRAME_CONFIGURATION_5 = codec.Block("fff", *["rotation"] * 3)
+_FRAME_CONFIGURATION_6 = codec.Block("ffff", *["rotation"] * 4)
 _FRAME_CONFIGURATION_GROUPS = (
     (1, ("frame_id",), False),
     (2, ("format",), False),
@@ -230,11 +243,13 @@ class FrameConfiguration(Command):
     """Frame configuration (0x13,0x01).
 
     Where and how an external sensor is mounted on the vehicle.
-    Aiding measurements name the frame by its number.
-    p_vehicle = R * p_frame + t, with the rotation R and the translation t.
-    The rotation does not matter for GNSS positions and velocities; set it to zero.
-    A read names the format that the answer shall have.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `frame_config`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `FrameConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    Aiding measurements name the frame by its number. p_vehicle = R * p_frame + t, with the rotation
+    R and the translation t. The rotation does not matter for GNSS positions and velocities; set it
+    to zero. A read names the format that the answer shall have.
 
     - 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01)
     - 3dm-cv7-gnss-ins: Aiding Frames
@@ -252,13 +267,21 @@ class FrameConfiguration(Command):
     frame_id: int | None = None
     """Number of the frame. Range: 1 to 4."""
     format: AidingFrameFormat | None = None
-    """How the rotation is given."""
+    """How the rotation is given. Required for `write` and `read`."""
     tracking_enabled: bool | None = None
-    """Whether the filter estimates the errors of the frame."""
+    """Whether the filter estimates the errors of the frame. Required for `write`."""
     translation: types.Vector3f | None = None
-    """Origin of the frame in the vehicle. [m] Frame: vehicle."""
+    """Origin of the frame in the vehicle. Elements: x, y, z. Unit: m. Frame: vehicle. Required for
+    `write`.
+    """
     rotation: types.Vector3f | types.Quatf | None = None
-    """Rotation from the frame to the vehicle."""
+    """Rotation from the frame to the vehicle. Selected by `format`. Required for `write`.
+
+    - If `format` is `AidingFrameFormat.EULER`: `types.Vector3f`. Roll, pitch and yaw. Elements: x,
+      y, z. Unit: rad. Range: -3.141592653589793 to 3.141592653589793.
+    - If `format` is `AidingFrameFormat.QUATERNION`: `types.Quatf`. Quaternion, scalar part first.
+      Elements: w, x, y, z. Unit: 1.
+    """
 
     @classmethod
     def write(
@@ -298,6 +321,12 @@ class FrameConfiguration(Command):
     def default(cls, frame_id: int) -> FrameConfiguration:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, frame_id=frame_id)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return FrameConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[FrameConfiguration, int]:
@@ -389,8 +418,11 @@ class EchoControl(Command):
     """Echo control (0x13,0x1F).
 
     How the device answers aiding measurements.
-    The manual does not give the layout of the responses that carry the data back.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EchoControlResponse`.
     Supported by 3DM-CV7-GNSS/INS.
+
+    The manual does not give the layout of the responses that carry the data back.
 
     - 3dm-cv7-gnss-ins: Echo Control (0x13,0x1F)
     - 3dm-cv7-gnss-ins: Aiding Command Echo Control
@@ -406,7 +438,7 @@ class EchoControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     mode: AidingEchoMode | None = None
-    """How they are answered."""
+    """How they are answered. Required for `write`."""
 
     @classmethod
     def write(cls, mode: AidingEchoMode) -> EchoControl:
@@ -432,6 +464,12 @@ class EchoControl(Command):
     def default(cls) -> EchoControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return EchoControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EchoControl, int]:
@@ -464,15 +502,7 @@ class EchoControl(Command):
 
 
 _ECEF_POSITION_0 = codec.Block(
-    "BdddfffH",
-    "frame_id",
-    "position",
-    "position",
-    "position",
-    "uncertainty",
-    "uncertainty",
-    "uncertainty",
-    "valid_flags",
+    "BdddfffH", "frame_id", *["position"] * 3, *["uncertainty"] * 3, "valid_flags"
 )
 
 
@@ -481,10 +511,13 @@ class EcefPosition(Command):
     """ECEF position (0x13,0x21).
 
     A measured position in Earth-fixed coordinates.
-    Use only one form of position: ECEF or LLH.
-    The uncertainty of a valid axis must be greater than 0.
-    The echo control (0x13,0x1F) decides how the device answers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `pos_ecef`. Not acknowledged if `mode` of `EchoControl` is
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+
+    Use only one form of position: ECEF or LLH. The uncertainty of a valid axis must be greater than
+    0. In mode `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back
+    in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: ECEF Position (0x13,0x21)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Position
@@ -500,10 +533,14 @@ class EcefPosition(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     position: types.Vector3d
-    """Position. [m] Frame: ecef. Valid if valid_flags.x, valid_flags.y, valid_flags.z."""
+    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid by its bit: x by
+    `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of
+    `valid_flags`.
+    """
     uncertainty: types.Vector3f
-    """Uncertainty of the position. [m] Frame: ecef. Valid if valid_flags.x, valid_flags.y,
-    valid_flags.z.
+    """Uncertainty of the position. Elements: x, y, z. Unit: m. Frame: ecef. Each element is valid
+    by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
+    `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -531,15 +568,7 @@ class EcefPosition(Command):
 
 
 _LLH_POSITION_0 = codec.Block(
-    "BdddfffH",
-    "frame_id",
-    "latitude",
-    "longitude",
-    "height",
-    "uncertainty",
-    "uncertainty",
-    "uncertainty",
-    "valid_flags",
+    "BdddfffH", "frame_id", "latitude", "longitude", "height", *["uncertainty"] * 3, "valid_flags"
 )
 
 
@@ -548,10 +577,13 @@ class LlhPosition(Command):
     """LLH position (0x13,0x22).
 
     A measured position as latitude, longitude and height.
-    Use only one form of position: ECEF or LLH.
-    The uncertainty of a valid axis must be greater than 0.
-    The echo control (0x13,0x1F) decides how the device answers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `pos_llh`. Not acknowledged if `mode` of `EchoControl` is
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+
+    Use only one form of position: ECEF or LLH. The uncertainty of a valid axis must be greater than
+    0. In mode `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back
+    in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: LLH Position (0x13,0x22)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > LLH Position
@@ -567,14 +599,18 @@ class LlhPosition(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     latitude: float
-    """Latitude. [deg] Frame: llh. Valid if valid_flags.latitude."""
+    """Latitude. Unit: deg. Frame: llh. Valid if `LlhAxisFlags.LATITUDE` of `valid_flags` is set."""
     longitude: float
-    """Longitude. [deg] Frame: llh. Valid if valid_flags.longitude."""
+    """Longitude. Unit: deg. Frame: llh. Valid if `LlhAxisFlags.LONGITUDE` of `valid_flags` is set.
+    """
     height: float
-    """Height above the ellipsoid. [m] Frame: llh. Valid if valid_flags.height."""
+    """Height above the ellipsoid. Unit: m. Frame: llh. Valid if `LlhAxisFlags.HEIGHT` of
+    `valid_flags` is set.
+    """
     uncertainty: types.Vector3f
-    """Uncertainty along north, east and down. [m] Frame: ned. Valid if valid_flags.latitude,
-    valid_flags.longitude, valid_flags.height.
+    """Uncertainty along north, east and down. Elements: x, y, z. Unit: m. Frame: ned. Each element
+    is valid by its bit: x by `LlhAxisFlags.LATITUDE` of `valid_flags`, y by
+    `LlhAxisFlags.LONGITUDE` of `valid_flags`, z by `LlhAxisFlags.HEIGHT` of `valid_flags`.
     """
     valid_flags: LlhAxisFlags
     """Which coordinates are valid."""
@@ -613,8 +649,12 @@ class HeightAboveEllipsoid(Command):
     """Height above ellipsoid (0x13,0x23).
 
     A measured height.
-    The echo control (0x13,0x1F) decides how the device answers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+    3DM-CV7-GNSS/INS.
+
+    In mode `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back in
+    a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: Height Above Ellipsoid (0x13,0x23)
     """
@@ -629,9 +669,9 @@ class HeightAboveEllipsoid(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     height: float
-    """Height above the ellipsoid. [m] Frame: llh."""
+    """Height above the ellipsoid. Unit: m. Frame: llh."""
     uncertainty: float
-    """Uncertainty of the height. [m]"""
+    """Uncertainty of the height. Unit: m."""
     valid_flags: int
     """Not 0: the measurement is valid."""
 
@@ -655,15 +695,7 @@ class HeightAboveEllipsoid(Command):
 
 
 _ECEF_VELOCITY_0 = codec.Block(
-    "BffffffH",
-    "frame_id",
-    "velocity",
-    "velocity",
-    "velocity",
-    "uncertainty",
-    "uncertainty",
-    "uncertainty",
-    "valid_flags",
+    "BffffffH", "frame_id", *["velocity"] * 3, *["uncertainty"] * 3, "valid_flags"
 )
 
 
@@ -672,11 +704,14 @@ class EcefVelocity(Command):
     """ECEF velocity (0x13,0x28).
 
     A measured velocity in Earth-fixed coordinates.
-    Use only one form of velocity: ECEF or NED.
-    Not for a sensor that is fixed to the vehicle; that takes body_frame_velocity.
-    The uncertainty of a valid axis must be greater than 0.
-    The echo control (0x13,0x1F) decides how the device answers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `vel_ecef`. Not acknowledged if `mode` of `EchoControl` is
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+
+    Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; that
+    takes body_frame_velocity. The uncertainty of a valid axis must be greater than 0. In mode
+    `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back in a
+    response of unknown layout.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity (0x13,0x28)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > ECEF Velocity
@@ -692,10 +727,14 @@ class EcefVelocity(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity. [m/s] Frame: ecef. Valid if valid_flags.x, valid_flags.y, valid_flags.z."""
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid by its bit: x by
+    `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of
+    `valid_flags`.
+    """
     uncertainty: types.Vector3f
-    """Uncertainty of the velocity. [m/s] Frame: ecef. Valid if valid_flags.x, valid_flags.y,
-    valid_flags.z.
+    """Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Each element is valid
+    by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
+    `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -723,15 +762,7 @@ class EcefVelocity(Command):
 
 
 _NED_VELOCITY_0 = codec.Block(
-    "BffffffH",
-    "frame_id",
-    "velocity",
-    "velocity",
-    "velocity",
-    "uncertainty",
-    "uncertainty",
-    "uncertainty",
-    "valid_flags",
+    "BffffffH", "frame_id", *["velocity"] * 3, *["uncertainty"] * 3, "valid_flags"
 )
 
 
@@ -740,11 +771,14 @@ class NedVelocity(Command):
     """NED velocity (0x13,0x29).
 
     A measured velocity in the local level frame.
-    Use only one form of velocity: ECEF or NED.
-    Not for a sensor that is fixed to the vehicle; that takes body_frame_velocity.
-    The uncertainty of a valid axis must be greater than 0.
-    The echo control (0x13,0x1F) decides how the device answers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `vel_ned`. Not acknowledged if `mode` of `EchoControl` is
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+
+    Use only one form of velocity: ECEF or NED. Not for a sensor that is fixed to the vehicle; that
+    takes body_frame_velocity. The uncertainty of a valid axis must be greater than 0. In mode
+    `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back in a
+    response of unknown layout.
 
     - 3dm-cv7-gnss-ins: NED Velocity (0x13,0x29)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > NED Velocity
@@ -760,10 +794,14 @@ class NedVelocity(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity. [m/s] Frame: ned. Valid if valid_flags.x, valid_flags.y, valid_flags.z."""
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid by its bit: x by
+    `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by `AxisFlags.Z` of
+    `valid_flags`.
+    """
     uncertainty: types.Vector3f
-    """Uncertainty of the velocity. [m/s] Frame: ned. Valid if valid_flags.x, valid_flags.y,
-    valid_flags.z.
+    """Uncertainty of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Each element is valid
+    by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
+    `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -791,15 +829,7 @@ class NedVelocity(Command):
 
 
 _BODY_FRAME_VELOCITY_0 = codec.Block(
-    "BffffffH",
-    "frame_id",
-    "velocity",
-    "velocity",
-    "velocity",
-    "uncertainty",
-    "uncertainty",
-    "uncertainty",
-    "valid_flags",
+    "BffffffH", "frame_id", *["velocity"] * 3, *["uncertainty"] * 3, "valid_flags"
 )
 
 
@@ -808,14 +838,15 @@ class BodyFrameVelocity(Command):
     """Body frame velocity (0x13,0x2A).
 
     A measured velocity of the vehicle in the frame of the sensor.
+
+    Also called `vel_body_frame`. Not acknowledged if `mode` of `EchoControl` is
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+
     An uncertainty of a valid axis that is not greater than 0 is refused as an invalid parameter.
-    The device takes up to four sensors of this kind.
-    A wheeled vehicle constraint is a velocity of 0 with y valid only, sent at least once in a
-    second.
-    A zero velocity update is a velocity of 0, sent while the GNSS speed is below a threshold of the
-    user.
-    The echo control (0x13,0x1F) decides how the device answers.
-    Supported by 3DM-CV7-GNSS/INS.
+    The device takes up to four sensors of this kind. A wheeled vehicle constraint is a velocity of
+    0 with y valid only, sent at least once in a second. A zero velocity update is a velocity of 0,
+    sent while the GNSS speed is below a threshold of the user. In mode `response` of echo control
+    `EchoControl` (0x13,0x1F), the device sends the data back in a response of unknown layout.
 
     - 3dm-cv7-gnss-ins: Body Frame Velocity (0x13,0x2A)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > Body Frame Velocity
@@ -832,12 +863,14 @@ class BodyFrameVelocity(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     velocity: types.Vector3f
-    """Velocity in the frame of the sensor. [m/s] Valid if valid_flags.x, valid_flags.y,
-    valid_flags.z.
+    """Velocity in the frame of the sensor. Elements: x, y, z. Unit: m/s. Each element is valid by
+    its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
+    `AxisFlags.Z` of `valid_flags`.
     """
     uncertainty: types.Vector3f
-    """Standard deviation of the velocity. [m/s] Valid if valid_flags.x, valid_flags.y,
-    valid_flags.z.
+    """Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Each element is valid by
+    its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
+    `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -872,9 +905,13 @@ class TrueHeading(Command):
     """True heading (0x13,0x31).
 
     A measured heading relative to true north.
-    The uncertainty of a valid measurement must be greater than 0.
-    The echo control (0x13,0x1F) decides how the device answers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `heading_true`. Not acknowledged if `mode` of `EchoControl` is
+    `AidingEchoMode.SUPPRESS_ACK`. Supported by 3DM-CV7-GNSS/INS.
+
+    The uncertainty of a valid measurement must be greater than 0. In mode `response` of echo
+    control `EchoControl` (0x13,0x1F), the device sends the data back in a response of unknown
+    layout.
 
     - 3dm-cv7-gnss-ins: True Heading (0x13,0x31)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > True Heading
@@ -890,9 +927,9 @@ class TrueHeading(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     heading: float
-    """Heading. [rad] Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
     uncertainty: float
-    """Uncertainty of the heading. [rad]"""
+    """Uncertainty of the heading. Unit: rad."""
     valid_flags: int
     """Not 0: the measurement is valid."""
 
@@ -916,15 +953,7 @@ class TrueHeading(Command):
 
 
 _MAGNETIC_FIELD_0 = codec.Block(
-    "BffffffH",
-    "frame_id",
-    "magnetic_field",
-    "magnetic_field",
-    "magnetic_field",
-    "uncertainty",
-    "uncertainty",
-    "uncertainty",
-    "valid_flags",
+    "BffffffH", "frame_id", *["magnetic_field"] * 3, *["uncertainty"] * 3, "valid_flags"
 )
 
 
@@ -933,10 +962,13 @@ class MagneticField(Command):
     """Magnetic field (0x13,0x32).
 
     A magnetic field measured by an external magnetometer.
-    The magnetometer must be calibrated.
-    The uncertainty of a valid axis must be greater than 0.
-    The echo control (0x13,0x1F) decides how the device answers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+    3DM-CV7-GNSS/INS.
+
+    The magnetometer must be calibrated. The uncertainty of a valid axis must be greater than 0. In
+    mode `response` of echo control `EchoControl` (0x13,0x1F), the device sends the data back in a
+    response of unknown layout.
 
     - 3dm-cv7-gnss-ins: Magnetic Field (0x13,0x32)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Magnetometer
@@ -952,12 +984,14 @@ class MagneticField(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     magnetic_field: types.Vector3f
-    """Magnetic field in the frame of the sensor. [gauss] Valid if valid_flags.x, valid_flags.y,
-    valid_flags.z.
+    """Magnetic field in the frame of the sensor. Elements: x, y, z. Unit: gauss. Each element is
+    valid by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
+    `AxisFlags.Z` of `valid_flags`.
     """
     uncertainty: types.Vector3f
-    """Standard deviation of the magnetic field. [gauss] Valid if valid_flags.x, valid_flags.y,
-    valid_flags.z.
+    """Standard deviation of the magnetic field. Elements: x, y, z. Unit: gauss. Each element is
+    valid by its bit: x by `AxisFlags.X` of `valid_flags`, y by `AxisFlags.Y` of `valid_flags`, z by
+    `AxisFlags.Z` of `valid_flags`.
     """
     valid_flags: AxisFlags
     """Which axes are valid."""
@@ -992,9 +1026,13 @@ class Pressure(Command):
     """Pressure (0x13,0x33).
 
     A static air pressure measured by an external sensor.
-    The uncertainty of a valid measurement must be greater than 0.
-    The echo control (0x13,0x1F) decides how the device answers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Not acknowledged if `mode` of `EchoControl` is `AidingEchoMode.SUPPRESS_ACK`. Supported by
+    3DM-CV7-GNSS/INS.
+
+    The uncertainty of a valid measurement must be greater than 0. In mode `response` of echo
+    control `EchoControl` (0x13,0x1F), the device sends the data back in a response of unknown
+    layout.
 
     - 3dm-cv7-gnss-ins: Pressure (0x13,0x33)
     - 3dm-cv7-gnss-ins: Filter Aiding Measurements > External Pressure
@@ -1010,9 +1048,9 @@ class Pressure(Command):
     frame_id: int
     """Frame of the sensor. Range: 1 to 4."""
     pressure: float
-    """Air pressure. [mbar]"""
+    """Air pressure. Unit: mbar."""
     uncertainty: float
-    """Standard deviation of the pressure. [mbar]"""
+    """Standard deviation of the pressure. Unit: mbar."""
     valid_flags: int
     """Not 0: the measurement is valid."""
 
@@ -1035,7 +1073,6 @@ class Pressure(Command):
 
 FrameConfigurationResponse.COMMANDS = (FrameConfiguration,)
 EchoControlResponse.COMMANDS = (EchoControl,)
-
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {

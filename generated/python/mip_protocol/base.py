@@ -1,6 +1,9 @@
 """Base (0x01).
 
 Commands common to all devices: identity, supported descriptors, idle and resume, self test, reset.
+
+- 3dm-gx5-15: 4.1 Base Commands
+- 3dm-cv7-gnss-ins: Base (0x01)
 """
 
 from __future__ import annotations
@@ -9,7 +12,7 @@ from dataclasses import dataclass
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, Structure
+from .field import Command, Field, Response, ResponseClass, Structure
 from .protocol import FunctionSelector
 
 _BASE_DEVICE_INFO_0 = codec.Block("H", "firmware_version")
@@ -17,7 +20,11 @@ _BASE_DEVICE_INFO_0 = codec.Block("H", "firmware_version")
 
 @dataclass(slots=True)
 class BaseDeviceInfo(Structure):
-    """Identity of a device. The strings are padded with spaces."""
+    """Identity of a device. The strings are padded with spaces.
+
+    - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
+    - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
+    """
 
     firmware_version: int
     """Firmware version as one decimal number: 1202 stands for 1.2.02."""
@@ -79,8 +86,8 @@ class GpsTimeField(codec.OpenEnum):
 class GetDeviceInformationResponse(Response):
     """Get device information response (0x01,0x81).
 
-    Answers Get device information (0x01,0x03).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `get_device_info_response`. Answers `GetDeviceInformation`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -108,8 +115,7 @@ class GetDeviceInformationResponse(Response):
 class GetDeviceDescriptorsResponse(Response):
     """Get device descriptors response (0x01,0x82).
 
-    Answers Get device descriptors (0x01,0x04).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `GetDeviceDescriptors`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -121,8 +127,8 @@ class GetDeviceDescriptorsResponse(Response):
     ROLE = "response"
 
     descriptors: tuple[int, ...]
-    """Supported descriptors: the descriptor set in the high byte, the field descriptor in the
-    low byte.
+    """Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
+    byte.
     """
 
     @classmethod
@@ -146,8 +152,7 @@ _BUILT_IN_TEST_RESPONSE_0 = codec.Block("I", "result")
 class BuiltInTestResponse(Response):
     """Built-in test response (0x01,0x83).
 
-    Answers Built-in test (0x01,0x05).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Answers `BuiltInTest`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
     - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -160,12 +165,16 @@ class BuiltInTestResponse(Response):
     READINGS = {
         "result": (
             "device",
-            {"3dm-gx5-15": types.Gx5BuiltInTest, "3dm-cv7-gnss-ins": types.Cv7BuiltInTest},
-        ),
+            {"3dm-cv7-gnss-ins": types.Cv7BuiltInTest, "3dm-gx5-15": types.Gx5BuiltInTest},
+        )
     }
 
     result: int
-    """Failure flags, defined by each device. Zero means that every test passed."""
+    """Failure flags, defined by each device. Zero means that every test passed.
+
+    - On the 3DM-CV7-GNSS/INS: values of `types.Cv7BuiltInTest`.
+    - On the 3DM-GX5-15: values of `types.Gx5BuiltInTest`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[BuiltInTestResponse, int]:
@@ -187,7 +196,9 @@ class GpsTimeUpdateWeekNumberResponse(Response):
     """GPS time update, week number (0x01,0x84).
 
     The current week number.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Answers `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.WEEK_NUMBER`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -199,7 +210,7 @@ class GpsTimeUpdateWeekNumberResponse(Response):
     ROLE = "response"
 
     week_number: int
-    """GPS week number. [week]"""
+    """GPS week number. Unit: week."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateWeekNumberResponse, int]:
@@ -221,7 +232,9 @@ class GpsTimeUpdateTimeOfWeekResponse(Response):
     """GPS time update, time of week (0x01,0x85).
 
     The current time of week.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Answers `GpsTimeUpdate`. Sent if `field_id` is `GpsTimeField.TIME_OF_WEEK`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -233,7 +246,7 @@ class GpsTimeUpdateTimeOfWeekResponse(Response):
     ROLE = "response"
 
     time_of_week: int
-    """GPS time of week in whole seconds. [s]"""
+    """GPS time of week in whole seconds. Unit: s."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdateTimeOfWeekResponse, int]:
@@ -251,7 +264,7 @@ class GpsTimeUpdateTimeOfWeekResponse(Response):
 class GetDeviceDescriptorsExtendedResponse(Response):
     """Get device descriptors (extended) response (0x01,0x86).
 
-    Answers Get device descriptors (extended) (0x01,0x07).
+    Also called `get_extended_descriptors_response`. Answers `GetDeviceDescriptorsExtended`.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
@@ -264,8 +277,8 @@ class GetDeviceDescriptorsExtendedResponse(Response):
     ROLE = "response"
 
     descriptors: tuple[int, ...]
-    """Supported descriptors: the descriptor set in the high byte, the field descriptor in the
-    low byte.
+    """Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
+    byte.
     """
 
     @classmethod
@@ -282,33 +295,15 @@ class GetDeviceDescriptorsExtendedResponse(Response):
         return codec.finished(out)
 
 
-_CONTINUOUS_BUILT_IN_TEST_RESPONSE_0 = codec.Block(
-    "BBBBBBBBBBBBBBBB",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-    "result",
-)
+_CONTINUOUS_BUILT_IN_TEST_RESPONSE_0 = codec.Block("BBBBBBBBBBBBBBBB", *["result"] * 16)
 
 
 @dataclass(slots=True)
 class ContinuousBuiltInTestResponse(Response):
     """Continuous built-in test response (0x01,0x88).
 
-    Answers Continuous built-in test (0x01,0x08).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `continuous_bit_response`. Answers `ContinuousBuiltInTest`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
     """
@@ -317,16 +312,13 @@ class ContinuousBuiltInTestResponse(Response):
     DESCRIPTOR = 0x88
     NAME = "base.continuous_built_in_test_response"
     ROLE = "response"
-    READINGS = {
-        "result": (
-            "device",
-            {"3dm-cv7-gnss-ins": types.Cv7ContinuousBuiltInTest},
-        ),
-    }
+    READINGS = {"result": ("device", {"3dm-cv7-gnss-ins": types.Cv7ContinuousBuiltInTest})}
 
     result: tuple[int, ...]
     """Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
     byte.
+
+    - On the 3DM-CV7-GNSS/INS: values of `types.Cv7ContinuousBuiltInTest`.
     """
 
     @classmethod
@@ -348,8 +340,7 @@ _COMM_PORT_SPEED_RESPONSE_0 = codec.Block("BI", "port", "baud")
 class CommPortSpeedResponse(Response):
     """Comm port speed response (0x01,0x89).
 
-    Answers Comm port speed (0x01,0x09).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `comm_speed_response`. Answers `CommPortSpeed`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
     """
@@ -362,7 +353,7 @@ class CommPortSpeedResponse(Response):
     port: int
     """Port id of the device; 0 means all ports, and is for save, load and default only."""
     baud: int
-    """Baud rate; one that the port supports. [Bd]"""
+    """Baud rate; one that the port supports. Unit: Bd."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CommPortSpeedResponse, int]:
@@ -382,8 +373,10 @@ class Ping(Command):
     """Ping (0x01,0x01).
 
     Asks whether a device is there and answers commands.
-    A device that is not in a normal operating mode may refuse the command.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    A device that is not in a normal operating mode may refuse the command.
 
     - 3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)
     - 3dm-cv7-gnss-ins: Ping (0x01,0x01)
@@ -407,9 +400,11 @@ class SetToIdle(Command):
     """Set to idle (0x01,0x02).
 
     Stops all data streams, and wakes a sleeping device, so that it can be set up.
-    The resume command restores the previous mode.
-    While idle the device sends no NMEA sentences either.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Also called `set_idle`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The resume command restores the previous mode. While idle the device sends no NMEA sentences
+    either.
 
     - 3dm-gx5-15: 4.1.2 Set To Idle (0x01, 0x02)
     - 3dm-cv7-gnss-ins: Set to idle (0x01,0x02)
@@ -433,7 +428,9 @@ class GetDeviceInformation(Command):
     """Get device information (0x01,0x03).
 
     Gets the firmware version and the identity strings of the device.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Also called `get_device_info`. Answered by `GetDeviceInformationResponse`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
     - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -458,8 +455,11 @@ class GetDeviceDescriptors(Command):
     """Get device descriptors (0x01,0x04).
 
     Gets the command and data descriptors that the device supports.
-    When the list contains (0x01,0x07), more descriptors come from the extended command.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Answered by `GetDeviceDescriptorsResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    When the list contains `GetDeviceDescriptorsExtended` (0x01,0x07), more descriptors come from
+    the extended command.
 
     - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
     - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -484,10 +484,13 @@ class BuiltInTest(Command):
     """Built-in test (0x01,0x05).
 
     Runs the self test of the device and gets its result.
+
+    Answered by `BuiltInTestResponse`. The device may take 10 s to answer. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     The test interrupts normal operation for up to several seconds; no data is available meanwhile.
-    The device must be at rest; acceleration, rotation or vibration cause false failures.
-    The continuous built-in test, where there is one, tells more about a failure.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    The device must be at rest; acceleration, rotation or vibration cause false failures. The
+    continuous built-in test, where there is one, tells more about a failure.
 
     - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
     - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -513,8 +516,10 @@ class Resume(Command):
     """Resume (0x01,0x06).
 
     Ends idle mode and returns the device to the mode that it was in before.
-    If the device was not idle, it enters its default mode (3DM-GX5-15).
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    If the device was not idle, it enters its default mode (3DM-GX5-15).
 
     - 3dm-gx5-15: 4.1.6 Resume (0x01, 0x06)
     - 3dm-cv7-gnss-ins: Resume (0x01,0x06)
@@ -538,8 +543,11 @@ class GetDeviceDescriptorsExtended(Command):
     """Get device descriptors (extended) (0x01,0x07).
 
     Gets the supported descriptors that did not fit into the reply of get device descriptors.
-    Only supported if get device descriptors lists (0x01,0x07).
+
+    Also called `get_extended_descriptors`. Answered by `GetDeviceDescriptorsExtendedResponse`.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Only supported if get device descriptors lists `GetDeviceDescriptorsExtended` (0x01,0x07).
 
     - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
     - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -564,11 +572,13 @@ class ContinuousBuiltInTest(Command):
     """Continuous built-in test (0x01,0x08).
 
     Gets the flags of the tests that run all the time. It does not interrupt operation.
-    It is less thorough than the built-in test command.
-    Each flag stays set until it is reported by this command, apart from the copy of the streamed
-    field.
-    The self-test flags change only when the built-in test command runs.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `continuous_bit`. Answered by `ContinuousBuiltInTestResponse`. Supported by
+    3DM-CV7-GNSS/INS.
+
+    It is less thorough than the built-in test command. Each flag stays set until it is reported by
+    this command, apart from the copy of the streamed field. The self-test flags change only when
+    the built-in test command runs.
 
     - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
     """
@@ -598,10 +608,13 @@ class CommPortSpeed(Command):
     """Comm port speed (0x01,0x09).
 
     Baud rate of one communication port.
-    The change waits until pending data is sent and received, at most 250 ms.
-    Send it alone in a packet while the device is idle, and wait 250 ms before going on.
-    Commands and data during the change may be lost or come at either rate.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `comm_speed`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `CommPortSpeedResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    The change waits until pending data is sent and received, at most 250 ms. Send it alone in a
+    packet while the device is idle, and wait 250 ms before going on. Commands and data during the
+    change may be lost or come at either rate.
 
     - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
     """
@@ -618,7 +631,7 @@ class CommPortSpeed(Command):
     port: int | None = None
     """Port id of the device; 0 means all ports, and is for save, load and default only."""
     baud: int | None = None
-    """Baud rate; one that the port supports. [Bd]"""
+    """Baud rate; one that the port supports. Unit: Bd. Required for `write`."""
 
     @classmethod
     def write(cls, port: int, baud: int) -> CommPortSpeed:
@@ -644,6 +657,12 @@ class CommPortSpeed(Command):
     def default(cls, port: int) -> CommPortSpeed:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, port=port)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return CommPortSpeedResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CommPortSpeed, int]:
@@ -695,13 +714,16 @@ class GpsTimeUpdate(Command):
     """GPS time update (0x01,0x72).
 
     Sets the week number or the time of week of the external (GPS) time.
-    Send it once for the time of week and once for the week number after the PPS is locked.
-    The PPS supplies the fraction of the second; send the whole second that began at its last edge.
-    Send it within 250 ms after the rising edge of the PPS.
-    The 3DM-GX5-15 wants it once per second; the 3DM-CV7-GNSS/INS at least once.
-    Send it again after a glitch of the PPS. An internal GNSS receiver as PPS source mostly makes it
-    needless.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Functions: `write`, `read` and `apply`. Answered by `GpsTimeUpdateWeekNumberResponse` or
+    `GpsTimeUpdateTimeOfWeekResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
+    3DM-CV7-GNSS/INS: `write` only.
+
+    Send it once for the time of week and once for the week number after the PPS is locked. The PPS
+    supplies the fraction of the second; send the whole second that began at its last edge. Send it
+    within 250 ms after the rising edge of the PPS. The 3DM-GX5-15 wants it once per second; the
+    3DM-CV7-GNSS/INS at least once. Send it again after a glitch of the PPS. An internal GNSS
+    receiver as PPS source mostly makes it needless.
 
     - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
     - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -719,8 +741,10 @@ class GpsTimeUpdate(Command):
     field_id: GpsTimeField | None = None
     """What the value is."""
     value: int | None = None
-    """What field_id says. If field_id is week_number: unit week; GPS week number since 6 January
-    1980. If field_id is time_of_week: unit s; Whole seconds of the GPS week.
+    """What field_id says. Required for `write` and `apply`.
+
+    - If `field_id` is `GpsTimeField.WEEK_NUMBER`: unit week. GPS week number since 6 January 1980.
+    - If `field_id` is `GpsTimeField.TIME_OF_WEEK`: unit s. Whole seconds of the GPS week.
     """
 
     @classmethod
@@ -740,7 +764,15 @@ class GpsTimeUpdate(Command):
 
     @property
     def answered(self) -> bool:
-        return not (self.function == 6)
+        return self.function != FunctionSelector.APPLY
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ and self.field_id == 1:
+            return GpsTimeUpdateWeekNumberResponse
+        if self.function == FunctionSelector.READ and self.field_id == 2:
+            return GpsTimeUpdateTimeOfWeekResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpsTimeUpdate, int]:
@@ -786,7 +818,8 @@ class ResetDevice(Command):
     """Reset device (0x01,0x7E).
 
     Acknowledges the command, then resets the device at once.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Also called `soft_reset`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
     - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)
@@ -813,7 +846,6 @@ GpsTimeUpdateTimeOfWeekResponse.COMMANDS = (GpsTimeUpdate,)
 GetDeviceDescriptorsExtendedResponse.COMMANDS = (GetDeviceDescriptorsExtended,)
 ContinuousBuiltInTestResponse.COMMANDS = (ContinuousBuiltInTest,)
 CommPortSpeedResponse.COMMANDS = (CommPortSpeed,)
-
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {

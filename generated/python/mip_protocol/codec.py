@@ -20,7 +20,7 @@ class _Structure(Protocol):
     """What `field.Structure` offers."""
 
     @classmethod
-    def _read(cls: type[S], data: bytes, at: int) -> tuple[S, int]: ...
+    def _read(cls: type[S], raw: bytes, at: int) -> tuple[S, int]: ...
 
     def _write(self) -> bytes: ...
 
@@ -151,10 +151,12 @@ def take(data: bytes, at: int, size: int) -> bytes:
     return data[at : at + size]
 
 
-def counted(data: bytes, at: int, count: int, size: int) -> int:
-    """`count`, if as many elements of `size` bytes follow."""
+def counted(data: bytes, at: int, count: int, size: int, capacity: int) -> int:
+    """`count`, if as many elements of `size` bytes follow, and a field can hold them."""
     if count * size > len(data) - at:
         raise DecodeError("count", f"{count} elements counted, {len(data) - at} bytes follow")
+    if count > capacity:
+        raise DecodeError("count", f"{count} elements counted, a field holds {capacity}")
     return count
 
 

@@ -2,68 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any
-
 from . import filter_data, mip_3dm, types
-
-
-@dataclass(frozen=True)
-class Port:
-    name: str
-    id: int | None
-    baud_rates: tuple[int, ...]
-    protocols: tuple[str, ...]
-
-
-@dataclass(frozen=True)
-class Limit:
-    value: float
-    unit: str | None
-    description: str
-
-
-@dataclass(frozen=True)
-class Note:
-    title: str
-    description: str
-    rows: tuple[tuple[str, ...], ...]  # the first row is the heading
-
-
-@dataclass(frozen=True)
-class Device:
-    """A device profile."""
-
-    id: str
-    title: str
-    description: str
-    model_number: int | None
-    fields: frozenset[tuple[int, int]]  # (set, descriptor) of commands and data
-    functions: dict[tuple[int, int], str]  # letters, where they differ from the definition
-    base_rates: dict[int, float]  # data set -> Hz, 0: sent as it comes
-    ports: tuple[Port, ...]
-    limits: dict[str, Limit]
-    notes: dict[str, Note]
-    readings: dict[str, Any]  # parameter or type -> the enumeration or bitfield to read it as
-    ack_codes: frozenset[int] = field(default_factory=frozenset)
-
-    def supports(self, set: int, descriptor: int) -> bool:
-        """Does it know this command or send these data? Shared data count in every data set."""
-        shared = set >= 0x80 and (0xFF, descriptor) in self.fields
-        return (set, descriptor) in self.fields or shared
-
-    def decimation(self, set: int, rate: float) -> int:
-        """The decimation that comes closest to a wanted rate in Hz; at least 1.
-
-        Ask the device itself for its base rate where that is possible.
-        """
-        base = self.base_rates.get(set, 0.0)
-        if not rate > 0:
-            raise ValueError(f"a rate of {rate} Hz is none; it must be above 0")
-        if base <= 0:
-            raise ValueError(f"{self.title} sends set 0x{set:02X} at no fixed rate")
-        return max(1, min(0xFFFF, round(base / rate)))
-
+from .profile import Device, Limit, Note, Port
 
 CV7_GNSS_INS = Device(
     id="3dm-cv7-gnss-ins",
@@ -259,12 +199,7 @@ CV7_GNSS_INS = Device(
     functions={(0x01, 0x72): "W", (0x0C, 0x37): "WRSLD", (0x0C, 0x38): "WRSLD"},
     base_rates={0x80: 1000, 0x82: 1000, 0x91: 5, 0x92: 5, 0x93: 0, 0x94: 0, 0xA0: 1000},
     ports=(
-        Port(
-            "Main",
-            1,
-            (),
-            ("MIP", "NMEA", "RTCM", "SPARTN"),
-        ),
+        Port("Main", 1, (), ("MIP", "NMEA", "RTCM", "SPARTN")),
         Port(
             "UART 1",
             17,
@@ -283,18 +218,8 @@ CV7_GNSS_INS = Device(
             (4800, 9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600),
             ("MIP", "NMEA", "RTCM", "SPARTN"),
         ),
-        Port(
-            "USB 1",
-            33,
-            (),
-            ("MIP", "NMEA", "RTCM", "SPARTN"),
-        ),
-        Port(
-            "USB 2",
-            34,
-            (),
-            ("MIP", "NMEA", "RTCM", "SPARTN"),
-        ),
+        Port("USB 1", 33, (), ("MIP", "NMEA", "RTCM", "SPARTN")),
+        Port("USB 2", 34, (), ("MIP", "NMEA", "RTCM", "SPARTN")),
     ),
     limits={
         "event_triggers": Limit(12, None, "Triggers in all."),
@@ -557,21 +482,11 @@ GX5_15 = Device(
             (0x82, 0x21),  # filter_data.pressure_altitude
         }
     ),
-    functions={},
+    functions={(0x0D, 0x21): "WSLD"},
     base_rates={0x80: 1000, 0x82: 500},
     ports=(
-        Port(
-            "UART 1",
-            None,
-            (9600, 19200, 115200, 230400, 460800, 921600),
-            ("MIP",),
-        ),
-        Port(
-            "USB",
-            None,
-            (),
-            ("MIP",),
-        ),
+        Port("UART 1", None, (9600, 19200, 115200, 230400, 460800, 921600), ("MIP",)),
+        Port("USB", None, (), ("MIP",)),
     ),
     limits={
         "low_pass_cutoff": Limit(250, "Hz", "Highest cutoff of the low-pass filters."),
@@ -626,13 +541,15 @@ GX5_15 = Device(
         "base.built_in_test_response.result": types.Gx5BuiltInTest,
         "3dm.data_stream_control.desc_set": mip_3dm.LegacyDataStream,
         "3dm.data_stream_control_response.desc_set": mip_3dm.LegacyDataStream,
+        "sensor.gps_timestamp.valid_flags": types.Gx5SensorGpsTimestampFlags,
         "filter_data.status.filter_state": filter_data.Gx5FilterState,
         "filter_data.status.dynamics_mode": filter_data.Gx5DynamicsMode,
         "filter_data.status.status_flags": filter_data.Gx5StatusFlags,
-        "sensor_gps_timestamp_flags": types.Gx5SensorGpsTimestampFlags,
     },
     ack_codes=frozenset([0, 1, 2, 3, 4, 5]),
 )
 
 #: All devices by id.
-DEVICES: dict[str, Device] = {d.id: d for d in (CV7_GNSS_INS, GX5_15)}
+DEVICES: dict[str, Device] = {"3dm-cv7-gnss-ins": CV7_GNSS_INS, "3dm-gx5-15": GX5_15}
+
+__all__ = ["DEVICES", "Device", "Limit", "Note", "Port", "CV7_GNSS_INS", "GX5_15"]

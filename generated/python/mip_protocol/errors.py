@@ -30,6 +30,13 @@ class PacketError(DecodeError):
     """Not a packet (`sync`, `length`, `checksum`), or a malformed field in it (`field_length`)."""
 
 
+class MissingResponse(MipError):
+    """A command that must be answered with data was acknowledged without."""
+
+    def __init__(self, command: str) -> None:
+        super().__init__("missing_response", f"{command} was acknowledged without its response")
+
+
 class EncodeError(MipError):
     """A value that cannot be sent.
 

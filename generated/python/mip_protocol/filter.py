@@ -1,6 +1,9 @@
 """Filter commands (0x0D).
 
 Commands that set up, start and aid the navigation filter.
+
+- 3dm-gx5-15: 4.3 Estimation Filter Commands
+- 3dm-cv7-gnss-ins: Filter (0x0D)
 """
 
 from __future__ import annotations
@@ -10,8 +13,26 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response
+from .field import Command, Field, Response, ResponseClass
 from .protocol import FunctionSelector
+
+
+class DynamicsMode(codec.OpenEnum):
+    """Kind of vehicle that the filter is tuned for. Uncertain: The SDK names the modes only; the
+    descriptions follow from the names. Uncertain: The filter status `filter_data.Status`
+    (0x82,0x10) reports a mode too, but is known to have the values 1 to 3 only.
+
+    - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+    """
+
+    PORTABLE = 1
+    """Carried by hand."""
+    AUTOMOTIVE = 2
+    """Ground vehicle."""
+    AIRBORNE = 3
+    """Aircraft."""
+    AIRBORNE_HIGH_G = 4
+    """Aircraft under high acceleration."""
 
 
 @codec.open_flag(16)
@@ -19,7 +40,7 @@ class EstimatedStates(IntFlag):
     """States that the filter estimates."""
 
     GYRO_BIAS = 1 << 0
-    """Estimate the gyroscope bias (recommended)."""
+    """Estimate the gyroscope bias (recommended). Bit 0."""
 
 
 class GnssAidingSource(codec.OpenEnum):
@@ -58,11 +79,11 @@ class TareAxes(IntFlag):
     """Axes to tare; 0 resets all axes."""
 
     ROLL = 1 << 0
-    """Tare roll."""
+    """Tare roll. Bit 0."""
     PITCH = 1 << 1
-    """Tare pitch."""
+    """Tare pitch. Bit 1."""
     YAW = 1 << 2
-    """Tare yaw."""
+    """Tare yaw. Bit 2."""
 
 
 @codec.open_flag(16)
@@ -70,24 +91,24 @@ class MeasurementFlags(IntFlag):
     """Measurements that the filter uses."""
 
     ACCELEROMETER = 1 << 0
-    """Accelerometer measurements."""
+    """Accelerometer measurements. Bit 0."""
     MAGNETOMETER = 1 << 1
-    """Magnetometer measurements, on models that have a magnetometer."""
+    """Magnetometer measurements, on models that have a magnetometer. Bit 1."""
 
 
-class DeclinationSource(codec.OpenEnum):
-    """Where the declination of the magnetic field comes from."""
+class MagParameterSource(codec.OpenEnum):
+    """Where the declination, the inclination or the magnitude of the magnetic field comes from."""
 
     NONE = 1
-    """No source."""
+    """No source. Uncertain: What the device does without a source."""
     WMM = 2
     """The World Magnetic Model, at the estimated position."""
     MANUAL = 3
-    """The angle that the command gives."""
+    """The value that the command gives."""
 
 
 class AdaptiveMeasurementSelector(codec.OpenEnum):
-    """How measurements of the gravity direction are weighted."""
+    """How measurements are weighted whose magnitude is not as expected."""
 
     DISABLED = 0
     """No adaptation."""
@@ -95,6 +116,18 @@ class AdaptiveMeasurementSelector(codec.OpenEnum):
     """Adapted by the limits that the command gives."""
     AUTO = 2
     """Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later."""
+
+
+class AltitudeAidingSource(codec.OpenEnum):
+    """What aids the altitude.
+
+    - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+    """
+
+    NONE = 0
+    """No aiding."""
+    PRESSURE = 1
+    """The pressure sensor."""
 
 
 class PitchRollAidingSource(codec.OpenEnum):
@@ -131,6 +164,44 @@ class AidingSource(codec.OpenEnum):
     """All sources, for save, load and default."""
 
 
+class AccelConstraint(codec.OpenEnum):
+    """What the filter assumes about the acceleration.
+
+    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    """
+
+    NONE = 0
+    """Nothing."""
+    ZERO_ACCEL = 1
+    """It is zero."""
+
+
+class VelocityConstraint(codec.OpenEnum):
+    """What the filter assumes about the velocity.
+
+    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    """
+
+    NONE = 0
+    """Nothing."""
+    ZERO_VELOCITY = 1
+    """It is zero."""
+    WHEELED_VEHICLE = 2
+    """It is that of a wheeled vehicle."""
+
+
+class AngularConstraint(codec.OpenEnum):
+    """What the filter assumes about the angular rate.
+
+    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    """
+
+    NONE = 0
+    """Nothing."""
+    ZERO_ANGULAR_RATE = 1
+    """It is zero."""
+
+
 class InitialConditionSource(codec.OpenEnum):
     """Which initial conditions the device finds itself and which the user gives."""
 
@@ -149,13 +220,13 @@ class HeadingAlignment(IntFlag):
     """Ways in which the device may find its initial heading."""
 
     DUAL_ANTENNA = 1 << 0
-    """From the baseline between two GNSS antennas."""
+    """From the baseline between two GNSS antennas. Bit 0."""
     KINEMATIC = 1 << 1
-    """From the GNSS velocity; assumes motion along the positive x axis of the vehicle."""
+    """From the GNSS velocity; assumes motion along the positive x axis of the vehicle. Bit 1."""
     MAGNETOMETER = 1 << 2
-    """From the built-in magnetometer."""
+    """From the built-in magnetometer. Bit 2."""
     EXTERNAL = 1 << 3
-    """From the heading that the user sends."""
+    """From the heading that the user sends. Bit 3."""
 
 
 class ReferenceFrame(codec.OpenEnum):
@@ -196,6 +267,38 @@ class ReferencePoint(codec.OpenEnum):
     """The origin of the vehicle."""
 
 
+_VEHICLE_DYNAMICS_MODE_RESPONSE_0 = codec.Block("B", "mode")
+
+
+@dataclass(slots=True)
+class VehicleDynamicsModeResponse(Response):
+    """Vehicle dynamics mode response (0x0D,0x80).
+
+    Answers `VehicleDynamicsMode`.
+
+    - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x80
+    NAME = "filter.vehicle_dynamics_mode_response"
+    ROLE = "response"
+
+    mode: DynamicsMode
+    """Kind of vehicle."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[VehicleDynamicsModeResponse, int]:
+        v = _VEHICLE_DYNAMICS_MODE_RESPONSE_0.read(raw, at)
+        at += 1
+        mode = DynamicsMode(v[0])
+        return cls(mode), at
+
+    def _write(self) -> bytes:
+        out = _VEHICLE_DYNAMICS_MODE_RESPONSE_0.write(self.mode)
+        return codec.finished(out)
+
+
 _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_0 = codec.Block("fff", "roll", "pitch", "yaw")
 
 
@@ -203,8 +306,8 @@ _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_RESPONSE_0 = codec.Block("fff", "roll", 
 class SensorToVehicleFrameTransformationResponse(Response):
     """Sensor to vehicle frame transformation response (0x0D,0x81).
 
-    Answers Sensor to vehicle frame transformation (0x0D,0x11).
-    Supported by 3DM-GX5-15.
+    Also called `sensor_to_vehicle_rotation_euler_response`. Answers
+    `SensorToVehicleFrameTransformation`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -215,11 +318,11 @@ class SensorToVehicleFrameTransformationResponse(Response):
     ROLE = "response"
 
     roll: float
-    """Roll angle. [rad]"""
+    """Roll angle. Unit: rad."""
     pitch: float
-    """Pitch angle. [rad]"""
+    """Pitch angle. Unit: rad."""
     yaw: float
-    """Yaw angle. [rad]"""
+    """Yaw angle. Unit: rad."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformationResponse, int]:
@@ -237,15 +340,49 @@ class SensorToVehicleFrameTransformationResponse(Response):
         return codec.finished(out)
 
 
-_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_0 = codec.Block("fff", "offset", "offset", "offset")
+_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
+
+
+@dataclass(slots=True)
+class SensorToVehicleOffsetResponse(Response):
+    """Sensor to vehicle offset response (0x0D,0x82).
+
+    Answers `SensorToVehicleOffset`.
+
+    - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x82
+    NAME = "filter.sensor_to_vehicle_offset_response"
+    ROLE = "response"
+
+    offset: types.Vector3f
+    """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+    sensor. Range: -10 to 10.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffsetResponse, int]:
+        v = _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0.read(raw, at)
+        at += 12
+        offset = v[0:3]
+        return cls(offset), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0.write(*codec.exactly("offset", self.offset, 3))
+        return codec.finished(out)
+
+
+_GNSS_ANTENNA_OFFSET_CONTROL_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
 @dataclass(slots=True)
 class GnssAntennaOffsetControlResponse(Response):
     """GNSS antenna offset response (0x0D,0x83).
 
-    Answers GNSS antenna offset (0x0D,0x13).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `antenna_offset_response`. Answers `GnssAntennaOffsetControl`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -256,7 +393,9 @@ class GnssAntennaOffsetControlResponse(Response):
     ROLE = "response"
 
     offset: types.Vector3f
-    """From the sensor origin to the centre of the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
+    vehicle. Range: -10 to 10.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetControlResponse, int]:
@@ -279,8 +418,8 @@ _ESTIMATION_CONTROL_FLAGS_RESPONSE_0 = codec.Block("H", "flags")
 class EstimationControlFlagsResponse(Response):
     """Estimation control flags response (0x0D,0x84).
 
-    Answers Estimation control flags (0x0D,0x14).
-    Supported by 3DM-GX5-15.
+    Also called `estimation_control_response`. Answers `EstimationControlFlags`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -312,8 +451,8 @@ _GNSS_AIDING_SOURCE_CONTROL_RESPONSE_0 = codec.Block("B", "source")
 class GnssAidingSourceControlResponse(Response):
     """GNSS aiding source response (0x0D,0x86).
 
-    Answers GNSS aiding source (0x0D,0x15).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `gnss_source_response`. Answers `GnssAidingSourceControl`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
@@ -345,8 +484,7 @@ _HEADING_UPDATE_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class HeadingUpdateControlResponse(Response):
     """Heading update control response (0x0D,0x87).
 
-    Answers Heading update control (0x0D,0x18).
-    Supported by 3DM-GX5-15.
+    Also called `heading_source_response`. Answers `HeadingUpdateControl`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -378,8 +516,8 @@ _AUTO_INITIALIZATION_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class AutoInitializationControlResponse(Response):
     """Automatic initialization response (0x0D,0x88).
 
-    Answers Automatic initialization (0x0D,0x19).
-    Supported by 3DM-GX5-15.
+    Also called `auto_init_control_response`. Answers `AutoInitializationControl`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -404,15 +542,15 @@ class AutoInitializationControlResponse(Response):
         return codec.finished(out)
 
 
-_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_ACCELEROMETER_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class AccelerometerNoiseStandardDeviationResponse(Response):
     """Accelerometer noise response (0x0D,0x89).
 
-    Answers Accelerometer noise (0x0D,0x1A).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `accel_noise_response`. Answers `AccelerometerNoiseStandardDeviation`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -424,7 +562,7 @@ class AccelerometerNoiseStandardDeviationResponse(Response):
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [m/s^2]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerNoiseStandardDeviationResponse, int]:
@@ -440,15 +578,15 @@ class AccelerometerNoiseStandardDeviationResponse(Response):
         return codec.finished(out)
 
 
-_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_GYROSCOPE_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class GyroscopeNoiseStandardDeviationResponse(Response):
     """Gyroscope noise response (0x0D,0x8A).
 
-    Answers Gyroscope noise (0x0D,0x1B).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `gyro_noise_response`. Answers `GyroscopeNoiseStandardDeviation`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -460,7 +598,7 @@ class GyroscopeNoiseStandardDeviationResponse(Response):
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [rad/s]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeNoiseStandardDeviationResponse, int]:
@@ -477,7 +615,7 @@ class GyroscopeNoiseStandardDeviationResponse(Response):
 
 
 _ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_0 = codec.Block(
-    "ffffff", "beta", "beta", "beta", "noise", "noise", "noise"
+    "ffffff", *["beta"] * 3, *["noise"] * 3
 )
 
 
@@ -485,8 +623,8 @@ _ACCELEROMETER_BIAS_MODEL_PARAMETERS_RESPONSE_0 = codec.Block(
 class AccelerometerBiasModelParametersResponse(Response):
     """Accelerometer bias model response (0x0D,0x8B).
 
-    Answers Accelerometer bias model (0x0D,0x1C).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `accel_bias_model_response`. Answers `AccelerometerBiasModelParameters`. Supported
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -497,9 +635,11 @@ class AccelerometerBiasModelParametersResponse(Response):
     ROLE = "response"
 
     beta: types.Vector3f
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s."""
     noise: types.Vector3f
-    """Standard deviation of the noise per axis. [m/s^2]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than
+    0.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasModelParametersResponse, int]:
@@ -516,17 +656,15 @@ class AccelerometerBiasModelParametersResponse(Response):
         return codec.finished(out)
 
 
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_0 = codec.Block(
-    "ffffff", "beta", "beta", "beta", "noise", "noise", "noise"
-)
+_GYROSCOPE_BIAS_MODEL_PARAMETERS_RESPONSE_0 = codec.Block("ffffff", *["beta"] * 3, *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class GyroscopeBiasModelParametersResponse(Response):
     """Gyroscope bias model response (0x0D,0x8C).
 
-    Answers Gyroscope bias model (0x0D,0x1D).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `gyro_bias_model_response`. Answers `GyroscopeBiasModelParameters`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -538,9 +676,11 @@ class GyroscopeBiasModelParametersResponse(Response):
     ROLE = "response"
 
     beta: types.Vector3f
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s."""
     noise: types.Vector3f
-    """Standard deviation of the noise per axis. [rad/s]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater than
+    0.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasModelParametersResponse, int]:
@@ -557,6 +697,41 @@ class GyroscopeBiasModelParametersResponse(Response):
         return codec.finished(out)
 
 
+_AUTO_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
+
+
+@dataclass(slots=True)
+class AutoZuptResponse(Response):
+    """Automatic zero velocity update response (0x0D,0x8D).
+
+    Answers `AutoZupt`.
+
+    - mip-sdk-4: Auto Zupt (0x0D,0x1E)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x8D
+    NAME = "filter.auto_zupt_response"
+    ROLE = "response"
+
+    enable: int
+    """0 disables, 1 enables. Range: 0 to 1."""
+    threshold: float
+    """Largest speed that is taken as zero. Unit: m/s. Range: at least 0."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AutoZuptResponse, int]:
+        v = _AUTO_ZUPT_RESPONSE_0.read(raw, at)
+        at += 5
+        enable = v[0]
+        threshold = v[1]
+        return cls(enable, threshold), at
+
+    def _write(self) -> bytes:
+        out = _AUTO_ZUPT_RESPONSE_0.write(self.enable, self.threshold)
+        return codec.finished(out)
+
+
 _ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 
 
@@ -564,8 +739,8 @@ _ZERO_ANGULAR_RATE_UPDATE_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable", "thre
 class ZeroAngularRateUpdateControlResponse(Response):
     """Zero angular rate update response (0x0D,0x8E).
 
-    Answers Zero angular rate update (0x0D,0x20).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `auto_angular_zupt_response`. Answers `ZeroAngularRateUpdateControl`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -579,7 +754,7 @@ class ZeroAngularRateUpdateControlResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     threshold: float
-    """Largest angular rate that is taken as zero. [rad/s] Range: 0 to …."""
+    """Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ZeroAngularRateUpdateControlResponse, int]:
@@ -603,8 +778,8 @@ _SET_REFERENCE_POSITION_RESPONSE_0 = codec.Block(
 class SetReferencePositionResponse(Response):
     """Set reference position response (0x0D,0x90).
 
-    Answers Set reference position (0x0D,0x26).
-    Supported by 3DM-GX5-15.
+    Also called `reference_position_response`. Answers `SetReferencePosition`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -617,11 +792,11 @@ class SetReferencePositionResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     latitude: float
-    """Latitude. [deg] Frame: llh."""
+    """Latitude. Unit: deg. Frame: llh."""
     longitude: float
-    """Longitude. [deg] Frame: llh."""
+    """Longitude. Unit: deg. Frame: llh."""
     altitude: float
-    """Altitude. [m] Frame: llh."""
+    """Altitude. Unit: m. Frame: llh."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetReferencePositionResponse, int]:
@@ -640,15 +815,15 @@ class SetReferencePositionResponse(Response):
         return codec.finished(out)
 
 
-_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", "noise", "noise", "noise")
+_GRAVITY_NOISE_STANDARD_DEVIATION_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 
 
 @dataclass(slots=True)
 class GravityNoiseStandardDeviationResponse(Response):
     """Gravity noise response (0x0D,0x93).
 
-    Answers Gravity noise (0x0D,0x28).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `gravity_noise_response`. Answers `GravityNoiseStandardDeviation`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -660,7 +835,7 @@ class GravityNoiseStandardDeviationResponse(Response):
     ROLE = "response"
 
     noise: types.Vector3f
-    """Standard deviation per axis. [g]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GravityNoiseStandardDeviationResponse, int]:
@@ -676,6 +851,138 @@ class GravityNoiseStandardDeviationResponse(Response):
         return codec.finished(out)
 
 
+_PRESSURE_ALTITUDE_NOISE_RESPONSE_0 = codec.Block("f", "noise")
+
+
+@dataclass(slots=True)
+class PressureAltitudeNoiseResponse(Response):
+    """Pressure altitude noise response (0x0D,0x94).
+
+    Answers `PressureAltitudeNoise`.
+
+    - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x94
+    NAME = "filter.pressure_altitude_noise_response"
+    ROLE = "response"
+
+    noise: float
+    """Standard deviation. Unit: m. Range: greater than 0."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoiseResponse, int]:
+        v = _PRESSURE_ALTITUDE_NOISE_RESPONSE_0.read(raw, at)
+        at += 4
+        noise = v[0]
+        return cls(noise), at
+
+    def _write(self) -> bytes:
+        out = _PRESSURE_ALTITUDE_NOISE_RESPONSE_0.write(self.noise)
+        return codec.finished(out)
+
+
+_HARD_IRON_OFFSET_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
+
+
+@dataclass(slots=True)
+class HardIronOffsetNoiseResponse(Response):
+    """Hard iron offset noise response (0x0D,0x96).
+
+    Answers `HardIronOffsetNoise`.
+
+    - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x96
+    NAME = "filter.hard_iron_offset_noise_response"
+    ROLE = "response"
+
+    noise: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoiseResponse, int]:
+        v = _HARD_IRON_OFFSET_NOISE_RESPONSE_0.read(raw, at)
+        at += 12
+        noise = v[0:3]
+        return cls(noise), at
+
+    def _write(self) -> bytes:
+        out = _HARD_IRON_OFFSET_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
+        return codec.finished(out)
+
+
+_SOFT_IRON_MATRIX_NOISE_RESPONSE_0 = codec.Block("fffffffff", *["noise"] * 9)
+
+
+@dataclass(slots=True)
+class SoftIronMatrixNoiseResponse(Response):
+    """Soft iron matrix noise response (0x0D,0x97).
+
+    Answers `SoftIronMatrixNoise`.
+
+    - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x97
+    NAME = "filter.soft_iron_matrix_noise_response"
+    ROLE = "response"
+
+    noise: types.Matrix3f
+    """Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+    1. Range: greater than 0.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoiseResponse, int]:
+        v = _SOFT_IRON_MATRIX_NOISE_RESPONSE_0.read(raw, at)
+        at += 36
+        noise = v[0:9]
+        return cls(noise), at
+
+    def _write(self) -> bytes:
+        out = _SOFT_IRON_MATRIX_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 9))
+        return codec.finished(out)
+
+
+_TARE_ORIENTATION_RESPONSE_0 = codec.Block("B", "axes")
+
+
+@dataclass(slots=True)
+class TareOrientationResponse(Response):
+    """Tare orientation response (0x0D,0xA1).
+
+    Answers `TareOrientation`. Uncertain: Which devices send it. The SDK reads the setting back; the
+    manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the response.
+
+    - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
+    - mip-sdk-4: Tare Orientation (0x0D,0x21)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xA1
+    NAME = "filter.tare_orientation_response"
+    ROLE = "response"
+
+    axes: TareAxes
+    """Axes to tare; 0 resets all axes."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[TareOrientationResponse, int]:
+        v = _TARE_ORIENTATION_RESPONSE_0.read(raw, at)
+        at += 1
+        axes = TareAxes(v[0])
+        return cls(axes), at
+
+    def _write(self) -> bytes:
+        out = _TARE_ORIENTATION_RESPONSE_0.write(self.axes)
+        return codec.finished(out)
+
+
 _ENABLE_DISABLE_MEASUREMENTS_RESPONSE_0 = codec.Block("H", "control")
 
 
@@ -683,8 +990,7 @@ _ENABLE_DISABLE_MEASUREMENTS_RESPONSE_0 = codec.Block("H", "control")
 class EnableDisableMeasurementsResponse(Response):
     """Enable or disable measurements response (0x0D,0xB0).
 
-    Answers Enable or disable measurements (0x0D,0x41).
-    Supported by 3DM-GX5-15.
+    Answers `EnableDisableMeasurements`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -709,6 +1015,38 @@ class EnableDisableMeasurementsResponse(Response):
         return codec.finished(out)
 
 
+_MAG_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
+
+
+@dataclass(slots=True)
+class MagNoiseResponse(Response):
+    """Magnetometer noise response (0x0D,0xB1).
+
+    Answers `MagNoise`.
+
+    - mip-sdk-4: Mag Noise (0x0D,0x42)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xB1
+    NAME = "filter.mag_noise_response"
+    ROLE = "response"
+
+    noise: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagNoiseResponse, int]:
+        v = _MAG_NOISE_RESPONSE_0.read(raw, at)
+        at += 12
+        noise = v[0:3]
+        return cls(noise), at
+
+    def _write(self) -> bytes:
+        out = _MAG_NOISE_RESPONSE_0.write(*codec.exactly("noise", self.noise, 3))
+        return codec.finished(out)
+
+
 _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_0 = codec.Block("Bf", "source", "declination")
 
 
@@ -716,8 +1054,8 @@ _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_0 = codec.Block("Bf", "sourc
 class MagneticFieldDeclinationSourceControlResponse(Response):
     """Magnetic declination source response (0x0D,0xB2).
 
-    Answers Magnetic declination source (0x0D,0x43).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `magnetic_declination_source_response`. Answers
+    `MagneticFieldDeclinationSourceControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     """
@@ -727,10 +1065,10 @@ class MagneticFieldDeclinationSourceControlResponse(Response):
     NAME = "filter.magnetic_field_declination_source_control_response"
     ROLE = "response"
 
-    source: DeclinationSource
+    source: MagParameterSource
     """Source of the declination."""
     declination: float
-    """Declination; used only if `source` is manual. [rad]"""
+    """Declination; used only if `source` is manual. Unit: rad."""
 
     @classmethod
     def _read(
@@ -738,7 +1076,7 @@ class MagneticFieldDeclinationSourceControlResponse(Response):
     ) -> tuple[MagneticFieldDeclinationSourceControlResponse, int]:
         v = _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_RESPONSE_0.read(raw, at)
         at += 5
-        source = DeclinationSource(v[0])
+        source = MagParameterSource(v[0])
         declination = v[1]
         return cls(source, declination), at
 
@@ -765,8 +1103,8 @@ _GRAVITY_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class GravityMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Gravity magnitude error adaptive measurement response (0x0D,0xB3).
 
-    Answers Gravity magnitude error adaptive measurement (0x0D,0x44).
-    Supported by 3DM-GX5-15.
+    Also called `accel_magnitude_error_adaptive_measurement_response`. Answers
+    `GravityMagnitudeErrorAdaptiveMeasurement`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -779,17 +1117,17 @@ class GravityMagnitudeErrorAdaptiveMeasurementResponse(Response):
     adaptive_measurement: AdaptiveMeasurementSelector
     """Kind of adaptation."""
     frequency: float
-    """Cut-off frequency of the low-pass filter. [Hz]"""
+    """Cut-off frequency of the low-pass filter. Unit: Hz."""
     low_limit: float
-    """Lower limit of the error. [m/s^2]"""
+    """Lower limit of the error. Unit: m/s^2."""
     high_limit: float
-    """Upper limit of the error. [m/s^2]"""
+    """Upper limit of the error. Unit: m/s^2."""
     low_limit_uncertainty: float
-    """Standard deviation at the lower limit. [m/s^2]"""
+    """Standard deviation at the lower limit. Unit: m/s^2."""
     high_limit_uncertainty: float
-    """Standard deviation at the upper limit. [m/s^2]"""
+    """Standard deviation at the upper limit. Unit: m/s^2."""
     minimum_uncertainty: float
-    """Smallest standard deviation. [m/s^2]"""
+    """Smallest standard deviation. Unit: m/s^2."""
 
     @classmethod
     def _read(
@@ -827,6 +1165,181 @@ class GravityMagnitudeErrorAdaptiveMeasurementResponse(Response):
         return codec.finished(out)
 
 
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
+    "Bffffff",
+    "adaptive_measurement",
+    "frequency",
+    "low_limit",
+    "high_limit",
+    "low_limit_uncertainty",
+    "high_limit_uncertainty",
+    "minimum_uncertainty",
+)
+
+
+@dataclass(slots=True)
+class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
+    """Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
+
+    Answers `MagMagnitudeErrorAdaptiveMeasurement`.
+
+    - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xB4
+    NAME = "filter.mag_magnitude_error_adaptive_measurement_response"
+    ROLE = "response"
+
+    adaptive_measurement: AdaptiveMeasurementSelector
+    """Kind of adaptation."""
+    frequency: float
+    """Cut-off frequency of the low-pass filter. Unit: Hz."""
+    low_limit: float
+    """Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of
+    the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
+    high_limit: float
+    """Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of
+    the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
+    low_limit_uncertainty: float
+    """Standard deviation at the lower limit. Unit: gauss. Uncertain: The unit. The SDK prints
+    m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
+    high_limit_uncertainty: float
+    """Standard deviation at the upper limit. Unit: gauss. Uncertain: The unit. The SDK prints
+    m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
+    minimum_uncertainty: float
+    """Smallest standard deviation. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual
+    of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurementResponse, int]:
+        v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.read(raw, at)
+        at += 25
+        adaptive_measurement = AdaptiveMeasurementSelector(v[0])
+        frequency = v[1]
+        low_limit = v[2]
+        high_limit = v[3]
+        low_limit_uncertainty = v[4]
+        high_limit_uncertainty = v[5]
+        minimum_uncertainty = v[6]
+        return cls(
+            adaptive_measurement,
+            frequency,
+            low_limit,
+            high_limit,
+            low_limit_uncertainty,
+            high_limit_uncertainty,
+            minimum_uncertainty,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.write(
+            self.adaptive_measurement,
+            self.frequency,
+            self.low_limit,
+            self.high_limit,
+            self.low_limit_uncertainty,
+            self.high_limit_uncertainty,
+            self.minimum_uncertainty,
+        )
+        return codec.finished(out)
+
+
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
+    "Bffff", "enable", "frequency", "high_limit", "high_limit_uncertainty", "minimum_uncertainty"
+)
+
+
+@dataclass(slots=True)
+class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
+    """Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
+
+    Answers `MagDipAngleErrorAdaptiveMeasurement`.
+
+    - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xB5
+    NAME = "filter.mag_dip_angle_error_adaptive_measurement_response"
+    ROLE = "response"
+
+    enable: bool
+    """Whether the adaptation is on."""
+    frequency: float
+    """Cut-off frequency of the low-pass filter. Unit: Hz."""
+    high_limit: float
+    """Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
+    inferred from the quantity.
+    """
+    high_limit_uncertainty: float
+    """Standard deviation at the upper limit. Unit: rad. Uncertain: The unit. The SDK prints m/s^2;
+    rad is inferred from the quantity.
+    """
+    minimum_uncertainty: float
+    """Smallest standard deviation. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
+    inferred from the quantity.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurementResponse, int]:
+        v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.read(raw, at)
+        at += 17
+        enable = codec.truth(v[0])
+        frequency = v[1]
+        high_limit = v[2]
+        high_limit_uncertainty = v[3]
+        minimum_uncertainty = v[4]
+        return cls(enable, frequency, high_limit, high_limit_uncertainty, minimum_uncertainty), at
+
+    def _write(self) -> bytes:
+        out = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0.write(
+            self.enable,
+            self.frequency,
+            self.high_limit,
+            self.high_limit_uncertainty,
+            self.minimum_uncertainty,
+        )
+        return codec.finished(out)
+
+
+_ALTITUDE_AIDING_RESPONSE_0 = codec.Block("B", "selector")
+
+
+@dataclass(slots=True)
+class AltitudeAidingResponse(Response):
+    """Altitude aiding response (0x0D,0xB7).
+
+    Answers `AltitudeAiding`.
+
+    - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xB7
+    NAME = "filter.altitude_aiding_response"
+    ROLE = "response"
+
+    selector: AltitudeAidingSource
+    """Source of the aiding."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAidingResponse, int]:
+        v = _ALTITUDE_AIDING_RESPONSE_0.read(raw, at)
+        at += 1
+        selector = AltitudeAidingSource(v[0])
+        return cls(selector), at
+
+    def _write(self) -> bytes:
+        out = _ALTITUDE_AIDING_RESPONSE_0.write(self.selector)
+        return codec.finished(out)
+
+
 _PITCH_ROLL_AIDING_CONTROL_RESPONSE_0 = codec.Block("B", "aiding")
 
 
@@ -834,8 +1347,8 @@ _PITCH_ROLL_AIDING_CONTROL_RESPONSE_0 = codec.Block("B", "aiding")
 class PitchRollAidingControlResponse(Response):
     """Pitch and roll aiding response (0x0D,0xBB).
 
-    Answers Pitch and roll aiding (0x0D,0x4B).
-    Supported by 3DM-GX5-15.
+    Also called `pitch_roll_aiding_response`. Answers `PitchRollAidingControl`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -860,6 +1373,148 @@ class PitchRollAidingControlResponse(Response):
         return codec.finished(out)
 
 
+_INCLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "inclination")
+
+
+@dataclass(slots=True)
+class InclinationSourceResponse(Response):
+    """Magnetic inclination source response (0x0D,0xBC).
+
+    Answers `InclinationSource`.
+
+    - mip-sdk-4: Inclination Source (0x0D,0x4C)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xBC
+    NAME = "filter.inclination_source_response"
+    ROLE = "response"
+
+    source: MagParameterSource
+    """Source of the inclination."""
+    inclination: float
+    """Inclination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
+    out if `source` is not manual. The SDK sends it always.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[InclinationSourceResponse, int]:
+        v = _INCLINATION_SOURCE_RESPONSE_0.read(raw, at)
+        at += 5
+        source = MagParameterSource(v[0])
+        inclination = v[1]
+        return cls(source, inclination), at
+
+    def _write(self) -> bytes:
+        out = _INCLINATION_SOURCE_RESPONSE_0.write(self.source, self.inclination)
+        return codec.finished(out)
+
+
+_MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "magnitude")
+
+
+@dataclass(slots=True)
+class MagFieldMagnitudeSourceResponse(Response):
+    """Magnetic field magnitude source response (0x0D,0xBD).
+
+    Answers `MagFieldMagnitudeSource`.
+
+    - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xBD
+    NAME = "filter.mag_field_magnitude_source_response"
+    ROLE = "response"
+
+    source: MagParameterSource
+    """Source of the magnitude."""
+    magnitude: float
+    """Magnitude; used only if `source` is manual. Unit: gauss. Uncertain: Whether it may be left
+    out if `source` is not manual. The SDK sends it always.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagFieldMagnitudeSourceResponse, int]:
+        v = _MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_0.read(raw, at)
+        at += 5
+        source = MagParameterSource(v[0])
+        magnitude = v[1]
+        return cls(source, magnitude), at
+
+    def _write(self) -> bytes:
+        out = _MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_0.write(self.source, self.magnitude)
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0 = codec.Block("fffffffff", *["dcm"] * 9)
+
+
+@dataclass(slots=True)
+class SensorToVehicleRotationDcmResponse(Response):
+    """Sensor to vehicle rotation, matrix response (0x0D,0xBE).
+
+    Answers `SensorToVehicleRotationDcm`.
+
+    - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xBE
+    NAME = "filter.sensor_to_vehicle_rotation_dcm_response"
+    ROLE = "response"
+
+    dcm: types.Matrix3f
+    """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcmResponse, int]:
+        v = _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0.read(raw, at)
+        at += 36
+        dcm = v[0:9]
+        return cls(dcm), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0.write(*codec.exactly("dcm", self.dcm, 9))
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["quat"] * 4)
+
+
+@dataclass(slots=True)
+class SensorToVehicleRotationQuaternionResponse(Response):
+    """Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
+
+    Answers `SensorToVehicleRotationQuaternion`.
+
+    - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xBF
+    NAME = "filter.sensor_to_vehicle_rotation_quaternion_response"
+    ROLE = "response"
+
+    quat: types.Quatf
+    """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternionResponse, int]:
+        v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0.read(raw, at)
+        at += 16
+        quat = v[0:4]
+        return cls(quat), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0.write(
+            *codec.exactly("quat", self.quat, 4)
+        )
+        return codec.finished(out)
+
+
 _AIDING_MEASUREMENT_CONTROL_RESPONSE_0 = codec.Block("HB", "aiding_source", "enable")
 
 
@@ -867,8 +1522,8 @@ _AIDING_MEASUREMENT_CONTROL_RESPONSE_0 = codec.Block("HB", "aiding_source", "ena
 class AidingMeasurementControlResponse(Response):
     """Aiding measurement control response (0x0D,0xD0).
 
-    Answers Aiding measurement control (0x0D,0x50).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `aiding_measurement_enable_response`. Answers `AidingMeasurementControl`. Supported
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -896,6 +1551,48 @@ class AidingMeasurementControlResponse(Response):
         return codec.finished(out)
 
 
+_KINEMATIC_CONSTRAINT_RESPONSE_0 = codec.Block(
+    "BBB", "accel_constraint", "velocity_constraint", "angular_constraint"
+)
+
+
+@dataclass(slots=True)
+class KinematicConstraintResponse(Response):
+    """Kinematic constraint response (0x0D,0xD1).
+
+    Answers `KinematicConstraint`.
+
+    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xD1
+    NAME = "filter.kinematic_constraint_response"
+    ROLE = "response"
+
+    accel_constraint: AccelConstraint
+    """Assumption about the acceleration. Default: `AccelConstraint.NONE`."""
+    velocity_constraint: VelocityConstraint
+    """Assumption about the velocity. Default: `VelocityConstraint.NONE`."""
+    angular_constraint: AngularConstraint
+    """Assumption about the angular rate. Default: `AngularConstraint.NONE`."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraintResponse, int]:
+        v = _KINEMATIC_CONSTRAINT_RESPONSE_0.read(raw, at)
+        at += 3
+        accel_constraint = AccelConstraint(v[0])
+        velocity_constraint = VelocityConstraint(v[1])
+        angular_constraint = AngularConstraint(v[2])
+        return cls(accel_constraint, velocity_constraint, angular_constraint), at
+
+    def _write(self) -> bytes:
+        out = _KINEMATIC_CONSTRAINT_RESPONSE_0.write(
+            self.accel_constraint, self.velocity_constraint, self.angular_constraint
+        )
+        return codec.finished(out)
+
+
 _NAVIGATION_FILTER_INITIALIZATION_RESPONSE_0 = codec.Block(
     "BBBfffffffffB",
     "wait_for_run_command",
@@ -904,12 +1601,8 @@ _NAVIGATION_FILTER_INITIALIZATION_RESPONSE_0 = codec.Block(
     "initial_heading",
     "initial_pitch",
     "initial_roll",
-    "initial_position",
-    "initial_position",
-    "initial_position",
-    "initial_velocity",
-    "initial_velocity",
-    "initial_velocity",
+    *["initial_position"] * 3,
+    *["initial_velocity"] * 3,
     "reference_frame_selector",
 )
 
@@ -918,7 +1611,7 @@ _NAVIGATION_FILTER_INITIALIZATION_RESPONSE_0 = codec.Block(
 class NavigationFilterInitializationResponse(Response):
     """Navigation filter initialization response (0x0D,0xD2).
 
-    Answers Navigation filter initialization (0x0D,0x52).
+    Also called `initialization_configuration_response`. Answers `NavigationFilterInitialization`.
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
@@ -930,26 +1623,29 @@ class NavigationFilterInitializationResponse(Response):
     ROLE = "response"
 
     wait_for_run_command: int
-    """1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to
-    1.
+    """1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to 1.
     """
     initial_cond_src: InitialConditionSource
     """Which initial conditions are found and which are given."""
     auto_heading_alignment_selector: HeadingAlignment
     """Ways in which the initial heading may be found."""
     initial_heading: float
-    """Given heading. [deg]"""
+    """Given heading. Unit: deg."""
     initial_pitch: float
-    """Given pitch. [deg]"""
+    """Given pitch. Unit: deg."""
     initial_roll: float
-    """Given roll. [deg]"""
+    """Given roll. Unit: deg."""
     initial_position: types.Vector3f
-    """Given position. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Given position. Elements: x, y, z.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
     initial_velocity: types.Vector3f
-    """Given velocity. [m/s] If reference_frame_selector is ecef: frame ecef. If
-    reference_frame_selector is llh: frame ned.
+    """Given velocity. Elements: x, y, z. Unit: m/s.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: frame ned.
     """
     reference_frame_selector: ReferenceFrame
     """Frame of the given position and velocity."""
@@ -1001,8 +1697,8 @@ _ADAPTIVE_FILTER_CONTROL_RESPONSE_0 = codec.Block("BH", "level", "time_limit")
 class AdaptiveFilterControlResponse(Response):
     """Adaptive filter control response (0x0D,0xD3).
 
-    Answers Adaptive filter control (0x0D,0x53).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `adaptive_filter_options_response`. Answers `AdaptiveFilterControl`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -1013,9 +1709,9 @@ class AdaptiveFilterControlResponse(Response):
     ROLE = "response"
 
     level: AdaptiveLevel
-    """Strength of the adaptation. Factory default: 2."""
+    """Strength of the adaptation. Default: 2."""
     time_limit: int
-    """Longest time for which measurements are rejected before the filter recovers. [ms]"""
+    """Longest time for which measurements are rejected before the filter recovers. Unit: ms."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterControlResponse, int]:
@@ -1031,7 +1727,7 @@ class AdaptiveFilterControlResponse(Response):
 
 
 _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_0 = codec.Block(
-    "Bfff", "receiver_id", "antenna_offset", "antenna_offset", "antenna_offset"
+    "Bfff", "receiver_id", *["antenna_offset"] * 3
 )
 
 
@@ -1039,8 +1735,8 @@ _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_RESPONSE_0 = codec.Block(
 class GnssMultiAntennaOffsetControlResponse(Response):
     """GNSS multi-antenna offset response (0x0D,0xD4).
 
-    Answers GNSS multi-antenna offset (0x0D,0x54).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `multi_antenna_offset_response`. Answers `GnssMultiAntennaOffsetControl`. Supported
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -1051,9 +1747,10 @@ class GnssMultiAntennaOffsetControlResponse(Response):
     ROLE = "response"
 
     receiver_id: int
-    """Number of the receiver, from 1. Range: 1 to …."""
+    """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f
-    """From the sensor to the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssMultiAntennaOffsetControlResponse, int]:
@@ -1071,12 +1768,7 @@ class GnssMultiAntennaOffsetControlResponse(Response):
 
 
 _RELATIVE_POSITION_CONFIGURATION_RESPONSE_0 = codec.Block(
-    "BBddd",
-    "source",
-    "reference_frame_selector",
-    "reference_coordinates",
-    "reference_coordinates",
-    "reference_coordinates",
+    "BBddd", "source", "reference_frame_selector", *["reference_coordinates"] * 3
 )
 
 
@@ -1084,8 +1776,8 @@ _RELATIVE_POSITION_CONFIGURATION_RESPONSE_0 = codec.Block(
 class RelativePositionConfigurationResponse(Response):
     """Relative position configuration response (0x0D,0xD5).
 
-    Answers Relative position configuration (0x0D,0x55).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `rel_pos_configuration_response`. Answers `RelativePositionConfiguration`. Supported
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -1100,8 +1792,10 @@ class RelativePositionConfigurationResponse(Response):
     reference_frame_selector: ReferenceFrame
     """Frame of the coordinates."""
     reference_coordinates: types.Vector3d
-    """Reference point. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Reference point. Elements: x, y, z.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
 
     @classmethod
@@ -1123,7 +1817,7 @@ class RelativePositionConfigurationResponse(Response):
 
 
 _REFERENCE_POINT_LEVER_ARM_RESPONSE_0 = codec.Block(
-    "Bfff", "ref_point_sel", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
+    "Bfff", "ref_point_sel", *["lever_arm_offset"] * 3
 )
 
 
@@ -1131,8 +1825,8 @@ _REFERENCE_POINT_LEVER_ARM_RESPONSE_0 = codec.Block(
 class ReferencePointLeverArmResponse(Response):
     """Reference point lever arm response (0x0D,0xD6).
 
-    Answers Reference point lever arm (0x0D,0x56).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `ref_point_lever_arm_response`. Answers `ReferencePointLeverArm`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -1145,7 +1839,8 @@ class ReferencePointLeverArmResponse(Response):
     ref_point_sel: ReferencePoint
     """Point to move; it must be 1."""
     lever_arm_offset: types.Vector3f
-    """From the sensor to the point. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArmResponse, int]:
@@ -1162,17 +1857,15 @@ class ReferencePointLeverArmResponse(Response):
         return codec.finished(out)
 
 
-_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_0 = codec.Block(
-    "Bfff", "source", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
-)
+_MEASUREMENT_SPEED_LEVER_ARM_RESPONSE_0 = codec.Block("Bfff", "source", *["lever_arm_offset"] * 3)
 
 
 @dataclass(slots=True)
 class MeasurementSpeedLeverArmResponse(Response):
     """Speed measurement lever arm response (0x0D,0xE1).
 
-    Answers Speed measurement lever arm (0x0D,0x61).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `speed_lever_arm_response`. Answers `MeasurementSpeedLeverArm`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
@@ -1183,9 +1876,9 @@ class MeasurementSpeedLeverArmResponse(Response):
     ROLE = "response"
 
     source: int = field(default=1, kw_only=True)
-    """Send 1."""
+    """Reserved."""
     lever_arm_offset: types.Vector3f
-    """From the sensor to the point of measurement. [m] Frame: vehicle."""
+    """From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MeasurementSpeedLeverArmResponse, int]:
@@ -1202,6 +1895,38 @@ class MeasurementSpeedLeverArmResponse(Response):
         return codec.finished(out)
 
 
+_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
+
+
+@dataclass(slots=True)
+class VerticalGyroConstraintControlResponse(Response):
+    """Vertical gyro constraint response (0x0D,0xE2).
+
+    Answers `VerticalGyroConstraintControl`.
+
+    - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0xE2
+    NAME = "filter.vertical_gyro_constraint_control_response"
+    ROLE = "response"
+
+    enable: int
+    """0 disables, 1 enables. Range: 0 to 1."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[VerticalGyroConstraintControlResponse, int]:
+        v = _VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0.read(raw, at)
+        at += 1
+        enable = v[0]
+        return cls(enable), at
+
+    def _write(self) -> bytes:
+        out = _VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0.write(self.enable)
+        return codec.finished(out)
+
+
 _WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 
 
@@ -1209,8 +1934,7 @@ _WHEELED_VEHICLE_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class WheeledVehicleConstraintControlResponse(Response):
     """Wheeled vehicle constraint response (0x0D,0xE3).
 
-    Answers Wheeled vehicle constraint (0x0D,0x63).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `WheeledVehicleConstraintControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
@@ -1242,7 +1966,7 @@ _GNSS_ANTENNA_OFFSET_CALIBRATION_CONTROL_RESPONSE_0 = codec.Block("Bf", "enable"
 class GnssAntennaOffsetCalibrationControlResponse(Response):
     """GNSS antenna offset calibration response (0x0D,0xE4).
 
-    Answers GNSS antenna offset calibration (0x0D,0x64).
+    Also called `gnss_antenna_cal_control_response`. Answers `GnssAntennaOffsetCalibrationControl`.
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
@@ -1257,8 +1981,8 @@ class GnssAntennaOffsetCalibrationControlResponse(Response):
     enable: int
     """0 disables, 1 enables. Range: 0 to 1."""
     max_offset: float
-    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. [m] Frame:
-    vehicle. Range: 0 to 0.5. Factory default: 0.1.
+    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
+    vehicle. Range: 0 to 0.5. Default: 0.1.
     """
 
     @classmethod
@@ -1281,10 +2005,12 @@ class ResetNavigationFilter(Command):
     """Reset navigation filter (0x0D,0x01).
 
     Puts the filter back into its initialization state.
+
+    Also called `reset`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     If automatic initialization is off, the attitude or heading must be set before the filter runs
-    again.
-    3DM-CV7: send it after a large jump of the system time, for example when the PPS is first found.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    again. 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first
+    found.
 
     - 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01)
     - 3dm-gx5-15: 4.3.1 Reset Filter (0x0D, 0x01)
@@ -1311,8 +2037,10 @@ class SetInitialAttitude(Command):
     """Set initial attitude (0x0D,0x02).
 
     Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
-    Accepted only in the initialization state.
+
     Supported by 3DM-GX5-15.
+
+    Accepted only in the initialization state.
 
     - 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02)
     """
@@ -1323,11 +2051,12 @@ class SetInitialAttitude(Command):
     ROLE = "command"
 
     roll: float
-    """Roll angle. [rad] Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Roll angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
     pitch: float
-    """Pitch angle. [rad] Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."""
+    """Pitch angle. Unit: rad. Frame: ned. Range: -1.5707963267948966 to 1.5707963267948966."""
     heading: float
-    """Heading (yaw) angle. [rad] Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Heading (yaw) angle. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetInitialAttitude, int]:
@@ -1351,10 +2080,11 @@ class SetInitialHeadingControl(Command):
     """Set initial heading (0x0D,0x03).
 
     Gives the filter its initial heading; pitch and roll come from the accelerometers.
-    3DM-GX5: accepted only in the initialization state.
-    3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
-    ignored.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Also called `set_initial_heading`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    3DM-GX5: accepted only in the initialization state. 3DM-CV7: resets the estimated heading; if
+    magnetometer aiding is on, the given heading is ignored.
 
     - 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03)
     - 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
@@ -1366,7 +2096,7 @@ class SetInitialHeadingControl(Command):
     ROLE = "command"
 
     heading: float
-    """Initial heading. [rad] Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
+    """Initial heading. Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetInitialHeadingControl, int]:
@@ -1385,9 +2115,11 @@ class RunNavigationFilter(Command):
     """Run navigation filter (0x0D,0x05).
 
     Starts a filter that was set up to wait for this command.
+
+    Also called `run`. Supported by 3DM-CV7-GNSS/INS.
+
     The filter waits in its initialization state if `wait_for_run_command` of
     `navigation_filter_initialization` is set.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
     """
@@ -1403,6 +2135,96 @@ class RunNavigationFilter(Command):
 
     def _write(self) -> bytes:
         return b""
+
+
+_VEHICLE_DYNAMICS_MODE_0 = codec.Block("B", "function")
+_VEHICLE_DYNAMICS_MODE_1 = codec.Block("B", "mode")
+_VEHICLE_DYNAMICS_MODE_GROUPS = ((1, ("mode",), False),)
+
+
+@dataclass(slots=True)
+class VehicleDynamicsMode(Command):
+    """Vehicle dynamics mode (0x0D,0x10).
+
+    Kind of vehicle that the filter is tuned for.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `VehicleDynamicsModeResponse`.
+
+    - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x10
+    NAME = "filter.vehicle_dynamics_mode"
+    ROLE = "command"
+    RESPONSES = (VehicleDynamicsModeResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    mode: DynamicsMode | None = None
+    """Kind of vehicle. Required for `write`."""
+
+    @classmethod
+    def write(cls, mode: DynamicsMode) -> VehicleDynamicsMode:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, mode=mode)
+
+    @classmethod
+    def read(cls) -> VehicleDynamicsMode:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> VehicleDynamicsMode:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> VehicleDynamicsMode:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> VehicleDynamicsMode:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return VehicleDynamicsModeResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[VehicleDynamicsMode, int]:
+        mode: DynamicsMode | None = None
+        v = _VEHICLE_DYNAMICS_MODE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _VEHICLE_DYNAMICS_MODE_1.read(raw, at)
+            at += 1
+            mode = DynamicsMode(v[0])
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, mode), at
+
+    def _write(self) -> bytes:
+        out = _VEHICLE_DYNAMICS_MODE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _VEHICLE_DYNAMICS_MODE_GROUPS)
+        if there >= 1:
+            out += _VEHICLE_DYNAMICS_MODE_1.write(self.mode)
+        return codec.finished(out)
 
 
 _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_0 = codec.Block("B", "function")
@@ -1421,11 +2243,14 @@ class SensorToVehicleFrameTransformation(Command):
     """Sensor to vehicle frame transformation (0x0D,0x11).
 
     Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
+
+    Also called `sensor_to_vehicle_rotation_euler`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `SensorToVehicleFrameTransformationResponse`. Supported by 3DM-GX5-15.
+
     It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
     velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
-    vector of the filter.
-    The 3DM-CV7 takes the inverse instead: `3dm.sensor_to_vehicle_frame_transformation_euler`.
-    Supported by 3DM-GX5-15.
+    vector of the filter. The 3DM-CV7 takes the inverse instead:
+    `mip_3dm.SensorToVehicleFrameTransformationEuler`.
 
     - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
     """
@@ -1440,11 +2265,11 @@ class SensorToVehicleFrameTransformation(Command):
     function: FunctionSelector
     """What to do with the setting."""
     roll: float | None = None
-    """Roll angle. [rad]"""
+    """Roll angle. Unit: rad. Required for `write`."""
     pitch: float | None = None
-    """Pitch angle. [rad]"""
+    """Pitch angle. Unit: rad. Required for `write`."""
     yaw: float | None = None
-    """Yaw angle. [rad]"""
+    """Yaw angle. Unit: rad. Required for `write`."""
 
     @classmethod
     def write(cls, roll: float, pitch: float, yaw: float) -> SensorToVehicleFrameTransformation:
@@ -1470,6 +2295,12 @@ class SensorToVehicleFrameTransformation(Command):
     def default(cls) -> SensorToVehicleFrameTransformation:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleFrameTransformationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformation, int]:
@@ -1519,8 +2350,105 @@ class SensorToVehicleFrameTransformation(Command):
         return codec.finished(out)
 
 
+_SENSOR_TO_VEHICLE_OFFSET_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
+_SENSOR_TO_VEHICLE_OFFSET_GROUPS = ((1, ("offset",), False),)
+
+
+@dataclass(slots=True)
+class SensorToVehicleOffset(Command):
+    """Sensor to vehicle offset (0x0D,0x12).
+
+    Origin of the vehicle frame, as seen from the sensor.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleOffsetResponse`. Uncertain: The direction, from the sensor to the origin of the
+    vehicle frame, is inferred from the name.
+
+    It shifts the estimated position `filter_data.LlhPosition` (0x82,0x01) and nothing else. The
+    shift is constant. It does not follow the attitude, as a lever arm would. The magnitude of the
+    vector is limited to 10 m.
+
+    - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x12
+    NAME = "filter.sensor_to_vehicle_offset"
+    ROLE = "command"
+    RESPONSES = (SensorToVehicleOffsetResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    offset: types.Vector3f | None = None
+    """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+    sensor. Range: -10 to 10. Required for `write`.
+    """
+
+    @classmethod
+    def write(cls, offset: types.Vector3f) -> SensorToVehicleOffset:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, offset=offset)
+
+    @classmethod
+    def read(cls) -> SensorToVehicleOffset:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> SensorToVehicleOffset:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> SensorToVehicleOffset:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> SensorToVehicleOffset:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleOffsetResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleOffset, int]:
+        offset: types.Vector3f | None = None
+        v = _SENSOR_TO_VEHICLE_OFFSET_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SENSOR_TO_VEHICLE_OFFSET_1.read(raw, at)
+            at += 12
+            offset = v[0:3]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, offset), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_OFFSET_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _SENSOR_TO_VEHICLE_OFFSET_GROUPS)
+        if there >= 1:
+            out += _SENSOR_TO_VEHICLE_OFFSET_1.write(*codec.exactly("offset", self.offset, 3))
+        return codec.finished(out)
+
+
 _GNSS_ANTENNA_OFFSET_CONTROL_0 = codec.Block("B", "function")
-_GNSS_ANTENNA_OFFSET_CONTROL_1 = codec.Block("fff", "offset", "offset", "offset")
+_GNSS_ANTENNA_OFFSET_CONTROL_1 = codec.Block("fff", *["offset"] * 3)
 _GNSS_ANTENNA_OFFSET_CONTROL_GROUPS = ((1, ("offset",), False),)
 
 
@@ -1529,11 +2457,13 @@ class GnssAntennaOffsetControl(Command):
     """GNSS antenna offset (0x0D,0x13).
 
     Position of the GNSS antenna relative to the origin of the sensor.
-    The magnitude of the vector is limited to 10.
-    7-series devices expect the vehicle frame, 5-series devices the sensor frame.
-    On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding commands use
-    `aiding.frame_configuration`.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `antenna_offset`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `GnssAntennaOffsetControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    The magnitude of the vector is limited to 10. 7-series devices expect the vehicle frame,
+    5-series devices the sensor frame. On the 3DM-CV7 it is for GNSS data that come as NMEA; data
+    that come by the aiding commands use `aiding.FrameConfiguration`.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -1548,7 +2478,9 @@ class GnssAntennaOffsetControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     offset: types.Vector3f | None = None
-    """From the sensor origin to the centre of the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
+    vehicle. Range: -10 to 10. Required for `write`.
+    """
 
     @classmethod
     def write(cls, offset: types.Vector3f) -> GnssAntennaOffsetControl:
@@ -1574,6 +2506,12 @@ class GnssAntennaOffsetControl(Command):
     def default(cls) -> GnssAntennaOffsetControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssAntennaOffsetControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetControl, int]:
@@ -1615,7 +2553,9 @@ class EstimationControlFlags(Command):
     """Estimation control flags (0x0D,0x14).
 
     Which states the filter estimates.
-    Supported by 3DM-GX5-15.
+
+    Also called `estimation_control`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `EstimationControlFlagsResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
     """
@@ -1630,7 +2570,7 @@ class EstimationControlFlags(Command):
     function: FunctionSelector
     """What to do with the setting."""
     flags: EstimatedStates | None = None
-    """States to estimate."""
+    """States to estimate. Required for `write`."""
 
     @classmethod
     def write(cls, flags: EstimatedStates) -> EstimationControlFlags:
@@ -1656,6 +2596,12 @@ class EstimationControlFlags(Command):
     def default(cls) -> EstimationControlFlags:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return EstimationControlFlagsResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EstimationControlFlags, int]:
@@ -1697,9 +2643,12 @@ class GnssAidingSourceControl(Command):
     """GNSS aiding source (0x0D,0x15).
 
     Which GNSS receiver aids the filter.
+
+    Also called `gnss_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GnssAidingSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     A change while the filter runs may put it back into initialization until the new source gives
     data.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
     """
@@ -1714,7 +2663,7 @@ class GnssAidingSourceControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: GnssAidingSource | None = None
-    """Source of the GNSS data."""
+    """Source of the GNSS data. Required for `write`."""
 
     @classmethod
     def write(cls, source: GnssAidingSource) -> GnssAidingSourceControl:
@@ -1740,6 +2689,12 @@ class GnssAidingSourceControl(Command):
     def default(cls) -> GnssAidingSourceControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssAidingSourceControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAidingSourceControl, int]:
@@ -1771,6 +2726,90 @@ class GnssAidingSourceControl(Command):
         return codec.finished(out)
 
 
+_EXTERNAL_GNSS_UPDATE_0 = codec.Block(
+    "dHdddfffffffff",
+    "tow",
+    "week_number",
+    "latitude",
+    "longitude",
+    "height",
+    *["velocity"] * 3,
+    *["position_uncertainty"] * 3,
+    *["velocity_uncertainty"] * 3,
+)
+
+
+@dataclass(slots=True)
+class ExternalGnssUpdate(Command):
+    """External GNSS update (0x0D,0x16).
+
+    Gives the filter one position and velocity of a GNSS receiver that the user provides.
+
+    Refused unless the GNSS aiding source `GnssAidingSourceControl` (0x0D,0x15) is the external one.
+    The highest rate depends on the device.
+
+    - mip-sdk-4: External Gnss Update (0x0D,0x16)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x16
+    NAME = "filter.external_gnss_update"
+    ROLE = "command"
+
+    tow: float
+    """GPS time of week. Unit: s."""
+    week_number: int
+    """GPS week, counted without rollover. Unit: week."""
+    latitude: float
+    """Latitude. Unit: deg. Frame: llh."""
+    longitude: float
+    """Longitude. Unit: deg. Frame: llh."""
+    height: float
+    """Height above the ellipsoid. Unit: m. Frame: llh."""
+    velocity: types.Vector3f
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned."""
+    position_uncertainty: types.Vector3f
+    """Standard deviation of the position. Elements: x, y, z. Unit: m. Frame: ned."""
+    velocity_uncertainty: types.Vector3f
+    """Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ExternalGnssUpdate, int]:
+        v = _EXTERNAL_GNSS_UPDATE_0.read(raw, at)
+        at += 70
+        tow = v[0]
+        week_number = v[1]
+        latitude = v[2]
+        longitude = v[3]
+        height = v[4]
+        velocity = v[5:8]
+        position_uncertainty = v[8:11]
+        velocity_uncertainty = v[11:14]
+        return cls(
+            tow,
+            week_number,
+            latitude,
+            longitude,
+            height,
+            velocity,
+            position_uncertainty,
+            velocity_uncertainty,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _EXTERNAL_GNSS_UPDATE_0.write(
+            self.tow,
+            self.week_number,
+            self.latitude,
+            self.longitude,
+            self.height,
+            *codec.exactly("velocity", self.velocity, 3),
+            *codec.exactly("position_uncertainty", self.position_uncertainty, 3),
+            *codec.exactly("velocity_uncertainty", self.velocity_uncertainty, 3),
+        )
+        return codec.finished(out)
+
+
 _EXTERNAL_HEADING_UPDATE_0 = codec.Block("ffB", "heading", "heading_uncertainty", "type")
 
 
@@ -1779,12 +2818,13 @@ class ExternalHeadingUpdate(Command):
     """External heading update (0x0D,0x17).
 
     Gives the filter one measurement of the heading of the sensor frame in the NED frame.
-    Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
-    and by `aiding_measurement_control` on the 3DM-CV7.
-    The 3DM-GX5-15 takes at most 20 updates per second.
-    If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
-    ones.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
+    and by `aiding_measurement_control` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per
+    second. If the declination source is not valid, -25 models refuse true headings and -45 models
+    magnetic ones.
 
     - 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17)
     - 3dm-gx5-15: 4.3.7 External Heading Update (0x0D, 0x17)
@@ -1796,11 +2836,13 @@ class ExternalHeadingUpdate(Command):
     ROLE = "command"
 
     heading: float
-    """Heading relative to the north that `type` names. [rad] Frame: ned. Range:
+    """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
     -3.141592653589793 to 3.141592653589793.
     """
     heading_uncertainty: float
-    """Standard deviation; it must be greater than 0, other values are refused. [rad]"""
+    """Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
+    0.
+    """
     type: HeadingType
     """North that the heading refers to."""
 
@@ -1828,7 +2870,9 @@ class HeadingUpdateControl(Command):
     """Heading update control (0x0D,0x18).
 
     Source of the heading that aids the filter.
-    Supported by 3DM-GX5-15.
+
+    Also called `heading_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `HeadingUpdateControlResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
     """
@@ -1843,7 +2887,7 @@ class HeadingUpdateControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: HeadingUpdateSource | None = None
-    """Source of the heading."""
+    """Source of the heading. Required for `write`."""
 
     @classmethod
     def write(cls, enable: HeadingUpdateSource) -> HeadingUpdateControl:
@@ -1869,6 +2913,12 @@ class HeadingUpdateControl(Command):
     def default(cls) -> HeadingUpdateControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return HeadingUpdateControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HeadingUpdateControl, int]:
@@ -1910,8 +2960,11 @@ class AutoInitializationControl(Command):
     """Automatic initialization (0x0D,0x19).
 
     Whether the filter initializes by itself when the device starts.
+
+    Also called `auto_init_control`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `AutoInitializationControlResponse`. Supported by 3DM-GX5-15.
+
     It needs a valid heading source.
-    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
     """
@@ -1926,7 +2979,7 @@ class AutoInitializationControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
 
     @classmethod
     def write(cls, enable: int) -> AutoInitializationControl:
@@ -1952,6 +3005,12 @@ class AutoInitializationControl(Command):
     def default(cls) -> AutoInitializationControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AutoInitializationControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AutoInitializationControl, int]:
@@ -1984,7 +3043,7 @@ class AutoInitializationControl(Command):
 
 
 _ACCELEROMETER_NOISE_STANDARD_DEVIATION_0 = codec.Block("B", "function")
-_ACCELEROMETER_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", "noise", "noise", "noise")
+_ACCELEROMETER_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", *["noise"] * 3)
 _ACCELEROMETER_NOISE_STANDARD_DEVIATION_GROUPS = ((1, ("noise",), False),)
 
 
@@ -1993,8 +3052,11 @@ class AccelerometerNoiseStandardDeviation(Command):
     """Accelerometer noise (0x0D,0x1A).
 
     Standard deviation of the accelerometer noise that the filter assumes (process noise).
-    Every value must be greater than 0. The factory values suit most laboratory conditions.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Also called `accel_noise`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `AccelerometerNoiseStandardDeviationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The factory values suit most laboratory conditions.
 
     - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
     - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
@@ -2010,7 +3072,9 @@ class AccelerometerNoiseStandardDeviation(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [m/s^2]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0. Required
+    for `write`.
+    """
 
     @classmethod
     def write(cls, noise: types.Vector3f) -> AccelerometerNoiseStandardDeviation:
@@ -2036,6 +3100,12 @@ class AccelerometerNoiseStandardDeviation(Command):
     def default(cls) -> AccelerometerNoiseStandardDeviation:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AccelerometerNoiseStandardDeviationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerNoiseStandardDeviation, int]:
@@ -2070,7 +3140,7 @@ class AccelerometerNoiseStandardDeviation(Command):
 
 
 _GYROSCOPE_NOISE_STANDARD_DEVIATION_0 = codec.Block("B", "function")
-_GYROSCOPE_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", "noise", "noise", "noise")
+_GYROSCOPE_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", *["noise"] * 3)
 _GYROSCOPE_NOISE_STANDARD_DEVIATION_GROUPS = ((1, ("noise",), False),)
 
 
@@ -2079,8 +3149,11 @@ class GyroscopeNoiseStandardDeviation(Command):
     """Gyroscope noise (0x0D,0x1B).
 
     Standard deviation of the gyroscope noise that the filter assumes (process noise).
-    Every value must be greater than 0. The factory values suit most laboratory conditions.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Also called `gyro_noise`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GyroscopeNoiseStandardDeviationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The factory values suit most laboratory conditions.
 
     - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
     - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
@@ -2096,7 +3169,9 @@ class GyroscopeNoiseStandardDeviation(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [rad/s]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0. Required
+    for `write`.
+    """
 
     @classmethod
     def write(cls, noise: types.Vector3f) -> GyroscopeNoiseStandardDeviation:
@@ -2122,6 +3197,12 @@ class GyroscopeNoiseStandardDeviation(Command):
     def default(cls) -> GyroscopeNoiseStandardDeviation:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GyroscopeNoiseStandardDeviationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeNoiseStandardDeviation, int]:
@@ -2156,8 +3237,8 @@ class GyroscopeNoiseStandardDeviation(Command):
 
 
 _ACCELEROMETER_BIAS_MODEL_PARAMETERS_0 = codec.Block("B", "function")
-_ACCELEROMETER_BIAS_MODEL_PARAMETERS_1 = codec.Block("fff", "beta", "beta", "beta")
-_ACCELEROMETER_BIAS_MODEL_PARAMETERS_2 = codec.Block("fff", "noise", "noise", "noise")
+_ACCELEROMETER_BIAS_MODEL_PARAMETERS_1 = codec.Block("fff", *["beta"] * 3)
+_ACCELEROMETER_BIAS_MODEL_PARAMETERS_2 = codec.Block("fff", *["noise"] * 3)
 _ACCELEROMETER_BIAS_MODEL_PARAMETERS_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 
 
@@ -2166,8 +3247,9 @@ class AccelerometerBiasModelParameters(Command):
     """Accelerometer bias model (0x0D,0x1C).
 
     Parameters of the model by which the accelerometer bias drifts.
-    Every noise value must be greater than 0.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `accel_bias_model`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `AccelerometerBiasModelParametersResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
     """
@@ -2182,9 +3264,13 @@ class AccelerometerBiasModelParameters(Command):
     function: FunctionSelector
     """What to do with the setting."""
     beta: types.Vector3f | None = None
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+    `write`.
+    """
     noise: types.Vector3f | None = None
-    """Standard deviation of the noise per axis. [m/s^2]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than
+    0. Required for `write`.
+    """
 
     @classmethod
     def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> AccelerometerBiasModelParameters:
@@ -2210,6 +3296,12 @@ class AccelerometerBiasModelParameters(Command):
     def default(cls) -> AccelerometerBiasModelParameters:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AccelerometerBiasModelParametersResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasModelParameters, int]:
@@ -2255,8 +3347,8 @@ class AccelerometerBiasModelParameters(Command):
 
 
 _GYROSCOPE_BIAS_MODEL_PARAMETERS_0 = codec.Block("B", "function")
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_1 = codec.Block("fff", "beta", "beta", "beta")
-_GYROSCOPE_BIAS_MODEL_PARAMETERS_2 = codec.Block("fff", "noise", "noise", "noise")
+_GYROSCOPE_BIAS_MODEL_PARAMETERS_1 = codec.Block("fff", *["beta"] * 3)
+_GYROSCOPE_BIAS_MODEL_PARAMETERS_2 = codec.Block("fff", *["noise"] * 3)
 _GYROSCOPE_BIAS_MODEL_PARAMETERS_GROUPS = ((1, ("beta",), False), (2, ("noise",), False))
 
 
@@ -2265,8 +3357,10 @@ class GyroscopeBiasModelParameters(Command):
     """Gyroscope bias model (0x0D,0x1D).
 
     Parameters of the model by which the gyroscope bias drifts.
-    Every noise value must be greater than 0.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Also called `gyro_bias_model`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `GyroscopeBiasModelParametersResponse`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
     - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
@@ -2282,9 +3376,13 @@ class GyroscopeBiasModelParameters(Command):
     function: FunctionSelector
     """What to do with the setting."""
     beta: types.Vector3f | None = None
-    """Reciprocal of the correlation time per axis. [1/s]"""
+    """Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+    `write`.
+    """
     noise: types.Vector3f | None = None
-    """Standard deviation of the noise per axis. [rad/s]"""
+    """Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater than
+    0. Required for `write`.
+    """
 
     @classmethod
     def write(cls, beta: types.Vector3f, noise: types.Vector3f) -> GyroscopeBiasModelParameters:
@@ -2310,6 +3408,12 @@ class GyroscopeBiasModelParameters(Command):
     def default(cls) -> GyroscopeBiasModelParameters:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GyroscopeBiasModelParametersResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasModelParameters, int]:
@@ -2350,6 +3454,110 @@ class GyroscopeBiasModelParameters(Command):
         return codec.finished(out)
 
 
+_AUTO_ZUPT_0 = codec.Block("B", "function")
+_AUTO_ZUPT_1 = codec.Block("B", "enable")
+_AUTO_ZUPT_2 = codec.Block("f", "threshold")
+_AUTO_ZUPT_GROUPS = ((1, ("enable",), False), (2, ("threshold",), False))
+
+
+@dataclass(slots=True)
+class AutoZupt(Command):
+    """Automatic zero velocity update (0x0D,0x1E).
+
+    Lets the filter take the device as standing still while its GNSS speed is small.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`.
+
+    The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
+    The device refuses a negative threshold.
+
+    - mip-sdk-4: Auto Zupt (0x0D,0x1E)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x1E
+    NAME = "filter.auto_zupt"
+    ROLE = "command"
+    RESPONSES = (AutoZuptResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    enable: int | None = None
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
+    threshold: float | None = None
+    """Largest speed that is taken as zero. Unit: m/s. Range: at least 0. Required for `write`."""
+
+    @classmethod
+    def write(cls, enable: int, threshold: float) -> AutoZupt:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, enable=enable, threshold=threshold)
+
+    @classmethod
+    def read(cls) -> AutoZupt:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> AutoZupt:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> AutoZupt:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> AutoZupt:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AutoZuptResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AutoZupt, int]:
+        enable: int | None = None
+        threshold: float | None = None
+        v = _AUTO_ZUPT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _AUTO_ZUPT_1.read(raw, at)
+            at += 1
+            enable = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _AUTO_ZUPT_2.read(raw, at)
+            at += 4
+            threshold = v[0]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, enable, threshold), at
+
+    def _write(self) -> bytes:
+        out = _AUTO_ZUPT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _AUTO_ZUPT_GROUPS)
+        if there >= 1:
+            out += _AUTO_ZUPT_1.write(self.enable)
+        if there >= 2:
+            out += _AUTO_ZUPT_2.write(self.threshold)
+        return codec.finished(out)
+
+
 _EXTERNAL_HEADING_UPDATE_WITH_TIME_0 = codec.Block(
     "dHffB", "gps_time", "gps_week", "heading", "heading_uncertainty", "type"
 )
@@ -2360,14 +3568,14 @@ class ExternalHeadingUpdateWithTime(Command):
     """External heading update with time (0x0D,0x1F).
 
     Gives the filter one measurement of the heading of the sensor frame with its GPS time.
-    Better than `external_heading_update` where the heading changes quickly; the time must be
-    accurate.
-    Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
-    and by `aiding_measurement_control` on the 3DM-CV7.
-    The 3DM-GX5-15 takes at most 20 updates per second.
-    If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
-    ones.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Better than `external_heading_update` where the heading changes quickly; the time must be
+    accurate. Refused unless external heading updates are enabled, by `heading_update_control` on
+    the 3DM-GX5 and by `aiding_measurement_control` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20
+    updates per second. If the declination source is not valid, -25 models refuse true headings and
+    -45 models magnetic ones.
 
     - 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
     - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
@@ -2379,15 +3587,17 @@ class ExternalHeadingUpdateWithTime(Command):
     ROLE = "command"
 
     gps_time: float
-    """GPS time of week of the measurement. [s]"""
+    """GPS time of week of the measurement. Unit: s."""
     gps_week: int
-    """GPS week, counted without rollover. [week]"""
+    """GPS week, counted without rollover. Unit: week."""
     heading: float
-    """Heading relative to the north that `type` names. [rad] Frame: ned. Range:
+    """Heading relative to the north that `type` names. Unit: rad. Frame: ned. Range:
     -3.141592653589793 to 3.141592653589793.
     """
     heading_uncertainty: float
-    """Standard deviation; it must be greater than 0, other values are refused. [rad]"""
+    """Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
+    0.
+    """
     type: HeadingType
     """North that the heading refers to."""
 
@@ -2420,8 +3630,12 @@ class ZeroAngularRateUpdateControl(Command):
     """Zero angular rate update (0x0D,0x20).
 
     Lets the filter take the device as not rotating while its angular rate is small.
+
+    Also called `auto_angular_zupt`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `ZeroAngularRateUpdateControlResponse`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GX5-15.
+
     The update applies while the magnitude of the angular rate vector is at or below the threshold.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
     - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
@@ -2437,9 +3651,11 @@ class ZeroAngularRateUpdateControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     threshold: float | None = None
-    """Largest angular rate that is taken as zero. [rad/s] Range: 0 to …."""
+    """Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. Required for
+    `write`.
+    """
 
     @classmethod
     def write(cls, enable: int, threshold: float) -> ZeroAngularRateUpdateControl:
@@ -2465,6 +3681,12 @@ class ZeroAngularRateUpdateControl(Command):
     def default(cls) -> ZeroAngularRateUpdateControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ZeroAngularRateUpdateControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ZeroAngularRateUpdateControl, int]:
@@ -2515,27 +3737,37 @@ class TareOrientation(Command):
     """Tare orientation (0x0D,0x21).
 
     Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `TareOrientationResponse`.
+    Supported by 3DM-GX5-15. On the 3DM-GX5-15: `write`, `save`, `load` and `default` only.
+
     Refused while the filter has no valid attitude.
-    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
+    - mip-sdk-4: Tare Orientation (0x0D,0x21)
     """
 
     SET = 0x0D
     DESCRIPTOR = 0x21
     NAME = "filter.tare_orientation"
     ROLE = "command"
-    REQUIRED = {1: 1, 3: 0, 4: 0, 5: 0}
+    RESPONSES = (TareOrientationResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
 
     function: FunctionSelector
     """What to do with the setting."""
     axes: TareAxes | None = None
-    """Axes to tare; 0 resets all axes."""
+    """Axes to tare; 0 resets all axes. Required for `write`."""
 
     @classmethod
     def write(cls, axes: TareAxes) -> TareOrientation:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, axes=axes)
+
+    @classmethod
+    def read(cls) -> TareOrientation:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
 
     @classmethod
     def save(cls) -> TareOrientation:
@@ -2551,6 +3783,12 @@ class TareOrientation(Command):
     def default(cls) -> TareOrientation:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return TareOrientationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[TareOrientation, int]:
@@ -2583,12 +3821,38 @@ class TareOrientation(Command):
 
 
 @dataclass(slots=True)
+class CommandedZupt(Command):
+    """Commanded zero velocity update (0x0D,0x22).
+
+    Tells the filter once that the device stands still.
+
+    The highest rate depends on the device.
+
+    - mip-sdk-4: Commanded Zupt (0x0D,0x22)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x22
+    NAME = "filter.commanded_zupt"
+    ROLE = "command"
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[CommandedZupt, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
+@dataclass(slots=True)
 class CommandedZeroAngularRateUpdate(Command):
     """Commanded zero angular rate update (0x0D,0x23).
 
     Tells the filter once that the device is not rotating.
+
+    Also called `commanded_angular_zupt`. Supported by 3DM-GX5-15.
+
     At most 10 per second.
-    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23)
     """
@@ -2624,7 +3888,9 @@ class SetReferencePosition(Command):
     """Set reference position (0x0D,0x26).
 
     Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
-    Supported by 3DM-GX5-15.
+
+    Also called `reference_position`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `SetReferencePositionResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
     """
@@ -2639,13 +3905,13 @@ class SetReferencePosition(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     latitude: float | None = None
-    """Latitude. [deg] Frame: llh."""
+    """Latitude. Unit: deg. Frame: llh. Required for `write`."""
     longitude: float | None = None
-    """Longitude. [deg] Frame: llh."""
+    """Longitude. Unit: deg. Frame: llh. Required for `write`."""
     altitude: float | None = None
-    """Altitude. [m] Frame: llh."""
+    """Altitude. Unit: m. Frame: llh. Required for `write`."""
 
     @classmethod
     def write(
@@ -2679,6 +3945,12 @@ class SetReferencePosition(Command):
     def default(cls) -> SetReferencePosition:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SetReferencePositionResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SetReferencePosition, int]:
@@ -2737,8 +4009,58 @@ class SetReferencePosition(Command):
         return codec.finished(out)
 
 
+_MAG_CAPTURE_AUTO_CAL_0 = codec.Block("B", "function")
+
+
+@dataclass(slots=True)
+class MagCaptureAutoCal(Command):
+    """Capture automatic magnetometer calibration (0x0D,0x27).
+
+    Makes the automatic magnetometer calibration part of the fixed one.
+
+    Functions: `write` and `save`.
+
+    A write combines the automatic calibration with the hard iron offset
+    `mip_3dm.MagnetometerHardIronOffset` (0x0C,0x3A) and the soft iron matrix
+    `mip_3dm.MagnetometerSoftIronMatrix` (0x0C,0x3B), and resets it. A save does the same as the
+    save of both of these commands.
+
+    - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x27
+    NAME = "filter.mag_capture_auto_cal"
+    ROLE = "command"
+    REQUIRED = {1: 0, 3: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+
+    @classmethod
+    def write(cls) -> MagCaptureAutoCal:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE)
+
+    @classmethod
+    def save(cls) -> MagCaptureAutoCal:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagCaptureAutoCal, int]:
+        v = _MAG_CAPTURE_AUTO_CAL_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        return cls(function), at
+
+    def _write(self) -> bytes:
+        out = _MAG_CAPTURE_AUTO_CAL_0.write(self.function)
+        return codec.finished(out)
+
+
 _GRAVITY_NOISE_STANDARD_DEVIATION_0 = codec.Block("B", "function")
-_GRAVITY_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", "noise", "noise", "noise")
+_GRAVITY_NOISE_STANDARD_DEVIATION_1 = codec.Block("fff", *["noise"] * 3)
 _GRAVITY_NOISE_STANDARD_DEVIATION_GROUPS = ((1, ("noise",), False),)
 
 
@@ -2747,8 +4069,11 @@ class GravityNoiseStandardDeviation(Command):
     """Gravity noise (0x0D,0x28).
 
     Standard deviation of the gravity noise that the filter assumes (process noise).
-    Every value must be greater than 0. The factory values suit most laboratory conditions.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Also called `gravity_noise`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `GravityNoiseStandardDeviationResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The factory values suit most laboratory conditions.
 
     - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
     - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
@@ -2764,7 +4089,9 @@ class GravityNoiseStandardDeviation(Command):
     function: FunctionSelector
     """What to do with the setting."""
     noise: types.Vector3f | None = None
-    """Standard deviation per axis. [g]"""
+    """Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. Required for
+    `write`.
+    """
 
     @classmethod
     def write(cls, noise: types.Vector3f) -> GravityNoiseStandardDeviation:
@@ -2790,6 +4117,12 @@ class GravityNoiseStandardDeviation(Command):
     def default(cls) -> GravityNoiseStandardDeviation:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GravityNoiseStandardDeviationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GravityNoiseStandardDeviation, int]:
@@ -2821,6 +4154,282 @@ class GravityNoiseStandardDeviation(Command):
         return codec.finished(out)
 
 
+_PRESSURE_ALTITUDE_NOISE_0 = codec.Block("B", "function")
+_PRESSURE_ALTITUDE_NOISE_1 = codec.Block("f", "noise")
+_PRESSURE_ALTITUDE_NOISE_GROUPS = ((1, ("noise",), False),)
+
+
+@dataclass(slots=True)
+class PressureAltitudeNoise(Command):
+    """Pressure altitude noise (0x0D,0x29).
+
+    Standard deviation of the noise of the pressure altitude model that the filter assumes.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `PressureAltitudeNoiseResponse`.
+
+    A small value follows the pressure faster, and takes weather and draughts for changes of height.
+
+    - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x29
+    NAME = "filter.pressure_altitude_noise"
+    ROLE = "command"
+    RESPONSES = (PressureAltitudeNoiseResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    noise: float | None = None
+    """Standard deviation. Unit: m. Range: greater than 0. Required for `write`."""
+
+    @classmethod
+    def write(cls, noise: float) -> PressureAltitudeNoise:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, noise=noise)
+
+    @classmethod
+    def read(cls) -> PressureAltitudeNoise:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> PressureAltitudeNoise:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> PressureAltitudeNoise:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> PressureAltitudeNoise:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return PressureAltitudeNoiseResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PressureAltitudeNoise, int]:
+        noise: float | None = None
+        v = _PRESSURE_ALTITUDE_NOISE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _PRESSURE_ALTITUDE_NOISE_1.read(raw, at)
+            at += 4
+            noise = v[0]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, noise), at
+
+    def _write(self) -> bytes:
+        out = _PRESSURE_ALTITUDE_NOISE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _PRESSURE_ALTITUDE_NOISE_GROUPS)
+        if there >= 1:
+            out += _PRESSURE_ALTITUDE_NOISE_1.write(self.noise)
+        return codec.finished(out)
+
+
+_HARD_IRON_OFFSET_NOISE_0 = codec.Block("B", "function")
+_HARD_IRON_OFFSET_NOISE_1 = codec.Block("fff", *["noise"] * 3)
+_HARD_IRON_OFFSET_NOISE_GROUPS = ((1, ("noise",), False),)
+
+
+@dataclass(slots=True)
+class HardIronOffsetNoise(Command):
+    """Hard iron offset noise (0x0D,0x2B).
+
+    Standard deviation of the noise of the estimated hard iron offset (process noise).
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `HardIronOffsetNoiseResponse`.
+
+    - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x2B
+    NAME = "filter.hard_iron_offset_noise"
+    ROLE = "command"
+    RESPONSES = (HardIronOffsetNoiseResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    noise: types.Vector3f | None = None
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
+    for `write`.
+    """
+
+    @classmethod
+    def write(cls, noise: types.Vector3f) -> HardIronOffsetNoise:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, noise=noise)
+
+    @classmethod
+    def read(cls) -> HardIronOffsetNoise:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> HardIronOffsetNoise:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> HardIronOffsetNoise:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> HardIronOffsetNoise:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return HardIronOffsetNoiseResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[HardIronOffsetNoise, int]:
+        noise: types.Vector3f | None = None
+        v = _HARD_IRON_OFFSET_NOISE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _HARD_IRON_OFFSET_NOISE_1.read(raw, at)
+            at += 12
+            noise = v[0:3]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, noise), at
+
+    def _write(self) -> bytes:
+        out = _HARD_IRON_OFFSET_NOISE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _HARD_IRON_OFFSET_NOISE_GROUPS)
+        if there >= 1:
+            out += _HARD_IRON_OFFSET_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
+        return codec.finished(out)
+
+
+_SOFT_IRON_MATRIX_NOISE_0 = codec.Block("B", "function")
+_SOFT_IRON_MATRIX_NOISE_1 = codec.Block("fffffffff", *["noise"] * 9)
+_SOFT_IRON_MATRIX_NOISE_GROUPS = ((1, ("noise",), False),)
+
+
+@dataclass(slots=True)
+class SoftIronMatrixNoise(Command):
+    """Soft iron matrix noise (0x0D,0x2C).
+
+    Standard deviation of the noise of the estimated soft iron matrix (process noise).
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SoftIronMatrixNoiseResponse`.
+
+    - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x2C
+    NAME = "filter.soft_iron_matrix_noise"
+    ROLE = "command"
+    RESPONSES = (SoftIronMatrixNoiseResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    noise: types.Matrix3f | None = None
+    """Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+    1. Range: greater than 0. Required for `write`.
+    """
+
+    @classmethod
+    def write(cls, noise: types.Matrix3f) -> SoftIronMatrixNoise:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, noise=noise)
+
+    @classmethod
+    def read(cls) -> SoftIronMatrixNoise:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> SoftIronMatrixNoise:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> SoftIronMatrixNoise:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> SoftIronMatrixNoise:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SoftIronMatrixNoiseResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SoftIronMatrixNoise, int]:
+        noise: types.Matrix3f | None = None
+        v = _SOFT_IRON_MATRIX_NOISE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SOFT_IRON_MATRIX_NOISE_1.read(raw, at)
+            at += 36
+            noise = v[0:9]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, noise), at
+
+    def _write(self) -> bytes:
+        out = _SOFT_IRON_MATRIX_NOISE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _SOFT_IRON_MATRIX_NOISE_GROUPS)
+        if there >= 1:
+            out += _SOFT_IRON_MATRIX_NOISE_1.write(*codec.exactly("noise", self.noise, 9))
+        return codec.finished(out)
+
+
 _ENABLE_DISABLE_MEASUREMENTS_0 = codec.Block("B", "function")
 _ENABLE_DISABLE_MEASUREMENTS_1 = codec.Block("H", "control")
 _ENABLE_DISABLE_MEASUREMENTS_GROUPS = ((1, ("control",), False),)
@@ -2831,7 +4440,9 @@ class EnableDisableMeasurements(Command):
     """Enable or disable measurements (0x0D,0x41).
 
     Which inertial measurements the filter uses.
-    Supported by 3DM-GX5-15.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `EnableDisableMeasurementsResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
     """
@@ -2846,7 +4457,7 @@ class EnableDisableMeasurements(Command):
     function: FunctionSelector
     """What to do with the setting."""
     control: MeasurementFlags | None = None
-    """Measurements to use."""
+    """Measurements to use. Required for `write`."""
 
     @classmethod
     def write(cls, control: MeasurementFlags) -> EnableDisableMeasurements:
@@ -2872,6 +4483,12 @@ class EnableDisableMeasurements(Command):
     def default(cls) -> EnableDisableMeasurements:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return EnableDisableMeasurementsResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EnableDisableMeasurements, int]:
@@ -2903,6 +4520,98 @@ class EnableDisableMeasurements(Command):
         return codec.finished(out)
 
 
+_MAG_NOISE_0 = codec.Block("B", "function")
+_MAG_NOISE_1 = codec.Block("fff", *["noise"] * 3)
+_MAG_NOISE_GROUPS = ((1, ("noise",), False),)
+
+
+@dataclass(slots=True)
+class MagNoise(Command):
+    """Magnetometer noise (0x0D,0x42).
+
+    Standard deviation of the magnetometer noise that the filter assumes.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`.
+    Uncertain: The SDK calls it process noise, although the noise is that of a measurement.
+
+    - mip-sdk-4: Mag Noise (0x0D,0x42)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x42
+    NAME = "filter.mag_noise"
+    ROLE = "command"
+    RESPONSES = (MagNoiseResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    noise: types.Vector3f | None = None
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
+    for `write`.
+    """
+
+    @classmethod
+    def write(cls, noise: types.Vector3f) -> MagNoise:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, noise=noise)
+
+    @classmethod
+    def read(cls) -> MagNoise:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> MagNoise:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> MagNoise:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> MagNoise:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagNoiseResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagNoise, int]:
+        noise: types.Vector3f | None = None
+        v = _MAG_NOISE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _MAG_NOISE_1.read(raw, at)
+            at += 12
+            noise = v[0:3]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, noise), at
+
+    def _write(self) -> bytes:
+        out = _MAG_NOISE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _MAG_NOISE_GROUPS)
+        if there >= 1:
+            out += _MAG_NOISE_1.write(*codec.exactly("noise", self.noise, 3))
+        return codec.finished(out)
+
+
 _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_0 = codec.Block("B", "function")
 _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_1 = codec.Block("B", "source")
 _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_2 = codec.Block("f", "declination")
@@ -2917,8 +4626,12 @@ class MagneticFieldDeclinationSourceControl(Command):
     """Magnetic declination source (0x0D,0x43).
 
     Source of the local declination of the magnetic field.
+
+    Also called `magnetic_declination_source`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `MagneticFieldDeclinationSourceControlResponse`. Supported by
+    3DM-CV7-GNSS/INS.
+
     Without a good declination source, keep automatic magnetometer calibration off.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
     """
@@ -2932,14 +4645,14 @@ class MagneticFieldDeclinationSourceControl(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    source: DeclinationSource | None = None
-    """Source of the declination."""
+    source: MagParameterSource | None = None
+    """Source of the declination. Required for `write`."""
     declination: float | None = None
-    """Declination; used only if `source` is manual. [rad]"""
+    """Declination; used only if `source` is manual. Unit: rad. Required for `write`."""
 
     @classmethod
     def write(
-        cls, source: DeclinationSource, declination: float
+        cls, source: MagParameterSource, declination: float
     ) -> MagneticFieldDeclinationSourceControl:
         """Apply the new setting."""
         return cls(FunctionSelector.WRITE, source=source, declination=declination)
@@ -2964,9 +4677,15 @@ class MagneticFieldDeclinationSourceControl(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagneticFieldDeclinationSourceControlResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagneticFieldDeclinationSourceControl, int]:
-        source: DeclinationSource | None = None
+        source: MagParameterSource | None = None
         declination: float | None = None
         v = _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_0.read(raw, at)
         at += 1
@@ -2978,7 +4697,7 @@ class MagneticFieldDeclinationSourceControl(Command):
                 raise Truncated(1, 0)
             v = _MAGNETIC_FIELD_DECLINATION_SOURCE_CONTROL_1.read(raw, at)
             at += 1
-            source = DeclinationSource(v[0])
+            source = MagParameterSource(v[0])
             done, end = 1, at
             if at == len(raw) and required < 2:
                 raise Truncated(1, 0)
@@ -3027,12 +4746,15 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
     """Gravity magnitude error adaptive measurement (0x0D,0x44).
 
     How far the filter trusts gravity measurements whose magnitude is not that of gravity.
-    Also called accelerometer magnitude error adaptive measurement.
-    All parameters after the selector keep their values if they are left out.
-    Filter and limits take effect only with `fixed`.
-    Raise the limits where vibration is strong, lower them where it is weak. High limits cost pitch
-    and roll accuracy under linear acceleration, low limits cost heading accuracy.
-    Supported by 3DM-GX5-15.
+
+    Also called `accel_magnitude_error_adaptive_measurement`. Functions: `write`, `read`, `save`,
+    `load` and `default`. Answered by `GravityMagnitudeErrorAdaptiveMeasurementResponse`. Supported
+    by 3DM-GX5-15.
+
+    Also called accelerometer magnitude error adaptive measurement. All parameters after the
+    selector keep their values if they are left out. Filter and limits take effect only with
+    `fixed`. Raise the limits where vibration is strong, lower them where it is weak. High limits
+    cost pitch and roll accuracy under linear acceleration, low limits cost heading accuracy.
 
     - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
     """
@@ -3047,19 +4769,19 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
     function: FunctionSelector
     """What to do with the setting."""
     adaptive_measurement: AdaptiveMeasurementSelector | None = None
-    """Kind of adaptation."""
+    """Kind of adaptation. Required for `write`."""
     frequency: float | None = None
-    """Cut-off frequency of the low-pass filter. [Hz]"""
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Optional."""
     low_limit: float | None = None
-    """Lower limit of the error. [m/s^2]"""
+    """Lower limit of the error. Unit: m/s^2. Optional."""
     high_limit: float | None = None
-    """Upper limit of the error. [m/s^2]"""
+    """Upper limit of the error. Unit: m/s^2. Optional."""
     low_limit_uncertainty: float | None = None
-    """Standard deviation at the lower limit. [m/s^2]"""
+    """Standard deviation at the lower limit. Unit: m/s^2. Optional."""
     high_limit_uncertainty: float | None = None
-    """Standard deviation at the upper limit. [m/s^2]"""
+    """Standard deviation at the upper limit. Unit: m/s^2. Optional."""
     minimum_uncertainty: float | None = None
-    """Smallest standard deviation. [m/s^2]"""
+    """Smallest standard deviation. Unit: m/s^2. Optional."""
 
     @classmethod
     def write(
@@ -3103,6 +4825,12 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
     def default(cls) -> GravityMagnitudeErrorAdaptiveMeasurement:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GravityMagnitudeErrorAdaptiveMeasurementResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GravityMagnitudeErrorAdaptiveMeasurement, int]:
@@ -3199,6 +4927,483 @@ class GravityMagnitudeErrorAdaptiveMeasurement(Command):
         return codec.finished(out)
 
 
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0 = codec.Block("B", "function")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1 = codec.Block("B", "adaptive_measurement")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2 = codec.Block("f", "frequency")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3 = codec.Block("f", "low_limit")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4 = codec.Block("f", "high_limit")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5 = codec.Block("f", "low_limit_uncertainty")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6 = codec.Block("f", "high_limit_uncertainty")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7 = codec.Block("f", "minimum_uncertainty")
+_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
+    (1, ("adaptive_measurement",), False),
+    (2, ("frequency",), False),
+    (3, ("low_limit",), False),
+    (4, ("high_limit",), False),
+    (5, ("low_limit_uncertainty",), False),
+    (6, ("high_limit_uncertainty",), False),
+    (7, ("minimum_uncertainty",), False),
+)
+
+
+@dataclass(slots=True)
+class MagMagnitudeErrorAdaptiveMeasurement(Command):
+    """Magnetometer magnitude error adaptive measurement (0x0D,0x45).
+
+    How far the filter trusts a magnetic field whose magnitude is not as expected.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagMagnitudeErrorAdaptiveMeasurementResponse`. Uncertain: Whether the parameters behind the
+    selector may be left out on write, as those of `GravityMagnitudeErrorAdaptiveMeasurement`
+    (0x0D,0x44) may.
+
+    The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
+    limits. High limits suit high dynamics but let disturbances of the field through; low limits can
+    spoil the heading.
+
+    - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x45
+    NAME = "filter.mag_magnitude_error_adaptive_measurement"
+    ROLE = "command"
+    RESPONSES = (MagMagnitudeErrorAdaptiveMeasurementResponse,)
+    REQUIRED = {1: 7, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    adaptive_measurement: AdaptiveMeasurementSelector | None = None
+    """Kind of adaptation. Required for `write`."""
+    frequency: float | None = None
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Required for `write`."""
+    low_limit: float | None = None
+    """Lower limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
+    high_limit: float | None = None
+    """Upper limit of the error. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
+    low_limit_uncertainty: float | None = None
+    """Standard deviation at the lower limit. Unit: gauss. Required for `write`. Uncertain: The
+    unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in
+    the response.
+    """
+    high_limit_uncertainty: float | None = None
+    """Standard deviation at the upper limit. Unit: gauss. Required for `write`. Uncertain: The
+    unit. The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in
+    the response.
+    """
+    minimum_uncertainty: float | None = None
+    """Smallest standard deviation. Unit: gauss. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+    """
+
+    @classmethod
+    def write(
+        cls,
+        adaptive_measurement: AdaptiveMeasurementSelector,
+        frequency: float,
+        low_limit: float,
+        high_limit: float,
+        low_limit_uncertainty: float,
+        high_limit_uncertainty: float,
+        minimum_uncertainty: float,
+    ) -> MagMagnitudeErrorAdaptiveMeasurement:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE,
+            adaptive_measurement=adaptive_measurement,
+            frequency=frequency,
+            low_limit=low_limit,
+            high_limit=high_limit,
+            low_limit_uncertainty=low_limit_uncertainty,
+            high_limit_uncertainty=high_limit_uncertainty,
+            minimum_uncertainty=minimum_uncertainty,
+        )
+
+    @classmethod
+    def read(cls) -> MagMagnitudeErrorAdaptiveMeasurement:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> MagMagnitudeErrorAdaptiveMeasurement:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> MagMagnitudeErrorAdaptiveMeasurement:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> MagMagnitudeErrorAdaptiveMeasurement:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagMagnitudeErrorAdaptiveMeasurementResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagMagnitudeErrorAdaptiveMeasurement, int]:
+        adaptive_measurement: AdaptiveMeasurementSelector | None = None
+        frequency: float | None = None
+        low_limit: float | None = None
+        high_limit: float | None = None
+        low_limit_uncertainty: float | None = None
+        high_limit_uncertainty: float | None = None
+        minimum_uncertainty: float | None = None
+        v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.read(raw, at)
+            at += 1
+            adaptive_measurement = AdaptiveMeasurementSelector(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.read(raw, at)
+            at += 4
+            frequency = v[0]
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.read(raw, at)
+            at += 4
+            low_limit = v[0]
+            done, end = 3, at
+            if at == len(raw) and required < 4:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.read(raw, at)
+            at += 4
+            high_limit = v[0]
+            done, end = 4, at
+            if at == len(raw) and required < 5:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.read(raw, at)
+            at += 4
+            low_limit_uncertainty = v[0]
+            done, end = 5, at
+            if at == len(raw) and required < 6:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.read(raw, at)
+            at += 4
+            high_limit_uncertainty = v[0]
+            done, end = 6, at
+            if at == len(raw) and required < 7:
+                raise Truncated(1, 0)
+            v = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.read(raw, at)
+            at += 4
+            minimum_uncertainty = v[0]
+            done, end = 7, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(
+            function,
+            adaptive_measurement,
+            frequency,
+            low_limit,
+            high_limit,
+            low_limit_uncertainty,
+            high_limit_uncertainty,
+            minimum_uncertainty,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS)
+        if there >= 1:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_1.write(self.adaptive_measurement)
+        if there >= 2:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_2.write(self.frequency)
+        if there >= 3:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_3.write(self.low_limit)
+        if there >= 4:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_4.write(self.high_limit)
+        if there >= 5:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_5.write(self.low_limit_uncertainty)
+        if there >= 6:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_6.write(self.high_limit_uncertainty)
+        if there >= 7:
+            out += _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_7.write(self.minimum_uncertainty)
+        return codec.finished(out)
+
+
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_0 = codec.Block("B", "function")
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_1 = codec.Block("B", "enable")
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_2 = codec.Block("f", "frequency")
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_3 = codec.Block("f", "high_limit")
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_4 = codec.Block("f", "high_limit_uncertainty")
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_5 = codec.Block("f", "minimum_uncertainty")
+_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS = (
+    (1, ("enable",), False),
+    (2, ("frequency",), False),
+    (3, ("high_limit",), False),
+    (4, ("high_limit_uncertainty",), False),
+    (5, ("minimum_uncertainty",), False),
+)
+
+
+@dataclass(slots=True)
+class MagDipAngleErrorAdaptiveMeasurement(Command):
+    """Magnetometer dip angle error adaptive measurement (0x0D,0x46).
+
+    How far the filter trusts a magnetic field whose dip angle is not as expected.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagDipAngleErrorAdaptiveMeasurementResponse`.
+
+    It has no effect while `GravityMagnitudeErrorAdaptiveMeasurement` (0x0D,0x44) or
+    `MagMagnitudeErrorAdaptiveMeasurement` (0x0D,0x45) is set to `auto`. High limits suit high
+    dynamics but let disturbances of the field through; low limits can spoil the heading.
+
+    - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x46
+    NAME = "filter.mag_dip_angle_error_adaptive_measurement"
+    ROLE = "command"
+    RESPONSES = (MagDipAngleErrorAdaptiveMeasurementResponse,)
+    REQUIRED = {1: 5, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    enable: bool | None = None
+    """Whether the adaptation is on. Required for `write`."""
+    frequency: float | None = None
+    """Cut-off frequency of the low-pass filter. Unit: Hz. Required for `write`."""
+    high_limit: float | None = None
+    """Upper limit of the error. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; rad is inferred from the quantity.
+    """
+    high_limit_uncertainty: float | None = None
+    """Standard deviation at the upper limit. Unit: rad. Required for `write`. Uncertain: The unit.
+    The SDK prints m/s^2; rad is inferred from the quantity.
+    """
+    minimum_uncertainty: float | None = None
+    """Smallest standard deviation. Unit: rad. Required for `write`. Uncertain: The unit. The SDK
+    prints m/s^2; rad is inferred from the quantity.
+    """
+
+    @classmethod
+    def write(
+        cls,
+        enable: bool,
+        frequency: float,
+        high_limit: float,
+        high_limit_uncertainty: float,
+        minimum_uncertainty: float,
+    ) -> MagDipAngleErrorAdaptiveMeasurement:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE,
+            enable=enable,
+            frequency=frequency,
+            high_limit=high_limit,
+            high_limit_uncertainty=high_limit_uncertainty,
+            minimum_uncertainty=minimum_uncertainty,
+        )
+
+    @classmethod
+    def read(cls) -> MagDipAngleErrorAdaptiveMeasurement:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> MagDipAngleErrorAdaptiveMeasurement:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> MagDipAngleErrorAdaptiveMeasurement:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> MagDipAngleErrorAdaptiveMeasurement:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagDipAngleErrorAdaptiveMeasurementResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagDipAngleErrorAdaptiveMeasurement, int]:
+        enable: bool | None = None
+        frequency: float | None = None
+        high_limit: float | None = None
+        high_limit_uncertainty: float | None = None
+        minimum_uncertainty: float | None = None
+        v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_1.read(raw, at)
+            at += 1
+            enable = codec.truth(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_2.read(raw, at)
+            at += 4
+            frequency = v[0]
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_3.read(raw, at)
+            at += 4
+            high_limit = v[0]
+            done, end = 3, at
+            if at == len(raw) and required < 4:
+                raise Truncated(1, 0)
+            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_4.read(raw, at)
+            at += 4
+            high_limit_uncertainty = v[0]
+            done, end = 4, at
+            if at == len(raw) and required < 5:
+                raise Truncated(1, 0)
+            v = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_5.read(raw, at)
+            at += 4
+            minimum_uncertainty = v[0]
+            done, end = 5, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(
+            function, enable, frequency, high_limit, high_limit_uncertainty, minimum_uncertainty
+        ), at
+
+    def _write(self) -> bytes:
+        out = _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_GROUPS)
+        if there >= 1:
+            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_1.write(self.enable)
+        if there >= 2:
+            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_2.write(self.frequency)
+        if there >= 3:
+            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_3.write(self.high_limit)
+        if there >= 4:
+            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_4.write(self.high_limit_uncertainty)
+        if there >= 5:
+            out += _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_5.write(self.minimum_uncertainty)
+        return codec.finished(out)
+
+
+_ALTITUDE_AIDING_0 = codec.Block("B", "function")
+_ALTITUDE_AIDING_1 = codec.Block("B", "selector")
+_ALTITUDE_AIDING_GROUPS = ((1, ("selector",), False),)
+
+
+@dataclass(slots=True)
+class AltitudeAiding(Command):
+    """Altitude aiding (0x0D,0x47).
+
+    What aids the altitude beside GNSS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`.
+
+    GNSS stays the main source of altitude; the aid improves it and bridges outages. Weather and
+    place shift the pressure altitude, at times by more than 40 m.
+
+    - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x47
+    NAME = "filter.altitude_aiding"
+    ROLE = "command"
+    RESPONSES = (AltitudeAidingResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    selector: AltitudeAidingSource | None = None
+    """Source of the aiding. Required for `write`."""
+
+    @classmethod
+    def write(cls, selector: AltitudeAidingSource) -> AltitudeAiding:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, selector=selector)
+
+    @classmethod
+    def read(cls) -> AltitudeAiding:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> AltitudeAiding:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> AltitudeAiding:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> AltitudeAiding:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AltitudeAidingResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAiding, int]:
+        selector: AltitudeAidingSource | None = None
+        v = _ALTITUDE_AIDING_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _ALTITUDE_AIDING_1.read(raw, at)
+            at += 1
+            selector = AltitudeAidingSource(v[0])
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, selector), at
+
+    def _write(self) -> bytes:
+        out = _ALTITUDE_AIDING_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _ALTITUDE_AIDING_GROUPS)
+        if there >= 1:
+            out += _ALTITUDE_AIDING_1.write(self.selector)
+        return codec.finished(out)
+
+
 _PITCH_ROLL_AIDING_CONTROL_0 = codec.Block("B", "function")
 _PITCH_ROLL_AIDING_CONTROL_1 = codec.Block("B", "aiding")
 _PITCH_ROLL_AIDING_CONTROL_GROUPS = ((1, ("aiding",), False),)
@@ -3209,7 +5414,9 @@ class PitchRollAidingControl(Command):
     """Pitch and roll aiding (0x0D,0x4B).
 
     What aids pitch and roll while the motion is gentle.
-    Supported by 3DM-GX5-15.
+
+    Also called `pitch_roll_aiding`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `PitchRollAidingControlResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
     """
@@ -3224,7 +5431,7 @@ class PitchRollAidingControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     aiding: PitchRollAidingSource | None = None
-    """Source of the aiding."""
+    """Source of the aiding. Required for `write`."""
 
     @classmethod
     def write(cls, aiding: PitchRollAidingSource) -> PitchRollAidingControl:
@@ -3250,6 +5457,12 @@ class PitchRollAidingControl(Command):
     def default(cls) -> PitchRollAidingControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return PitchRollAidingControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAidingControl, int]:
@@ -3281,6 +5494,416 @@ class PitchRollAidingControl(Command):
         return codec.finished(out)
 
 
+_INCLINATION_SOURCE_0 = codec.Block("B", "function")
+_INCLINATION_SOURCE_1 = codec.Block("B", "source")
+_INCLINATION_SOURCE_2 = codec.Block("f", "inclination")
+_INCLINATION_SOURCE_GROUPS = ((1, ("source",), False), (2, ("inclination",), False))
+
+
+@dataclass(slots=True)
+class InclinationSource(Command):
+    """Magnetic inclination source (0x0D,0x4C).
+
+    Source of the local inclination (dip angle) of the magnetic field.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `InclinationSourceResponse`.
+
+    Without a good inclination source, keep automatic magnetometer calibration off.
+
+    - mip-sdk-4: Inclination Source (0x0D,0x4C)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x4C
+    NAME = "filter.inclination_source"
+    ROLE = "command"
+    RESPONSES = (InclinationSourceResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    source: MagParameterSource | None = None
+    """Source of the inclination. Required for `write`."""
+    inclination: float | None = None
+    """Inclination; used only if `source` is manual. Unit: rad. Required for `write`. Uncertain:
+    Whether it may be left out if `source` is not manual. The SDK sends it always.
+    """
+
+    @classmethod
+    def write(cls, source: MagParameterSource, inclination: float) -> InclinationSource:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, source=source, inclination=inclination)
+
+    @classmethod
+    def read(cls) -> InclinationSource:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> InclinationSource:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> InclinationSource:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> InclinationSource:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return InclinationSourceResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[InclinationSource, int]:
+        source: MagParameterSource | None = None
+        inclination: float | None = None
+        v = _INCLINATION_SOURCE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _INCLINATION_SOURCE_1.read(raw, at)
+            at += 1
+            source = MagParameterSource(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _INCLINATION_SOURCE_2.read(raw, at)
+            at += 4
+            inclination = v[0]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, source, inclination), at
+
+    def _write(self) -> bytes:
+        out = _INCLINATION_SOURCE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _INCLINATION_SOURCE_GROUPS)
+        if there >= 1:
+            out += _INCLINATION_SOURCE_1.write(self.source)
+        if there >= 2:
+            out += _INCLINATION_SOURCE_2.write(self.inclination)
+        return codec.finished(out)
+
+
+_MAG_FIELD_MAGNITUDE_SOURCE_0 = codec.Block("B", "function")
+_MAG_FIELD_MAGNITUDE_SOURCE_1 = codec.Block("B", "source")
+_MAG_FIELD_MAGNITUDE_SOURCE_2 = codec.Block("f", "magnitude")
+_MAG_FIELD_MAGNITUDE_SOURCE_GROUPS = ((1, ("source",), False), (2, ("magnitude",), False))
+
+
+@dataclass(slots=True)
+class MagFieldMagnitudeSource(Command):
+    """Magnetic field magnitude source (0x0D,0x4D).
+
+    Source of the local magnitude of the magnetic field.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `MagFieldMagnitudeSourceResponse`.
+
+    Without a good magnitude source, keep automatic magnetometer calibration off. The adaptive
+    measurement `MagMagnitudeErrorAdaptiveMeasurement` (0x0D,0x45) relies on it too.
+
+    - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x4D
+    NAME = "filter.mag_field_magnitude_source"
+    ROLE = "command"
+    RESPONSES = (MagFieldMagnitudeSourceResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    source: MagParameterSource | None = None
+    """Source of the magnitude. Required for `write`."""
+    magnitude: float | None = None
+    """Magnitude; used only if `source` is manual. Unit: gauss. Required for `write`. Uncertain:
+    Whether it may be left out if `source` is not manual. The SDK sends it always.
+    """
+
+    @classmethod
+    def write(cls, source: MagParameterSource, magnitude: float) -> MagFieldMagnitudeSource:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, source=source, magnitude=magnitude)
+
+    @classmethod
+    def read(cls) -> MagFieldMagnitudeSource:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> MagFieldMagnitudeSource:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> MagFieldMagnitudeSource:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> MagFieldMagnitudeSource:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagFieldMagnitudeSourceResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagFieldMagnitudeSource, int]:
+        source: MagParameterSource | None = None
+        magnitude: float | None = None
+        v = _MAG_FIELD_MAGNITUDE_SOURCE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _MAG_FIELD_MAGNITUDE_SOURCE_1.read(raw, at)
+            at += 1
+            source = MagParameterSource(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _MAG_FIELD_MAGNITUDE_SOURCE_2.read(raw, at)
+            at += 4
+            magnitude = v[0]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, source, magnitude), at
+
+    def _write(self) -> bytes:
+        out = _MAG_FIELD_MAGNITUDE_SOURCE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _MAG_FIELD_MAGNITUDE_SOURCE_GROUPS)
+        if there >= 1:
+            out += _MAG_FIELD_MAGNITUDE_SOURCE_1.write(self.source)
+        if there >= 2:
+            out += _MAG_FIELD_MAGNITUDE_SOURCE_2.write(self.magnitude)
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_ROTATION_DCM_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_ROTATION_DCM_1 = codec.Block("fffffffff", *["dcm"] * 9)
+_SENSOR_TO_VEHICLE_ROTATION_DCM_GROUPS = ((1, ("dcm",), False),)
+
+
+@dataclass(slots=True)
+class SensorToVehicleRotationDcm(Command):
+    """Sensor to vehicle rotation, matrix (0x0D,0x4E).
+
+    Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleRotationDcmResponse`.
+
+    It is the inverse of the matrix that
+    `mip_3dm.SensorToVehicleFrameTransformationDirectionCosineMatrix` (0x0C,0x33) takes. It turns
+    the scaled acceleration, angular rate and magnetic field, delta theta and delta velocity, and
+    the orientation, linear acceleration, angular rate and gravity vector of the filter. The device
+    refuses a matrix that is not orthonormal to 0.001. The device keeps a quaternion, so the
+    elements read back may differ a little from those written.
+
+    - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x4E
+    NAME = "filter.sensor_to_vehicle_rotation_dcm"
+    ROLE = "command"
+    RESPONSES = (SensorToVehicleRotationDcmResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    dcm: types.Matrix3f | None = None
+    """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1. Required for `write`.
+    """
+
+    @classmethod
+    def write(cls, dcm: types.Matrix3f) -> SensorToVehicleRotationDcm:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, dcm=dcm)
+
+    @classmethod
+    def read(cls) -> SensorToVehicleRotationDcm:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> SensorToVehicleRotationDcm:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> SensorToVehicleRotationDcm:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> SensorToVehicleRotationDcm:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleRotationDcmResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationDcm, int]:
+        dcm: types.Matrix3f | None = None
+        v = _SENSOR_TO_VEHICLE_ROTATION_DCM_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SENSOR_TO_VEHICLE_ROTATION_DCM_1.read(raw, at)
+            at += 36
+            dcm = v[0:9]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, dcm), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_ROTATION_DCM_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_DCM_GROUPS)
+        if there >= 1:
+            out += _SENSOR_TO_VEHICLE_ROTATION_DCM_1.write(*codec.exactly("dcm", self.dcm, 9))
+        return codec.finished(out)
+
+
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0 = codec.Block("B", "function")
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1 = codec.Block("ffff", *["quat"] * 4)
+_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS = ((1, ("quat",), False),)
+
+
+@dataclass(slots=True)
+class SensorToVehicleRotationQuaternion(Command):
+    """Sensor to vehicle rotation, quaternion (0x0D,0x4F).
+
+    Rotation from the sensor frame to the vehicle frame as a quaternion.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `SensorToVehicleRotationQuaternionResponse`.
+
+    It is the inverse of the quaternion that `mip_3dm.SensorToVehicleFrameTransformationQuaternion`
+    (0x0C,0x32) takes. It turns the scaled acceleration, angular rate and magnetic field, delta
+    theta and delta velocity, and the orientation, linear acceleration, angular rate and gravity
+    vector of the filter. The device refuses a quaternion whose length is not 1 to 0.001. The device
+    normalizes it, so the elements read back may differ a little from those written.
+
+    - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x4F
+    NAME = "filter.sensor_to_vehicle_rotation_quaternion"
+    ROLE = "command"
+    RESPONSES = (SensorToVehicleRotationQuaternionResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    quat: types.Quatf | None = None
+    """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Required for `write`."""
+
+    @classmethod
+    def write(cls, quat: types.Quatf) -> SensorToVehicleRotationQuaternion:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, quat=quat)
+
+    @classmethod
+    def read(cls) -> SensorToVehicleRotationQuaternion:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> SensorToVehicleRotationQuaternion:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> SensorToVehicleRotationQuaternion:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> SensorToVehicleRotationQuaternion:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleRotationQuaternionResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternion, int]:
+        quat: types.Quatf | None = None
+        v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.read(raw, at)
+            at += 16
+            quat = v[0:4]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, quat), at
+
+    def _write(self) -> bytes:
+        out = _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_GROUPS)
+        if there >= 1:
+            out += _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_1.write(
+                *codec.exactly("quat", self.quat, 4)
+            )
+        return codec.finished(out)
+
+
 _AIDING_MEASUREMENT_CONTROL_0 = codec.Block("B", "function")
 _AIDING_MEASUREMENT_CONTROL_1 = codec.Block("H", "aiding_source")
 _AIDING_MEASUREMENT_CONTROL_2 = codec.Block("B", "enable")
@@ -3292,7 +5915,9 @@ class AidingMeasurementControl(Command):
     """Aiding measurement control (0x0D,0x50).
 
     Enables or disables one source of aiding measurements.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `aiding_measurement_enable`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `AidingMeasurementControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
     """
@@ -3309,7 +5934,7 @@ class AidingMeasurementControl(Command):
     aiding_source: AidingSource | None = None
     """The source; `all` is for save, load and default."""
     enable: bool | None = None
-    """Whether the filter uses the source."""
+    """Whether the filter uses the source. Required for `write`."""
 
     @classmethod
     def write(cls, aiding_source: AidingSource, enable: bool) -> AidingMeasurementControl:
@@ -3335,6 +5960,12 @@ class AidingMeasurementControl(Command):
     def default(cls, aiding_source: AidingSource) -> AidingMeasurementControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, aiding_source=aiding_source)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AidingMeasurementControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AidingMeasurementControl, int]:
@@ -3375,6 +6006,136 @@ class AidingMeasurementControl(Command):
         return codec.finished(out)
 
 
+_KINEMATIC_CONSTRAINT_0 = codec.Block("B", "function")
+_KINEMATIC_CONSTRAINT_1 = codec.Block("B", "accel_constraint")
+_KINEMATIC_CONSTRAINT_2 = codec.Block("B", "velocity_constraint")
+_KINEMATIC_CONSTRAINT_3 = codec.Block("B", "angular_constraint")
+_KINEMATIC_CONSTRAINT_GROUPS = (
+    (1, ("accel_constraint",), False),
+    (2, ("velocity_constraint",), False),
+    (3, ("angular_constraint",), False),
+)
+
+
+@dataclass(slots=True)
+class KinematicConstraint(Command):
+    """Kinematic constraint (0x0D,0x51).
+
+    Assumptions about the motion that the filter uses as measurements.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `KinematicConstraintResponse`. Uncertain: Whether there are further values. The SDK has plain
+    numbers and gives the values in remarks.
+
+    - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x51
+    NAME = "filter.kinematic_constraint"
+    ROLE = "command"
+    RESPONSES = (KinematicConstraintResponse,)
+    REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    accel_constraint: AccelConstraint | None = None
+    """Assumption about the acceleration. Default: `AccelConstraint.NONE`. Required for `write`."""
+    velocity_constraint: VelocityConstraint | None = None
+    """Assumption about the velocity. Default: `VelocityConstraint.NONE`. Required for `write`."""
+    angular_constraint: AngularConstraint | None = None
+    """Assumption about the angular rate. Default: `AngularConstraint.NONE`. Required for `write`.
+    """
+
+    @classmethod
+    def write(
+        cls,
+        accel_constraint: AccelConstraint,
+        velocity_constraint: VelocityConstraint,
+        angular_constraint: AngularConstraint,
+    ) -> KinematicConstraint:
+        """Apply the new setting."""
+        return cls(
+            FunctionSelector.WRITE,
+            accel_constraint=accel_constraint,
+            velocity_constraint=velocity_constraint,
+            angular_constraint=angular_constraint,
+        )
+
+    @classmethod
+    def read(cls) -> KinematicConstraint:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> KinematicConstraint:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> KinematicConstraint:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> KinematicConstraint:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return KinematicConstraintResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[KinematicConstraint, int]:
+        accel_constraint: AccelConstraint | None = None
+        velocity_constraint: VelocityConstraint | None = None
+        angular_constraint: AngularConstraint | None = None
+        v = _KINEMATIC_CONSTRAINT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _KINEMATIC_CONSTRAINT_1.read(raw, at)
+            at += 1
+            accel_constraint = AccelConstraint(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _KINEMATIC_CONSTRAINT_2.read(raw, at)
+            at += 1
+            velocity_constraint = VelocityConstraint(v[0])
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _KINEMATIC_CONSTRAINT_3.read(raw, at)
+            at += 1
+            angular_constraint = AngularConstraint(v[0])
+            done, end = 3, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, accel_constraint, velocity_constraint, angular_constraint), at
+
+    def _write(self) -> bytes:
+        out = _KINEMATIC_CONSTRAINT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _KINEMATIC_CONSTRAINT_GROUPS)
+        if there >= 1:
+            out += _KINEMATIC_CONSTRAINT_1.write(self.accel_constraint)
+        if there >= 2:
+            out += _KINEMATIC_CONSTRAINT_2.write(self.velocity_constraint)
+        if there >= 3:
+            out += _KINEMATIC_CONSTRAINT_3.write(self.angular_constraint)
+        return codec.finished(out)
+
+
 _NAVIGATION_FILTER_INITIALIZATION_0 = codec.Block("B", "function")
 _NAVIGATION_FILTER_INITIALIZATION_1 = codec.Block("B", "wait_for_run_command")
 _NAVIGATION_FILTER_INITIALIZATION_2 = codec.Block("B", "initial_cond_src")
@@ -3382,12 +6143,8 @@ _NAVIGATION_FILTER_INITIALIZATION_3 = codec.Block("B", "auto_heading_alignment_s
 _NAVIGATION_FILTER_INITIALIZATION_4 = codec.Block("f", "initial_heading")
 _NAVIGATION_FILTER_INITIALIZATION_5 = codec.Block("f", "initial_pitch")
 _NAVIGATION_FILTER_INITIALIZATION_6 = codec.Block("f", "initial_roll")
-_NAVIGATION_FILTER_INITIALIZATION_7 = codec.Block(
-    "fff", "initial_position", "initial_position", "initial_position"
-)
-_NAVIGATION_FILTER_INITIALIZATION_8 = codec.Block(
-    "fff", "initial_velocity", "initial_velocity", "initial_velocity"
-)
+_NAVIGATION_FILTER_INITIALIZATION_7 = codec.Block("fff", *["initial_position"] * 3)
+_NAVIGATION_FILTER_INITIALIZATION_8 = codec.Block("fff", *["initial_velocity"] * 3)
 _NAVIGATION_FILTER_INITIALIZATION_9 = codec.Block("B", "reference_frame_selector")
 _NAVIGATION_FILTER_INITIALIZATION_GROUPS = (
     (1, ("wait_for_run_command",), False),
@@ -3407,11 +6164,13 @@ class NavigationFilterInitialization(Command):
     """Navigation filter initialization (0x0D,0x52).
 
     Sources and values of the initial attitude, position and velocity of the filter.
+
+    Also called `initialization_configuration`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `NavigationFilterInitializationResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     Single precision resolves the latitude and longitude of the initial position to about a metre
-    only.
-    Kinematic alignment sets the heading once the speed reaches 2 m/s.
-    External alignment needs a heading at least every 5 seconds.
-    Supported by 3DM-CV7-GNSS/INS.
+    only. Kinematic alignment sets the heading once the speed reaches 2 m/s. External alignment
+    needs a heading at least every 5 seconds.
 
     - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
     """
@@ -3426,29 +6185,33 @@ class NavigationFilterInitialization(Command):
     function: FunctionSelector
     """What to do with the setting."""
     wait_for_run_command: int | None = None
-    """1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to
-    1.
+    """1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to 1.
+    Required for `write`.
     """
     initial_cond_src: InitialConditionSource | None = None
-    """Which initial conditions are found and which are given."""
+    """Which initial conditions are found and which are given. Required for `write`."""
     auto_heading_alignment_selector: HeadingAlignment | None = None
-    """Ways in which the initial heading may be found."""
+    """Ways in which the initial heading may be found. Required for `write`."""
     initial_heading: float | None = None
-    """Given heading. [deg]"""
+    """Given heading. Unit: deg. Required for `write`."""
     initial_pitch: float | None = None
-    """Given pitch. [deg]"""
+    """Given pitch. Unit: deg. Required for `write`."""
     initial_roll: float | None = None
-    """Given roll. [deg]"""
+    """Given roll. Unit: deg. Required for `write`."""
     initial_position: types.Vector3f | None = None
-    """Given position. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Given position. Elements: x, y, z. Required for `write`.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
     initial_velocity: types.Vector3f | None = None
-    """Given velocity. [m/s] If reference_frame_selector is ecef: frame ecef. If
-    reference_frame_selector is llh: frame ned.
+    """Given velocity. Elements: x, y, z. Unit: m/s. Required for `write`.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: frame ned.
     """
     reference_frame_selector: ReferenceFrame | None = None
-    """Frame of the given position and velocity."""
+    """Frame of the given position and velocity. Required for `write`."""
 
     @classmethod
     def write(
@@ -3496,6 +6259,12 @@ class NavigationFilterInitialization(Command):
     def default(cls) -> NavigationFilterInitialization:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return NavigationFilterInitializationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NavigationFilterInitialization, int]:
@@ -3625,7 +6394,9 @@ class AdaptiveFilterControl(Command):
     """Adaptive filter control (0x0D,0x53).
 
     How the filter adapts to measurements that do not fit its model.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `adaptive_filter_options`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `AdaptiveFilterControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
     """
@@ -3640,9 +6411,11 @@ class AdaptiveFilterControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     level: AdaptiveLevel | None = None
-    """Strength of the adaptation. Factory default: 2."""
+    """Strength of the adaptation. Default: 2. Required for `write`."""
     time_limit: int | None = None
-    """Longest time for which measurements are rejected before the filter recovers. [ms]"""
+    """Longest time for which measurements are rejected before the filter recovers. Unit: ms.
+    Required for `write`.
+    """
 
     @classmethod
     def write(cls, level: AdaptiveLevel, time_limit: int) -> AdaptiveFilterControl:
@@ -3668,6 +6441,12 @@ class AdaptiveFilterControl(Command):
     def default(cls) -> AdaptiveFilterControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AdaptiveFilterControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AdaptiveFilterControl, int]:
@@ -3710,9 +6489,7 @@ class AdaptiveFilterControl(Command):
 
 _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_0 = codec.Block("B", "function")
 _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_1 = codec.Block("B", "receiver_id")
-_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_2 = codec.Block(
-    "fff", "antenna_offset", "antenna_offset", "antenna_offset"
-)
+_GNSS_MULTI_ANTENNA_OFFSET_CONTROL_2 = codec.Block("fff", *["antenna_offset"] * 3)
 _GNSS_MULTI_ANTENNA_OFFSET_CONTROL_GROUPS = (
     (1, ("receiver_id",), False),
     (2, ("antenna_offset",), False),
@@ -3724,8 +6501,11 @@ class GnssMultiAntennaOffsetControl(Command):
     """GNSS multi-antenna offset (0x0D,0x54).
 
     Position of the antenna of one receiver on devices with several antennas.
+
+    Also called `multi_antenna_offset`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `GnssMultiAntennaOffsetControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The magnitude of the vector is limited to 10.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
@@ -3740,9 +6520,11 @@ class GnssMultiAntennaOffsetControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     receiver_id: int | None = None
-    """Number of the receiver, from 1. Range: 1 to …."""
+    """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f | None = None
-    """From the sensor to the antenna. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    Required for `write`.
+    """
 
     @classmethod
     def write(
@@ -3770,6 +6552,12 @@ class GnssMultiAntennaOffsetControl(Command):
     def default(cls, receiver_id: int) -> GnssMultiAntennaOffsetControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, receiver_id=receiver_id)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssMultiAntennaOffsetControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssMultiAntennaOffsetControl, int]:
@@ -3815,9 +6603,7 @@ class GnssMultiAntennaOffsetControl(Command):
 _RELATIVE_POSITION_CONFIGURATION_0 = codec.Block("B", "function")
 _RELATIVE_POSITION_CONFIGURATION_1 = codec.Block("B", "source")
 _RELATIVE_POSITION_CONFIGURATION_2 = codec.Block("B", "reference_frame_selector")
-_RELATIVE_POSITION_CONFIGURATION_3 = codec.Block(
-    "ddd", "reference_coordinates", "reference_coordinates", "reference_coordinates"
-)
+_RELATIVE_POSITION_CONFIGURATION_3 = codec.Block("ddd", *["reference_coordinates"] * 3)
 _RELATIVE_POSITION_CONFIGURATION_GROUPS = (
     (1, ("source",), False),
     (2, ("reference_frame_selector",), False),
@@ -3830,7 +6616,9 @@ class RelativePositionConfiguration(Command):
     """Relative position configuration (0x0D,0x55).
 
     Reference point of the relative position that the filter reports.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `rel_pos_configuration`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `RelativePositionConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
     """
@@ -3845,12 +6633,14 @@ class RelativePositionConfiguration(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: RelativePositionSource | None = None
-    """Source of the reference point."""
+    """Source of the reference point. Required for `write`."""
     reference_frame_selector: ReferenceFrame | None = None
-    """Frame of the coordinates."""
+    """Frame of the coordinates. Required for `write`."""
     reference_coordinates: types.Vector3d | None = None
-    """Reference point. If reference_frame_selector is ecef: unit m, frame ecef. If
-    reference_frame_selector is llh: unit deg, deg, m, frame llh.
+    """Reference point. Elements: x, y, z. Required for `write`.
+
+    - If `reference_frame_selector` is `ReferenceFrame.ECEF`: unit m; frame ecef.
+    - If `reference_frame_selector` is `ReferenceFrame.LLH`: unit deg, deg, m; frame llh.
     """
 
     @classmethod
@@ -3887,6 +6677,12 @@ class RelativePositionConfiguration(Command):
     def default(cls) -> RelativePositionConfiguration:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return RelativePositionConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[RelativePositionConfiguration, int]:
@@ -3940,9 +6736,7 @@ class RelativePositionConfiguration(Command):
 
 _REFERENCE_POINT_LEVER_ARM_0 = codec.Block("B", "function")
 _REFERENCE_POINT_LEVER_ARM_1 = codec.Block("B", "ref_point_sel")
-_REFERENCE_POINT_LEVER_ARM_2 = codec.Block(
-    "fff", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
-)
+_REFERENCE_POINT_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
 _REFERENCE_POINT_LEVER_ARM_GROUPS = (
     (1, ("ref_point_sel",), False),
     (2, ("lever_arm_offset",), False),
@@ -3954,11 +6748,13 @@ class ReferencePointLeverArm(Command):
     """Reference point lever arm (0x0D,0x56).
 
     Moves the point to which the position and the velocity of the filter refer.
+
+    Also called `ref_point_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `ReferencePointLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     It shifts `llh_position`, `velocity_ned`, `ecef_position`, `ecef_velocity` and
     `ned_relative_position` of set `filter_data`, depending on the attitude and, for velocities, on
-    the angular rate.
-    The magnitude of the vector is limited to 10.
-    Supported by 3DM-CV7-GNSS/INS.
+    the angular rate. The magnitude of the vector is limited to 10.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -3973,9 +6769,11 @@ class ReferencePointLeverArm(Command):
     function: FunctionSelector
     """What to do with the setting."""
     ref_point_sel: ReferencePoint | None = None
-    """Point to move; it must be 1."""
+    """Point to move; it must be 1. Required for `write`."""
     lever_arm_offset: types.Vector3f | None = None
-    """From the sensor to the point. [m] Frame: vehicle. Range: -10 to 10."""
+    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    Required for `write`.
+    """
 
     @classmethod
     def write(
@@ -4005,6 +6803,12 @@ class ReferencePointLeverArm(Command):
     def default(cls) -> ReferencePointLeverArm:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ReferencePointLeverArmResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ReferencePointLeverArm, int]:
@@ -4047,11 +6851,55 @@ class ReferencePointLeverArm(Command):
         return codec.finished(out)
 
 
+_SPEED_MEASUREMENT_0 = codec.Block("Bfff", "source", "tow", "speed", "speed_uncertainty")
+
+
+@dataclass(slots=True)
+class SpeedMeasurement(Command):
+    """Speed measurement (0x0D,0x60).
+
+    Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
+
+    Uncertain: The SDK names a response (0x0D,0xE0) but has no layout of it.
+
+    It must not be used together with the odometer of the device. Single precision resolves the time
+    of week to 0.0625 s at the end of the week.
+
+    - mip-sdk-4: Speed Measurement (0x0D,0x60)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x60
+    NAME = "filter.speed_measurement"
+    ROLE = "command"
+
+    source: int = field(default=1, kw_only=True)
+    """Send 1. Reserved: send 1."""
+    tow: float
+    """GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK prints none."""
+    speed: float
+    """Speed, negative in reverse. Unit: m/s. Frame: vehicle."""
+    speed_uncertainty: float
+    """Standard deviation of the speed. Unit: m/s."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[SpeedMeasurement, int]:
+        v = _SPEED_MEASUREMENT_0.read(raw, at)
+        at += 13
+        source = v[0]
+        tow = v[1]
+        speed = v[2]
+        speed_uncertainty = v[3]
+        return cls(tow, speed, speed_uncertainty, source=source), at
+
+    def _write(self) -> bytes:
+        out = _SPEED_MEASUREMENT_0.write(self.source, self.tow, self.speed, self.speed_uncertainty)
+        return codec.finished(out)
+
+
 _MEASUREMENT_SPEED_LEVER_ARM_0 = codec.Block("B", "function")
 _MEASUREMENT_SPEED_LEVER_ARM_1 = codec.Block("B", "source")
-_MEASUREMENT_SPEED_LEVER_ARM_2 = codec.Block(
-    "fff", "lever_arm_offset", "lever_arm_offset", "lever_arm_offset"
-)
+_MEASUREMENT_SPEED_LEVER_ARM_2 = codec.Block("fff", *["lever_arm_offset"] * 3)
 _MEASUREMENT_SPEED_LEVER_ARM_GROUPS = ((1, ("source",), False), (2, ("lever_arm_offset",), False))
 
 
@@ -4060,8 +6908,11 @@ class MeasurementSpeedLeverArm(Command):
     """Speed measurement lever arm (0x0D,0x61).
 
     Position of the point whose speed is measured, such as the wheel that an odometer is on.
+
+    Also called `speed_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `MeasurementSpeedLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     It corrects for the speed that such a point has only because the vehicle turns.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
     """
@@ -4076,9 +6927,11 @@ class MeasurementSpeedLeverArm(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: int | None = None
-    """Send 1."""
+    """Reserved: send 1."""
     lever_arm_offset: types.Vector3f | None = None
-    """From the sensor to the point of measurement. [m] Frame: vehicle."""
+    """From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle.
+    Required for `write`.
+    """
 
     @classmethod
     def write(cls, lever_arm_offset: types.Vector3f) -> MeasurementSpeedLeverArm:
@@ -4104,6 +6957,12 @@ class MeasurementSpeedLeverArm(Command):
     def default(cls) -> MeasurementSpeedLeverArm:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, source=1)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MeasurementSpeedLeverArmResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MeasurementSpeedLeverArm, int]:
@@ -4146,6 +7005,98 @@ class MeasurementSpeedLeverArm(Command):
         return codec.finished(out)
 
 
+_VERTICAL_GYRO_CONSTRAINT_CONTROL_0 = codec.Block("B", "function")
+_VERTICAL_GYRO_CONSTRAINT_CONTROL_1 = codec.Block("B", "enable")
+_VERTICAL_GYRO_CONSTRAINT_CONTROL_GROUPS = ((1, ("enable",), False),)
+
+
+@dataclass(slots=True)
+class VerticalGyroConstraintControl(Command):
+    """Vertical gyro constraint (0x0D,0x62).
+
+    Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `VerticalGyroConstraintControlResponse`.
+
+    It takes the linear acceleration as zero.
+
+    - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
+    """
+
+    SET = 0x0D
+    DESCRIPTOR = 0x62
+    NAME = "filter.vertical_gyro_constraint_control"
+    ROLE = "command"
+    RESPONSES = (VerticalGyroConstraintControlResponse,)
+    REQUIRED = {1: 1, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    enable: int | None = None
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
+
+    @classmethod
+    def write(cls, enable: int) -> VerticalGyroConstraintControl:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, enable=enable)
+
+    @classmethod
+    def read(cls) -> VerticalGyroConstraintControl:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> VerticalGyroConstraintControl:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> VerticalGyroConstraintControl:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> VerticalGyroConstraintControl:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return VerticalGyroConstraintControlResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[VerticalGyroConstraintControl, int]:
+        enable: int | None = None
+        v = _VERTICAL_GYRO_CONSTRAINT_CONTROL_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _VERTICAL_GYRO_CONSTRAINT_CONTROL_1.read(raw, at)
+            at += 1
+            enable = v[0]
+            done, end = 1, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, enable), at
+
+    def _write(self) -> bytes:
+        out = _VERTICAL_GYRO_CONSTRAINT_CONTROL_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _VERTICAL_GYRO_CONSTRAINT_CONTROL_GROUPS)
+        if there >= 1:
+            out += _VERTICAL_GYRO_CONSTRAINT_CONTROL_1.write(self.enable)
+        return codec.finished(out)
+
+
 _WHEELED_VEHICLE_CONSTRAINT_CONTROL_0 = codec.Block("B", "function")
 _WHEELED_VEHICLE_CONSTRAINT_CONTROL_1 = codec.Block("B", "enable")
 _WHEELED_VEHICLE_CONSTRAINT_CONTROL_GROUPS = ((1, ("enable",), False),)
@@ -4156,9 +7107,12 @@ class WheeledVehicleConstraintControl(Command):
     """Wheeled vehicle constraint (0x0D,0x63).
 
     Lets the filter assume that the vehicle moves only along its x axis.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `WheeledVehicleConstraintControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     It improves the heading of cars and the like, above all when GNSS comes and goes. It is wrong
     for vehicles that move sideways, such as aircraft.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
     """
@@ -4173,7 +7127,7 @@ class WheeledVehicleConstraintControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
 
     @classmethod
     def write(cls, enable: int) -> WheeledVehicleConstraintControl:
@@ -4199,6 +7153,12 @@ class WheeledVehicleConstraintControl(Command):
     def default(cls) -> WheeledVehicleConstraintControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return WheeledVehicleConstraintControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[WheeledVehicleConstraintControl, int]:
@@ -4244,7 +7204,10 @@ class GnssAntennaOffsetCalibrationControl(Command):
     """GNSS antenna offset calibration (0x0D,0x64).
 
     Lets the filter track the error of the antenna offset.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `gnss_antenna_cal_control`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `GnssAntennaOffsetCalibrationControlResponse`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
     - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
@@ -4260,10 +7223,10 @@ class GnssAntennaOffsetCalibrationControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: int | None = None
-    """0 disables, 1 enables. Range: 0 to 1."""
+    """0 disables, 1 enables. Range: 0 to 1. Required for `write`."""
     max_offset: float | None = None
-    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. [m] Frame:
-    vehicle. Range: 0 to 0.5. Factory default: 0.1.
+    """Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
+    vehicle. Range: 0 to 0.5. Default: 0.1. Required for `write`.
     """
 
     @classmethod
@@ -4290,6 +7253,12 @@ class GnssAntennaOffsetCalibrationControl(Command):
     def default(cls) -> GnssAntennaOffsetCalibrationControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssAntennaOffsetCalibrationControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssAntennaOffsetCalibrationControl, int]:
@@ -4330,7 +7299,9 @@ class GnssAntennaOffsetCalibrationControl(Command):
         return codec.finished(out)
 
 
+VehicleDynamicsModeResponse.COMMANDS = (VehicleDynamicsMode,)
 SensorToVehicleFrameTransformationResponse.COMMANDS = (SensorToVehicleFrameTransformation,)
+SensorToVehicleOffsetResponse.COMMANDS = (SensorToVehicleOffset,)
 GnssAntennaOffsetControlResponse.COMMANDS = (GnssAntennaOffsetControl,)
 EstimationControlFlagsResponse.COMMANDS = (EstimationControlFlags,)
 GnssAidingSourceControlResponse.COMMANDS = (GnssAidingSourceControl,)
@@ -4340,25 +7311,39 @@ AccelerometerNoiseStandardDeviationResponse.COMMANDS = (AccelerometerNoiseStanda
 GyroscopeNoiseStandardDeviationResponse.COMMANDS = (GyroscopeNoiseStandardDeviation,)
 AccelerometerBiasModelParametersResponse.COMMANDS = (AccelerometerBiasModelParameters,)
 GyroscopeBiasModelParametersResponse.COMMANDS = (GyroscopeBiasModelParameters,)
+AutoZuptResponse.COMMANDS = (AutoZupt,)
 ZeroAngularRateUpdateControlResponse.COMMANDS = (ZeroAngularRateUpdateControl,)
 SetReferencePositionResponse.COMMANDS = (SetReferencePosition,)
 GravityNoiseStandardDeviationResponse.COMMANDS = (GravityNoiseStandardDeviation,)
+PressureAltitudeNoiseResponse.COMMANDS = (PressureAltitudeNoise,)
+HardIronOffsetNoiseResponse.COMMANDS = (HardIronOffsetNoise,)
+SoftIronMatrixNoiseResponse.COMMANDS = (SoftIronMatrixNoise,)
+TareOrientationResponse.COMMANDS = (TareOrientation,)
 EnableDisableMeasurementsResponse.COMMANDS = (EnableDisableMeasurements,)
+MagNoiseResponse.COMMANDS = (MagNoise,)
 MagneticFieldDeclinationSourceControlResponse.COMMANDS = (MagneticFieldDeclinationSourceControl,)
 GravityMagnitudeErrorAdaptiveMeasurementResponse.COMMANDS = (
     GravityMagnitudeErrorAdaptiveMeasurement,
 )
+MagMagnitudeErrorAdaptiveMeasurementResponse.COMMANDS = (MagMagnitudeErrorAdaptiveMeasurement,)
+MagDipAngleErrorAdaptiveMeasurementResponse.COMMANDS = (MagDipAngleErrorAdaptiveMeasurement,)
+AltitudeAidingResponse.COMMANDS = (AltitudeAiding,)
 PitchRollAidingControlResponse.COMMANDS = (PitchRollAidingControl,)
+InclinationSourceResponse.COMMANDS = (InclinationSource,)
+MagFieldMagnitudeSourceResponse.COMMANDS = (MagFieldMagnitudeSource,)
+SensorToVehicleRotationDcmResponse.COMMANDS = (SensorToVehicleRotationDcm,)
+SensorToVehicleRotationQuaternionResponse.COMMANDS = (SensorToVehicleRotationQuaternion,)
 AidingMeasurementControlResponse.COMMANDS = (AidingMeasurementControl,)
+KinematicConstraintResponse.COMMANDS = (KinematicConstraint,)
 NavigationFilterInitializationResponse.COMMANDS = (NavigationFilterInitialization,)
 AdaptiveFilterControlResponse.COMMANDS = (AdaptiveFilterControl,)
 GnssMultiAntennaOffsetControlResponse.COMMANDS = (GnssMultiAntennaOffsetControl,)
 RelativePositionConfigurationResponse.COMMANDS = (RelativePositionConfiguration,)
 ReferencePointLeverArmResponse.COMMANDS = (ReferencePointLeverArm,)
 MeasurementSpeedLeverArmResponse.COMMANDS = (MeasurementSpeedLeverArm,)
+VerticalGyroConstraintControlResponse.COMMANDS = (VerticalGyroConstraintControl,)
 WheeledVehicleConstraintControlResponse.COMMANDS = (WheeledVehicleConstraintControl,)
 GnssAntennaOffsetCalibrationControlResponse.COMMANDS = (GnssAntennaOffsetCalibrationControl,)
-
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
@@ -4366,10 +7351,13 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x02: (SetInitialAttitude,),
     0x03: (SetInitialHeadingControl,),
     0x05: (RunNavigationFilter,),
+    0x10: (VehicleDynamicsMode,),
     0x11: (SensorToVehicleFrameTransformation,),
+    0x12: (SensorToVehicleOffset,),
     0x13: (GnssAntennaOffsetControl,),
     0x14: (EstimationControlFlags,),
     0x15: (GnssAidingSourceControl,),
+    0x16: (ExternalGnssUpdate,),
     0x17: (ExternalHeadingUpdate,),
     0x18: (HeadingUpdateControl,),
     0x19: (AutoInitializationControl,),
@@ -4377,26 +7365,45 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x1B: (GyroscopeNoiseStandardDeviation,),
     0x1C: (AccelerometerBiasModelParameters,),
     0x1D: (GyroscopeBiasModelParameters,),
+    0x1E: (AutoZupt,),
     0x1F: (ExternalHeadingUpdateWithTime,),
     0x20: (ZeroAngularRateUpdateControl,),
     0x21: (TareOrientation,),
+    0x22: (CommandedZupt,),
     0x23: (CommandedZeroAngularRateUpdate,),
     0x26: (SetReferencePosition,),
+    0x27: (MagCaptureAutoCal,),
     0x28: (GravityNoiseStandardDeviation,),
+    0x29: (PressureAltitudeNoise,),
+    0x2B: (HardIronOffsetNoise,),
+    0x2C: (SoftIronMatrixNoise,),
     0x41: (EnableDisableMeasurements,),
+    0x42: (MagNoise,),
     0x43: (MagneticFieldDeclinationSourceControl,),
     0x44: (GravityMagnitudeErrorAdaptiveMeasurement,),
+    0x45: (MagMagnitudeErrorAdaptiveMeasurement,),
+    0x46: (MagDipAngleErrorAdaptiveMeasurement,),
+    0x47: (AltitudeAiding,),
     0x4B: (PitchRollAidingControl,),
+    0x4C: (InclinationSource,),
+    0x4D: (MagFieldMagnitudeSource,),
+    0x4E: (SensorToVehicleRotationDcm,),
+    0x4F: (SensorToVehicleRotationQuaternion,),
     0x50: (AidingMeasurementControl,),
+    0x51: (KinematicConstraint,),
     0x52: (NavigationFilterInitialization,),
     0x53: (AdaptiveFilterControl,),
     0x54: (GnssMultiAntennaOffsetControl,),
     0x55: (RelativePositionConfiguration,),
     0x56: (ReferencePointLeverArm,),
+    0x60: (SpeedMeasurement,),
     0x61: (MeasurementSpeedLeverArm,),
+    0x62: (VerticalGyroConstraintControl,),
     0x63: (WheeledVehicleConstraintControl,),
     0x64: (GnssAntennaOffsetCalibrationControl,),
+    0x80: (VehicleDynamicsModeResponse,),
     0x81: (SensorToVehicleFrameTransformationResponse,),
+    0x82: (SensorToVehicleOffsetResponse,),
     0x83: (GnssAntennaOffsetControlResponse,),
     0x84: (EstimationControlFlagsResponse,),
     0x86: (GnssAidingSourceControlResponse,),
@@ -4406,20 +7413,35 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x8A: (GyroscopeNoiseStandardDeviationResponse,),
     0x8B: (AccelerometerBiasModelParametersResponse,),
     0x8C: (GyroscopeBiasModelParametersResponse,),
+    0x8D: (AutoZuptResponse,),
     0x8E: (ZeroAngularRateUpdateControlResponse,),
     0x90: (SetReferencePositionResponse,),
     0x93: (GravityNoiseStandardDeviationResponse,),
+    0x94: (PressureAltitudeNoiseResponse,),
+    0x96: (HardIronOffsetNoiseResponse,),
+    0x97: (SoftIronMatrixNoiseResponse,),
+    0xA1: (TareOrientationResponse,),
     0xB0: (EnableDisableMeasurementsResponse,),
+    0xB1: (MagNoiseResponse,),
     0xB2: (MagneticFieldDeclinationSourceControlResponse,),
     0xB3: (GravityMagnitudeErrorAdaptiveMeasurementResponse,),
+    0xB4: (MagMagnitudeErrorAdaptiveMeasurementResponse,),
+    0xB5: (MagDipAngleErrorAdaptiveMeasurementResponse,),
+    0xB7: (AltitudeAidingResponse,),
     0xBB: (PitchRollAidingControlResponse,),
+    0xBC: (InclinationSourceResponse,),
+    0xBD: (MagFieldMagnitudeSourceResponse,),
+    0xBE: (SensorToVehicleRotationDcmResponse,),
+    0xBF: (SensorToVehicleRotationQuaternionResponse,),
     0xD0: (AidingMeasurementControlResponse,),
+    0xD1: (KinematicConstraintResponse,),
     0xD2: (NavigationFilterInitializationResponse,),
     0xD3: (AdaptiveFilterControlResponse,),
     0xD4: (GnssMultiAntennaOffsetControlResponse,),
     0xD5: (RelativePositionConfigurationResponse,),
     0xD6: (ReferencePointLeverArmResponse,),
     0xE1: (MeasurementSpeedLeverArmResponse,),
+    0xE2: (VerticalGyroConstraintControlResponse,),
     0xE3: (WheeledVehicleConstraintControlResponse,),
     0xE4: (GnssAntennaOffsetCalibrationControlResponse,),
 }

@@ -1,6 +1,9 @@
 """Filter data (0x82).
 
 Estimates of the navigation filter and its status.
+
+- 3dm-gx5-15: 5.2 Estimation Filter Data
+- 3dm-cv7-gnss-ins: Filter (0x82)
 """
 
 from __future__ import annotations
@@ -17,152 +20,7 @@ class ValidFlags(IntFlag):
     """Whether the values of a field may be used."""
 
     VALID = 1 << 0
-    """All values of the field are valid."""
-
-
-class Gx5FilterState(codec.OpenEnum):
-    """State of the filter of a 5-series device."""
-
-    STARTUP = 0
-    """The device starts."""
-    INIT = 1
-    """Initialization; the status flags tell what is missing."""
-    RUN_SOLUTION_VALID = 2
-    """Running with a valid solution."""
-    RUN_SOLUTION_ERROR = 3
-    """Running with an error; the status flags tell which."""
-
-
-class Cv7FilterState(codec.OpenEnum):
-    """Mode of the filter of a 3DM-CV7."""
-
-    INIT = 1
-    """Initialization; initial conditions are missing or the filter waits for a command."""
-    VERT_GYRO = 2
-    """Vertical gyro: pitch and roll, and heading relative to the initial one."""
-    AHRS = 3
-    """Pitch, roll and absolute heading."""
-    FULL_NAV = 4
-    """Full navigation: position, velocity and attitude."""
-
-
-class Gx5DynamicsMode(codec.OpenEnum):
-    """Motion for which the filter of a 5-series device is set up."""
-
-    PORTABLE = 1
-    """Carried by hand."""
-    AUTOMOTIVE = 2
-    """Ground vehicle."""
-    AIRBORNE = 3
-    """Aircraft."""
-
-
-class Cv7DynamicsMode(codec.OpenEnum):
-    """Dynamics mode of a 7-series device; there is only one."""
-
-    DEFAULT = 1
-    """The only mode."""
-
-
-@codec.open_flag(16)
-class Gx5StatusFlags(IntFlag):
-    """Problems of the filter of a 5-series device. The `init` bits count in filter state `init`,
-    the others while the filter runs.
-    """
-
-    RUN_IMU_UNAVAILABLE = 1 << 0
-    """No inertial data."""
-    RUN_GPS_UNAVAILABLE = 1 << 1
-    """No GNSS data, on models with GNSS."""
-    RUN_MATRIX_SINGULARITY = 1 << 3
-    """A matrix of the computation is singular."""
-    RUN_POSITION_COVARIANCE_WARNING = 1 << 4
-    """A position covariance is above its normal limit."""
-    RUN_VELOCITY_COVARIANCE_WARNING = 1 << 5
-    """A velocity covariance is above its normal limit."""
-    RUN_ATTITUDE_COVARIANCE_WARNING = 1 << 6
-    """An attitude covariance is above its normal limit."""
-    RUN_NAN_IN_SOLUTION_WARNING = 1 << 7
-    """The solution holds values that are not numbers."""
-    RUN_GYRO_BIAS_EST_HIGH_WARNING = 1 << 8
-    """The estimated gyroscope bias is high."""
-    RUN_ACCEL_BIAS_EST_HIGH_WARNING = 1 << 9
-    """The estimated accelerometer bias is high."""
-    RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING = 1 << 10
-    """The estimated gyroscope scale factor is high."""
-    RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING = 1 << 11
-    """The estimated accelerometer scale factor is high."""
-    RUN_MAG_BIAS_EST_HIGH_WARNING = 1 << 12
-    """The estimated magnetometer bias is high."""
-    RUN_ANT_OFFSET_CORRECTION_EST_HIGH_WARNING = 1 << 13
-    """The estimated correction of the antenna offset is high; on models with GNSS."""
-    RUN_MAG_HARD_IRON_EST_HIGH_WARNING = 1 << 14
-    """The estimated hard-iron offset is high."""
-    RUN_MAG_SOFT_IRON_EST_HIGH_WARNING = 1 << 15
-    """The estimated soft-iron correction is high."""
-    INIT_NO_ATTITUDE = 1 << 12
-    """The attitude is not initialized."""
-    INIT_NO_POSITION_VELOCITY = 1 << 13
-    """Position and velocity are not initialized."""
-
-
-class FilterCondition(codec.OpenEnum):
-    """How settled the estimates of the filter are."""
-
-    STABLE = 1
-    """Estimates have settled and agree with the aiding measurements."""
-    CONVERGING = 2
-    """Estimates have not settled yet."""
-    UNSTABLE = 3
-    """Estimates are unstable or recovering."""
-
-
-@codec.open_flag(16)
-class Cv7StatusFlags(IntFlag):
-    """Condition and warnings of the filter of a 3DM-CV7."""
-
-    FILTER_CONDITION = 0x3
-    """How settled the estimates are."""
-    ROLL_PITCH_WARNING = 1 << 2
-    """Roll and pitch are doubtful; check the mounting transformation."""
-    HEADING_WARNING = 1 << 3
-    """The heading is doubtful; check the heading source."""
-    POSITION_WARNING = 1 << 4
-    """The position is doubtful; check the GNSS reception and antennas."""
-    VELOCITY_WARNING = 1 << 5
-    """The velocity is doubtful; check the GNSS reception and antennas."""
-    IMU_BIAS_WARNING = 1 << 6
-    """The sensor biases are doubtful; capture the gyroscope bias."""
-    GNSS_CLK_WARNING = 1 << 7
-    """The GNSS clock is doubtful; navigation goes on."""
-    ANTENNA_LEVER_ARM_WARNING = 1 << 8
-    """The antenna offsets are probably wrong."""
-    MOUNTING_TRANSFORM_WARNING = 1 << 9
-    """The mounting transformation is probably wrong."""
-    TIME_SYNC_WARNING = 1 << 10
-    """No pulse per second is found, or the time of an external heading is too old."""
-    SOLUTION_ERROR = 0xF000
-    """Not 0 if the solution holds values that are not numbers; reset the filter."""
-
-    @property
-    def filter_condition(self) -> FilterCondition:
-        """Bits 0 to 1 as a number."""
-        return FilterCondition((self >> 0) & 0x3)
-
-    def with_filter_condition(self, value: int) -> Cv7StatusFlags:
-        """The same with bits 0 to 1 set to a number."""
-        value = codec.fits("filter_condition", value, 2)
-        return Cv7StatusFlags(int(self) & ~0x3 | value << 0)
-
-    @property
-    def solution_error(self) -> int:
-        """Bits 12 to 15 as a number."""
-        return int((self >> 12) & 0xF)
-
-    def with_solution_error(self, value: int) -> Cv7StatusFlags:
-        """The same with bits 12 to 15 set to a number."""
-        value = codec.fits("solution_error", value, 4)
-        return Cv7StatusFlags(int(self) & ~0xF000 | value << 12)
+    """All values of the field are valid. Bit 0."""
 
 
 @codec.open_flag(16)
@@ -170,7 +28,7 @@ class HeadingSourceFlags(IntFlag):
     """Sources of heading updates; 0 if heading updates are disabled."""
 
     EXTERNAL = 1 << 2
-    """Heading messages that the user sends."""
+    """Heading messages that the user sends. Bit 2."""
 
 
 @codec.open_flag(16)
@@ -178,37 +36,49 @@ class GnssAidingStatus(IntFlag):
     """How the filter uses one GNSS receiver."""
 
     TIGHT_COUPLING = 1 << 0
-    """Raw ranges of the receiver are used."""
+    """Raw ranges of the receiver are used. Bit 0."""
     DIFFERENTIAL = 1 << 1
-    """RTK corrections are used."""
+    """RTK corrections are used. Bit 1."""
     INTEGER_FIX = 1 << 2
-    """There is an RTK integer fix, which gives the best position."""
+    """There is an RTK integer fix, which gives the best position. Bit 2."""
     GPS_L1 = 1 << 3
-    """GPS L1 is used."""
+    """GPS L1 is used. Bit 3."""
     GPS_L2 = 1 << 4
-    """GPS L2 is used."""
+    """GPS L2 is used. Bit 4."""
     GPS_L5 = 1 << 5
-    """GPS L5 is used; not on every model."""
+    """GPS L5 is used; not on every model. Bit 5."""
     GLO_L1 = 1 << 6
-    """GLONASS L1 is used."""
+    """GLONASS L1 is used. Bit 6."""
     GLO_L2 = 1 << 7
-    """GLONASS L2 is used."""
+    """GLONASS L2 is used. Bit 7."""
     GAL_E1 = 1 << 8
-    """Galileo E1 is used."""
+    """Galileo E1 is used. Bit 8."""
     GAL_E5 = 1 << 9
-    """Galileo E5 is used."""
+    """Galileo E5 is used. Bit 9."""
     GAL_E6 = 1 << 10
-    """Galileo E6 is used."""
+    """Galileo E6 is used. Bit 10."""
     BEI_B1 = 1 << 11
-    """BeiDou B1 is used; not on every model."""
+    """BeiDou B1 is used; not on every model. Bit 11."""
     BEI_B2 = 1 << 12
-    """BeiDou B2 is used; not on every model."""
+    """BeiDou B2 is used; not on every model. Bit 12."""
     BEI_B3 = 1 << 13
-    """BeiDou B3 is used; not on every model."""
+    """BeiDou B3 is used; not on every model. Bit 13."""
     NO_FIX = 1 << 14
-    """The receiver has no position fix."""
+    """The receiver has no position fix. Bit 14."""
     CONFIG_ERROR = 1 << 15
-    """The antenna offset of the receiver is probably wrong."""
+    """The antenna offset of the receiver is probably wrong. Bit 15."""
+
+
+class HeadingAidingType(codec.OpenEnum):
+    """Where a heading measurement comes from.
+
+    - mip-sdk-4: Head Aid Status (0x82,0x45)
+    """
+
+    DUAL_ANTENNA = 1
+    """Two GNSS antennas."""
+    EXTERNAL_MESSAGE = 2
+    """A heading message of the user."""
 
 
 class AidingMeasurementType(codec.OpenEnum):
@@ -253,17 +123,17 @@ class AidingMeasurementIndicator(IntFlag):
     """What the filter did with an aiding measurement."""
 
     ENABLED = 1 << 0
-    """The measurement is enabled."""
+    """The measurement is enabled. Bit 0."""
     USED = 1 << 1
-    """The filter used it."""
+    """The filter used it. Bit 1."""
     RESIDUAL_HIGH_WARNING = 1 << 2
-    """It disagrees with the estimate."""
+    """It disagrees with the estimate. Bit 2."""
     SAMPLE_TIME_WARNING = 1 << 3
-    """Its time is doubtful."""
+    """Its time is doubtful. Bit 3."""
     CONFIGURATION_ERROR = 1 << 4
-    """Its configuration is wrong."""
+    """Its configuration is wrong. Bit 4."""
     MAX_NUM_MEAS_EXCEEDED = 1 << 5
-    """There are more measurements than the filter can take."""
+    """There are more measurements than the filter can take. Bit 5."""
 
 
 class DualAntennaFixType(codec.OpenEnum):
@@ -282,11 +152,176 @@ class DualAntennaStatusFlags(IntFlag):
     """What the heading solution of two antennas has to work with."""
 
     RCV_1_DATA_VALID = 1 << 0
-    """Data of receiver 1 are valid."""
+    """Data of receiver 1 are valid. Bit 0."""
     RCV_2_DATA_VALID = 1 << 1
-    """Data of receiver 2 are valid."""
+    """Data of receiver 2 are valid. Bit 1."""
     ANTENNA_OFFSETS_VALID = 1 << 2
-    """The antenna offsets are valid."""
+    """The antenna offsets are valid. Bit 2."""
+
+
+class Gx5FilterState(codec.OpenEnum):
+    """State of the filter of a 5-series device.
+
+    - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
+    - 3dm-cv7-gnss-ins: Status (0x82,0x10)
+    """
+
+    STARTUP = 0
+    """The device starts."""
+    INIT = 1
+    """Initialization; the status flags tell what is missing."""
+    RUN_SOLUTION_VALID = 2
+    """Running with a valid solution."""
+    RUN_SOLUTION_ERROR = 3
+    """Running with an error; the status flags tell which."""
+
+
+class Cv7FilterState(codec.OpenEnum):
+    """Mode of the filter of a 3DM-CV7.
+
+    - 3dm-cv7-gnss-ins: Filter States
+    - 3dm-cv7-gnss-ins: Status (0x82,0x10)
+    """
+
+    INIT = 1
+    """Initialization; initial conditions are missing or the filter waits for a command."""
+    VERT_GYRO = 2
+    """Vertical gyro: pitch and roll, and heading relative to the initial one."""
+    AHRS = 3
+    """Pitch, roll and absolute heading."""
+    FULL_NAV = 4
+    """Full navigation: position, velocity and attitude."""
+
+
+class Gx5DynamicsMode(codec.OpenEnum):
+    """Motion for which the filter of a 5-series device is set up."""
+
+    PORTABLE = 1
+    """Carried by hand."""
+    AUTOMOTIVE = 2
+    """Ground vehicle."""
+    AIRBORNE = 3
+    """Aircraft."""
+
+
+class Cv7DynamicsMode(codec.OpenEnum):
+    """Dynamics mode of a 7-series device; there is only one."""
+
+    DEFAULT = 1
+    """The only mode."""
+
+
+@codec.open_flag(16)
+class Gx5StatusFlags(IntFlag):
+    """Problems of the filter of a 5-series device. The `init` bits count in filter state `init`,
+    the others while the filter runs.
+
+    - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
+    - 3dm-cv7-gnss-ins: Status (0x82,0x10)
+    """
+
+    RUN_IMU_UNAVAILABLE = 1 << 0
+    """No inertial data. Bit 0."""
+    RUN_GPS_UNAVAILABLE = 1 << 1
+    """No GNSS data, on models with GNSS. Bit 1."""
+    RUN_MATRIX_SINGULARITY = 1 << 3
+    """A matrix of the computation is singular. Bit 3."""
+    RUN_POSITION_COVARIANCE_WARNING = 1 << 4
+    """A position covariance is above its normal limit. Bit 4."""
+    RUN_VELOCITY_COVARIANCE_WARNING = 1 << 5
+    """A velocity covariance is above its normal limit. Bit 5."""
+    RUN_ATTITUDE_COVARIANCE_WARNING = 1 << 6
+    """An attitude covariance is above its normal limit. Bit 6."""
+    RUN_NAN_IN_SOLUTION_WARNING = 1 << 7
+    """The solution holds values that are not numbers. Bit 7."""
+    RUN_GYRO_BIAS_EST_HIGH_WARNING = 1 << 8
+    """The estimated gyroscope bias is high. Bit 8."""
+    RUN_ACCEL_BIAS_EST_HIGH_WARNING = 1 << 9
+    """The estimated accelerometer bias is high. Bit 9."""
+    RUN_GYRO_SCALE_FACTOR_EST_HIGH_WARNING = 1 << 10
+    """The estimated gyroscope scale factor is high. Bit 10."""
+    RUN_ACCEL_SCALE_FACTOR_EST_HIGH_WARNING = 1 << 11
+    """The estimated accelerometer scale factor is high. Bit 11."""
+    RUN_MAG_BIAS_EST_HIGH_WARNING = 1 << 12
+    """The estimated magnetometer bias is high. Bit 12."""
+    RUN_ANT_OFFSET_CORRECTION_EST_HIGH_WARNING = 1 << 13
+    """The estimated correction of the antenna offset is high; on models with GNSS. Bit 13."""
+    RUN_MAG_HARD_IRON_EST_HIGH_WARNING = 1 << 14
+    """The estimated hard-iron offset is high. Bit 14."""
+    RUN_MAG_SOFT_IRON_EST_HIGH_WARNING = 1 << 15
+    """The estimated soft-iron correction is high. Bit 15."""
+    INIT_NO_ATTITUDE = 1 << 12
+    """The attitude is not initialized. Bit 12. Overlaps other bits."""
+    INIT_NO_POSITION_VELOCITY = 1 << 13
+    """Position and velocity are not initialized. Bit 13. Overlaps other bits."""
+
+
+class FilterCondition(codec.OpenEnum):
+    """How settled the estimates of the filter are.
+
+    - 3dm-cv7-gnss-ins: Filter condition (bits 0-1)
+    - 3dm-cv7-gnss-ins: How do I interpret the Status (0x82,0x10) message?
+    """
+
+    STABLE = 1
+    """Estimates have settled and agree with the aiding measurements."""
+    CONVERGING = 2
+    """Estimates have not settled yet."""
+    UNSTABLE = 3
+    """Estimates are unstable or recovering."""
+
+
+@codec.open_flag(16)
+class Cv7StatusFlags(IntFlag):
+    """Condition and warnings of the filter of a 3DM-CV7.
+
+    - 3dm-cv7-gnss-ins: Filter Status Flags
+    - 3dm-cv7-gnss-ins: How do I interpret the Status (0x82,0x10) message?
+    - 3dm-cv7-gnss-ins: Status (0x82,0x10)
+    """
+
+    FILTER_CONDITION = 0x3
+    """How settled the estimates are. Bits 0 to 1. A value of `FilterCondition`."""
+    ROLL_PITCH_WARNING = 1 << 2
+    """Roll and pitch are doubtful; check the mounting transformation. Bit 2."""
+    HEADING_WARNING = 1 << 3
+    """The heading is doubtful; check the heading source. Bit 3."""
+    POSITION_WARNING = 1 << 4
+    """The position is doubtful; check the GNSS reception and antennas. Bit 4."""
+    VELOCITY_WARNING = 1 << 5
+    """The velocity is doubtful; check the GNSS reception and antennas. Bit 5."""
+    IMU_BIAS_WARNING = 1 << 6
+    """The sensor biases are doubtful; capture the gyroscope bias. Bit 6."""
+    GNSS_CLK_WARNING = 1 << 7
+    """The GNSS clock is doubtful; navigation goes on. Bit 7."""
+    ANTENNA_LEVER_ARM_WARNING = 1 << 8
+    """The antenna offsets are probably wrong. Bit 8."""
+    MOUNTING_TRANSFORM_WARNING = 1 << 9
+    """The mounting transformation is probably wrong. Bit 9."""
+    TIME_SYNC_WARNING = 1 << 10
+    """No pulse per second is found, or the time of an external heading is too old. Bit 10."""
+    SOLUTION_ERROR = 0xF000
+    """Not 0 if the solution holds values that are not numbers; reset the filter. Bits 12 to 15."""
+
+    @property
+    def filter_condition(self) -> FilterCondition:
+        """Bits 0 to 1 as a number."""
+        return FilterCondition((self >> 0) & 0x3)
+
+    def with_filter_condition(self, value: int) -> Cv7StatusFlags:
+        """The same with bits 0 to 1 set to a number."""
+        value = codec.fits("filter_condition", value, 2)
+        return Cv7StatusFlags(int(self) & ~0x3 | value << 0)
+
+    @property
+    def solution_error(self) -> int:
+        """Bits 12 to 15 as a number."""
+        return int((self >> 12) & 0xF)
+
+    def with_solution_error(self, value: int) -> Cv7StatusFlags:
+        """The same with bits 12 to 15 set to a number."""
+        value = codec.fits("solution_error", value, 4)
+        return Cv7StatusFlags(int(self) & ~0xF000 | value << 12)
 
 
 _LLH_POSITION_0 = codec.Block("dddH", "latitude", "longitude", "ellipsoid_height", "valid_flags")
@@ -297,7 +332,8 @@ class LlhPosition(Data):
     """LLH position (0x82,0x01).
 
     Estimated position.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `position_llh`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: LLH Position (0x82,0x01)
     """
@@ -308,11 +344,13 @@ class LlhPosition(Data):
     ROLE = "data"
 
     latitude: float
-    """Latitude. [deg] Frame: llh. Valid if valid_flags.valid."""
+    """Latitude. Unit: deg. Frame: llh. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     longitude: float
-    """Longitude. [deg] Frame: llh. Valid if valid_flags.valid."""
+    """Longitude. Unit: deg. Frame: llh. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     ellipsoid_height: float
-    """Height above the ellipsoid. [m] Frame: llh. Valid if valid_flags.valid."""
+    """Height above the ellipsoid. Unit: m. Frame: llh. Valid if `ValidFlags.VALID` of `valid_flags`
+    is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -341,6 +379,7 @@ class VelocityNed(Data):
     """NED velocity (0x82,0x02).
 
     Estimated velocity.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02)
@@ -352,11 +391,12 @@ class VelocityNed(Data):
     ROLE = "data"
 
     north: float
-    """Velocity north. [m/s] Frame: ned. Valid if valid_flags.valid."""
+    """Velocity north. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     east: float
-    """Velocity east. [m/s] Frame: ned. Valid if valid_flags.valid."""
+    """Velocity east. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     down: float
-    """Velocity down. [m/s] Frame: ned. Valid if valid_flags.valid."""
+    """Velocity down. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -375,7 +415,7 @@ class VelocityNed(Data):
         return codec.finished(out)
 
 
-_ATTITUDE_QUATERNION_0 = codec.Block("ffffH", "q", "q", "q", "q", "valid_flags")
+_ATTITUDE_QUATERNION_0 = codec.Block("ffffH", *["q"] * 4, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -383,8 +423,10 @@ class AttitudeQuaternion(Data):
     """Attitude quaternion (0x82,0x03).
 
     Estimated orientation of the vehicle frame in the NED frame as a quaternion.
-    v_vehicle = q^-1 * v_ned * q. The 3DM-GX5-15 manual prints the inverse rotation.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    v_vehicle = q^-1 * v_ned * q. The 3DM-GX5-15 manual prints the inverse rotation.
 
     - 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03)
     - 3dm-gx5-15: 5.2.3 Orientation, Quaternion (0x82, 0x03)
@@ -396,7 +438,9 @@ class AttitudeQuaternion(Data):
     ROLE = "data"
 
     q: types.Quatf
-    """Quaternion, scalar part first. [1] Frame: ned. Valid if valid_flags.valid."""
+    """Quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Frame: ned. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -413,9 +457,7 @@ class AttitudeQuaternion(Data):
         return codec.finished(out)
 
 
-_ATTITUDE_DCM_0 = codec.Block(
-    "fffffffffH", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "valid_flags"
-)
+_ATTITUDE_DCM_0 = codec.Block("fffffffffH", *["dcm"] * 9, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -423,8 +465,10 @@ class AttitudeDcm(Data):
     """Attitude direction cosine matrix (0x82,0x04).
 
     Estimated orientation of the vehicle frame in the NED frame as a rotation matrix.
-    The matrix turns NED vectors into vehicle vectors: v_vehicle = dcm * v_ned.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The matrix turns NED vectors into vehicle vectors: v_vehicle = dcm * v_ned.
 
     - 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04)
     - 3dm-gx5-15: 5.2.7 Orientation, Matrix (0x82, 0x04)
@@ -436,7 +480,9 @@ class AttitudeDcm(Data):
     ROLE = "data"
 
     dcm: types.Matrix3f
-    """Rotation matrix in row-major order. [1] Frame: ned. Valid if valid_flags.valid."""
+    """Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -461,8 +507,10 @@ class EulerAngles(Data):
     """Euler angles (0x82,0x05).
 
     Estimated orientation of the vehicle frame in the NED frame as Euler angles.
-    The rotations apply in the order yaw, pitch, roll (3-2-1).
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The rotations apply in the order yaw, pitch, roll (3-2-1).
 
     - 3dm-cv7-gnss-ins: Euler Angles (0x82,0x05)
     - 3dm-gx5-15: 5.2.5 Orientation, Euler Angles (0x82, 0x05)
@@ -474,11 +522,11 @@ class EulerAngles(Data):
     ROLE = "data"
 
     roll: float
-    """Roll. [rad] Frame: ned. Valid if valid_flags.valid."""
+    """Roll. Unit: rad. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     pitch: float
-    """Pitch. [rad] Frame: ned. Valid if valid_flags.valid."""
+    """Pitch. Unit: rad. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     yaw: float
-    """Yaw. [rad] Frame: ned. Valid if valid_flags.valid."""
+    """Yaw. Unit: rad. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -497,7 +545,7 @@ class EulerAngles(Data):
         return codec.finished(out)
 
 
-_GYRO_BIAS_0 = codec.Block("fffH", "bias", "bias", "bias", "valid_flags")
+_GYRO_BIAS_0 = codec.Block("fffH", *["bias"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -505,6 +553,7 @@ class GyroBias(Data):
     """Gyroscope bias (0x82,0x06).
 
     Estimated bias of the gyroscope.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyro Bias (0x82,0x06)
@@ -517,7 +566,9 @@ class GyroBias(Data):
     ROLE = "data"
 
     bias: types.Vector3f
-    """Bias. [rad/s] Frame: sensor. Valid if valid_flags.valid."""
+    """Bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -534,7 +585,7 @@ class GyroBias(Data):
         return codec.finished(out)
 
 
-_ACCEL_BIAS_0 = codec.Block("fffH", "bias", "bias", "bias", "valid_flags")
+_ACCEL_BIAS_0 = codec.Block("fffH", *["bias"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -542,6 +593,7 @@ class AccelBias(Data):
     """Accelerometer bias (0x82,0x07).
 
     Estimated bias of the accelerometer.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accel Bias (0x82,0x07)
@@ -553,7 +605,9 @@ class AccelBias(Data):
     ROLE = "data"
 
     bias: types.Vector3f
-    """Bias. [m/s^2] Frame: sensor. Valid if valid_flags.valid."""
+    """Bias. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -578,7 +632,8 @@ class LlhPositionUncertainty(Data):
     """Position uncertainty (0x82,0x08).
 
     Standard deviation of the estimated position, in the NED frame.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `position_llh_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: LLH Position Uncertainty (0x82,0x08)
     """
@@ -589,11 +644,17 @@ class LlhPositionUncertainty(Data):
     ROLE = "data"
 
     north: float
-    """Standard deviation north. [m] Frame: ned. Valid if valid_flags.valid."""
+    """Standard deviation north. Unit: m. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags`
+    is set.
+    """
     east: float
-    """Standard deviation east. [m] Frame: ned. Valid if valid_flags.valid."""
+    """Standard deviation east. Unit: m. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is
+    set.
+    """
     down: float
-    """Standard deviation down. [m] Frame: ned. Valid if valid_flags.valid."""
+    """Standard deviation down. Unit: m. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is
+    set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -620,7 +681,8 @@ class NedVelocityUncertainty(Data):
     """NED velocity uncertainty (0x82,0x09).
 
     Standard deviation of the estimated velocity.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `velocity_ned_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Velocity Uncertainty (0x82,0x09)
     """
@@ -631,11 +693,17 @@ class NedVelocityUncertainty(Data):
     ROLE = "data"
 
     north: float
-    """Standard deviation north. [m/s] Frame: ned. Valid if valid_flags.valid."""
+    """Standard deviation north. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags`
+    is set.
+    """
     east: float
-    """Standard deviation east. [m/s] Frame: ned. Valid if valid_flags.valid."""
+    """Standard deviation east. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags`
+    is set.
+    """
     down: float
-    """Standard deviation down. [m/s] Frame: ned. Valid if valid_flags.valid."""
+    """Standard deviation down. Unit: m/s. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags`
+    is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -662,9 +730,11 @@ class EulerAnglesUncertainty(Data):
     """Euler angles uncertainty (0x82,0x0A).
 
     Standard deviation of the estimated Euler angles.
+
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     3DM-GX5: derived from the quaternion, worse the steeper the pitch, and not valid beyond 70
     degrees of pitch up or down.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Euler Angles Uncertainty (0x82,0x0A)
     - 3dm-gx5-15: 5.2.6 Attitude Uncertainty, Euler Angles (0x82, 0x0A)
@@ -676,11 +746,13 @@ class EulerAnglesUncertainty(Data):
     ROLE = "data"
 
     roll: float
-    """Standard deviation of roll. [rad] Valid if valid_flags.valid."""
+    """Standard deviation of roll. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     pitch: float
-    """Standard deviation of pitch. [rad] Valid if valid_flags.valid."""
+    """Standard deviation of pitch. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     yaw: float
-    """Standard deviation of yaw. [rad] Valid if valid_flags.valid."""
+    """Standard deviation of yaw. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -699,9 +771,7 @@ class EulerAnglesUncertainty(Data):
         return codec.finished(out)
 
 
-_GYRO_BIAS_UNCERTAINTY_0 = codec.Block(
-    "fffH", "bias_uncert", "bias_uncert", "bias_uncert", "valid_flags"
-)
+_GYRO_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncert"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -709,6 +779,7 @@ class GyroBiasUncertainty(Data):
     """Gyroscope bias uncertainty (0x82,0x0B).
 
     Standard deviation of the estimated gyroscope bias.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gyro Bias Uncertainty (0x82,0x0B)
@@ -721,7 +792,9 @@ class GyroBiasUncertainty(Data):
     ROLE = "data"
 
     bias_uncert: types.Vector3f
-    """Standard deviation per axis. [rad/s] Frame: sensor. Valid if valid_flags.valid."""
+    """Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -740,9 +813,7 @@ class GyroBiasUncertainty(Data):
         return codec.finished(out)
 
 
-_ACCEL_BIAS_UNCERTAINTY_0 = codec.Block(
-    "fffH", "bias_uncert", "bias_uncert", "bias_uncert", "valid_flags"
-)
+_ACCEL_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncert"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -750,6 +821,7 @@ class AccelBiasUncertainty(Data):
     """Accelerometer bias uncertainty (0x82,0x0C).
 
     Standard deviation of the estimated accelerometer bias.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Accel Bias Uncertainty (0x82,0x0C)
@@ -761,7 +833,9 @@ class AccelBiasUncertainty(Data):
     ROLE = "data"
 
     bias_uncert: types.Vector3f
-    """Standard deviation per axis. [m/s^2] Frame: sensor. Valid if valid_flags.valid."""
+    """Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -780,7 +854,7 @@ class AccelBiasUncertainty(Data):
         return codec.finished(out)
 
 
-_LINEAR_ACCEL_0 = codec.Block("fffH", "accel", "accel", "accel", "valid_flags")
+_LINEAR_ACCEL_0 = codec.Block("fffH", *["accel"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -788,6 +862,7 @@ class LinearAccel(Data):
     """Linear acceleration (0x82,0x0D).
 
     Compensated acceleration less the estimated gravity.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Linear Accel (0x82,0x0D)
@@ -800,7 +875,9 @@ class LinearAccel(Data):
     ROLE = "data"
 
     accel: types.Vector3f
-    """Linear acceleration. [m/s^2] Frame: vehicle. Valid if valid_flags.valid."""
+    """Linear acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -817,7 +894,7 @@ class LinearAccel(Data):
         return codec.finished(out)
 
 
-_COMP_ANGULAR_RATE_0 = codec.Block("fffH", "gyro", "gyro", "gyro", "valid_flags")
+_COMP_ANGULAR_RATE_0 = codec.Block("fffH", *["gyro"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -825,6 +902,7 @@ class CompAngularRate(Data):
     """Compensated angular rate (0x82,0x0E).
 
     Angular rate without the estimated bias.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Comp Angular Rate (0x82,0x0E)
@@ -837,7 +915,9 @@ class CompAngularRate(Data):
     ROLE = "data"
 
     gyro: types.Vector3f
-    """Angular rate. [rad/s] Frame: vehicle. Valid if valid_flags.valid."""
+    """Angular rate. Elements: x, y, z. Unit: rad/s. Frame: vehicle. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -862,8 +942,10 @@ class Wgs84LocalGravityMagnitude(Data):
     """WGS84 local gravity magnitude (0x82,0x0F).
 
     Magnitude of gravity at the position of the device by the WGS84 model.
+
+    Also called `wgs84_gravity_mag`. Supported by 3DM-GX5-15.
+
     The model holds up to an altitude of 20 km.
-    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F)
     """
@@ -874,7 +956,7 @@ class Wgs84LocalGravityMagnitude(Data):
     ROLE = "data"
 
     gravity_magnitude: float
-    """Magnitude of gravity. [m/s^2] Valid if valid_flags.valid."""
+    """Magnitude of gravity. Unit: m/s^2. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -899,11 +981,12 @@ class Status(Data):
     """Filter status (0x82,0x10).
 
     State, dynamics mode, condition and warnings of the filter.
-    The meaning of all three values depends on the device.
-    3DM-CV7: 4, 1, 1 is normal operation (full navigation, default mode, stable).
-    5-series: bits 12 and 13 of the flags mean other things in state `init` than while the filter
-    runs.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The meaning of all three values depends on the device. 3DM-CV7: 4, 1, 1 is normal operation
+    (full navigation, default mode, stable). 5-series: bits 12 and 13 of the flags mean other things
+    in state `init` than while the filter runs.
 
     - 3dm-cv7-gnss-ins: Status (0x82,0x10)
     - 3dm-gx5-15: 5.2.1 Filter Status (0x82, 0x10)
@@ -916,24 +999,36 @@ class Status(Data):
     READINGS = {
         "filter_state": (
             "device",
-            {"3dm-gx5-15": Gx5FilterState, "3dm-cv7-gnss-ins": Cv7FilterState},
+            {"3dm-cv7-gnss-ins": Cv7FilterState, "3dm-gx5-15": Gx5FilterState},
         ),
         "dynamics_mode": (
             "device",
-            {"3dm-gx5-15": Gx5DynamicsMode, "3dm-cv7-gnss-ins": Cv7DynamicsMode},
+            {"3dm-cv7-gnss-ins": Cv7DynamicsMode, "3dm-gx5-15": Gx5DynamicsMode},
         ),
         "status_flags": (
             "device",
-            {"3dm-gx5-15": Gx5StatusFlags, "3dm-cv7-gnss-ins": Cv7StatusFlags},
+            {"3dm-cv7-gnss-ins": Cv7StatusFlags, "3dm-gx5-15": Gx5StatusFlags},
         ),
     }
 
     filter_state: int
-    """State of the filter."""
+    """State of the filter.
+
+    - On the 3DM-CV7-GNSS/INS: values of `Cv7FilterState`.
+    - On the 3DM-GX5-15: values of `Gx5FilterState`.
+    """
     dynamics_mode: int
-    """Motion for which the filter is set up."""
+    """Motion for which the filter is set up.
+
+    - On the 3DM-CV7-GNSS/INS: values of `Cv7DynamicsMode`.
+    - On the 3DM-GX5-15: values of `Gx5DynamicsMode`.
+    """
     status_flags: int
-    """Condition and warnings."""
+    """Condition and warnings.
+
+    - On the 3DM-CV7-GNSS/INS: values of `Cv7StatusFlags`.
+    - On the 3DM-GX5-15: values of `Gx5StatusFlags`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[Status, int]:
@@ -957,10 +1052,12 @@ class Timestamp(Data):
     """Filter timestamp (0x82,0x11).
 
     GPS time of the filter data.
+
+    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     Without PPS the internal clock drives the time, and the time jumps when the PPS comes back.
     Without synchronization to a receiver or an external clock it is the internal system time.
-    3DM-CV7: the field may be withdrawn; `shared.gps_timestamp` is better.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    3DM-CV7: the field may be withdrawn; `shared.GpsTimestamp` is better.
 
     - 3dm-cv7-gnss-ins: Timestamp (0x82,0x11)
     - 3dm-gx5-15: 5.2.2 GPS Timestamp (0x82, 0x11)
@@ -972,9 +1069,10 @@ class Timestamp(Data):
     ROLE = "data"
 
     tow: float
-    """GPS time of week. [s] Valid if valid_flags.valid."""
+    """GPS time of week. Unit: s. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     week_number: int
-    """GPS week, counted from 1980. [week] Valid if valid_flags.valid."""
+    """GPS week, counted from 1980. Unit: week. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -992,7 +1090,7 @@ class Timestamp(Data):
         return codec.finished(out)
 
 
-_QUATERNION_ATTITUDE_UNCERTAINTY_0 = codec.Block("ffffH", "q", "q", "q", "q", "valid_flags")
+_QUATERNION_ATTITUDE_UNCERTAINTY_0 = codec.Block("ffffH", *["q"] * 4, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -1000,6 +1098,7 @@ class QuaternionAttitudeUncertainty(Data):
     """Quaternion uncertainty (0x82,0x12).
 
     Standard deviation of the elements of the estimated attitude quaternion.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Quaternion Attitude Uncertainty (0x82,0x12)
@@ -1012,7 +1111,9 @@ class QuaternionAttitudeUncertainty(Data):
     ROLE = "data"
 
     q: types.Quatf
-    """Standard deviation per element. [1] Valid if valid_flags.valid."""
+    """Standard deviation per element. Elements: w, x, y, z. Unit: 1. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1031,7 +1132,7 @@ class QuaternionAttitudeUncertainty(Data):
         return codec.finished(out)
 
 
-_GRAVITY_VECTOR_0 = codec.Block("fffH", "gravity", "gravity", "gravity", "valid_flags")
+_GRAVITY_VECTOR_0 = codec.Block("fffH", *["gravity"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -1039,6 +1140,7 @@ class GravityVector(Data):
     """Gravity vector (0x82,0x13).
 
     Estimated gravity.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Gravity Vector (0x82,0x13)
@@ -1051,7 +1153,9 @@ class GravityVector(Data):
     ROLE = "data"
 
     gravity: types.Vector3f
-    """Gravity. [m/s^2] Frame: vehicle. Valid if valid_flags.valid."""
+    """Gravity. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1078,8 +1182,10 @@ class HeadingUpdateSourceState(Data):
     """Heading update source state (0x82,0x14).
 
     The last heading that updated the filter and where it came from.
+
+    Also called `heading_update_state`. Supported by 3DM-GX5-15.
+
     The valid bit means that the source gave data within the last 2 seconds.
-    Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14)
     """
@@ -1090,9 +1196,13 @@ class HeadingUpdateSourceState(Data):
     ROLE = "data"
 
     heading: float
-    """Heading of the sensor frame relative to true north. [rad] Valid if valid_flags.valid."""
+    """Heading of the sensor frame relative to true north. Unit: rad. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     heading_uncertainty: float
-    """Standard deviation of the heading. [rad] Valid if valid_flags.valid."""
+    """Standard deviation of the heading. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is
+    set.
+    """
     source: HeadingSourceFlags
     """Sources of the heading."""
     valid_flags: ValidFlags
@@ -1131,8 +1241,10 @@ class MagneticModel(Data):
     """Magnetic model (0x82,0x15).
 
     Magnetic field at the position of the device by the World Magnetic Model.
-    It is valid only with a valid GNSS position.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    It is valid only with a valid GNSS position.
 
     - 3dm-cv7-gnss-ins: Magnetic Model (0x82,0x15)
     """
@@ -1143,15 +1255,19 @@ class MagneticModel(Data):
     ROLE = "data"
 
     intensity_north: float
-    """Intensity north. [gauss] Frame: ned. Valid if valid_flags.valid."""
+    """Intensity north. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is
+    set.
+    """
     intensity_east: float
-    """Intensity east. [gauss] Frame: ned. Valid if valid_flags.valid."""
+    """Intensity east. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     intensity_down: float
-    """Intensity down. [gauss] Frame: ned. Valid if valid_flags.valid."""
+    """Intensity down. Unit: gauss. Frame: ned. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     inclination: float
-    """Inclination. [rad] Valid if valid_flags.valid."""
+    """Inclination. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     declination: float
-    """Declination. [rad] Valid if valid_flags.valid."""
+    """Declination. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1181,7 +1297,245 @@ class MagneticModel(Data):
         return codec.finished(out)
 
 
-_COMPENSATED_ACCELERATION_0 = codec.Block("fffH", "accel", "accel", "accel", "valid_flags")
+_GYRO_SCALE_FACTOR_0 = codec.Block("fffH", *["scale_factor"] * 3, "valid_flags")
+
+
+@dataclass(slots=True)
+class GyroScaleFactor(Data):
+    """Gyroscope scale factor (0x82,0x16).
+
+    Estimated scale factor of the gyroscope.
+
+    - mip-sdk-4: Gyro Scale Factor (0x82,0x16)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x16
+    NAME = "filter_data.gyro_scale_factor"
+    ROLE = "data"
+
+    scale_factor: types.Vector3f
+    """Scale factor per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroScaleFactor, int]:
+        v = _GYRO_SCALE_FACTOR_0.read(raw, at)
+        at += 14
+        scale_factor = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(scale_factor, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GYRO_SCALE_FACTOR_0.write(
+            *codec.exactly("scale_factor", self.scale_factor, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_ACCEL_SCALE_FACTOR_0 = codec.Block("fffH", *["scale_factor"] * 3, "valid_flags")
+
+
+@dataclass(slots=True)
+class AccelScaleFactor(Data):
+    """Accelerometer scale factor (0x82,0x17).
+
+    Estimated scale factor of the accelerometer.
+
+    - mip-sdk-4: Accel Scale Factor (0x82,0x17)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x17
+    NAME = "filter_data.accel_scale_factor"
+    ROLE = "data"
+
+    scale_factor: types.Vector3f
+    """Scale factor per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelScaleFactor, int]:
+        v = _ACCEL_SCALE_FACTOR_0.read(raw, at)
+        at += 14
+        scale_factor = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(scale_factor, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ACCEL_SCALE_FACTOR_0.write(
+            *codec.exactly("scale_factor", self.scale_factor, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_GYRO_SCALE_FACTOR_UNCERTAINTY_0 = codec.Block(
+    "fffH", *["scale_factor_uncertainty"] * 3, "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class GyroScaleFactorUncertainty(Data):
+    """Gyroscope scale factor uncertainty (0x82,0x18).
+
+    Standard deviation of the estimated scale factor of the gyroscope.
+
+    - mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x18
+    NAME = "filter_data.gyro_scale_factor_uncertainty"
+    ROLE = "data"
+
+    scale_factor_uncertainty: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GyroScaleFactorUncertainty, int]:
+        v = _GYRO_SCALE_FACTOR_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        scale_factor_uncertainty = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(scale_factor_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GYRO_SCALE_FACTOR_UNCERTAINTY_0.write(
+            *codec.exactly("scale_factor_uncertainty", self.scale_factor_uncertainty, 3),
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_ACCEL_SCALE_FACTOR_UNCERTAINTY_0 = codec.Block(
+    "fffH", *["scale_factor_uncertainty"] * 3, "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class AccelScaleFactorUncertainty(Data):
+    """Accelerometer scale factor uncertainty (0x82,0x19).
+
+    Standard deviation of the estimated scale factor of the accelerometer.
+
+    - mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x19
+    NAME = "filter_data.accel_scale_factor_uncertainty"
+    ROLE = "data"
+
+    scale_factor_uncertainty: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: 1. Frame: sensor. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AccelScaleFactorUncertainty, int]:
+        v = _ACCEL_SCALE_FACTOR_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        scale_factor_uncertainty = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(scale_factor_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ACCEL_SCALE_FACTOR_UNCERTAINTY_0.write(
+            *codec.exactly("scale_factor_uncertainty", self.scale_factor_uncertainty, 3),
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
+_MAG_BIAS_0 = codec.Block("fffH", *["bias"] * 3, "valid_flags")
+
+
+@dataclass(slots=True)
+class MagBias(Data):
+    """Magnetometer bias (0x82,0x1A).
+
+    Estimated bias of the magnetometer.
+
+    - mip-sdk-4: Mag Bias (0x82,0x1A)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x1A
+    NAME = "filter_data.mag_bias"
+    ROLE = "data"
+
+    bias: types.Vector3f
+    """Bias. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagBias, int]:
+        v = _MAG_BIAS_0.read(raw, at)
+        at += 14
+        bias = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(bias, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_BIAS_0.write(*codec.exactly("bias", self.bias, 3), self.valid_flags)
+        return codec.finished(out)
+
+
+_MAG_BIAS_UNCERTAINTY_0 = codec.Block("fffH", *["bias_uncertainty"] * 3, "valid_flags")
+
+
+@dataclass(slots=True)
+class MagBiasUncertainty(Data):
+    """Magnetometer bias uncertainty (0x82,0x1B).
+
+    Standard deviation of the estimated bias of the magnetometer.
+
+    - mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x1B
+    NAME = "filter_data.mag_bias_uncertainty"
+    ROLE = "data"
+
+    bias_uncertainty: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagBiasUncertainty, int]:
+        v = _MAG_BIAS_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        bias_uncertainty = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(bias_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_BIAS_UNCERTAINTY_0.write(
+            *codec.exactly("bias_uncertainty", self.bias_uncertainty, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_COMPENSATED_ACCELERATION_0 = codec.Block("fffH", *["accel"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -1189,7 +1543,8 @@ class CompensatedAcceleration(Data):
     """Compensated acceleration (0x82,0x1C).
 
     Acceleration without the estimated bias; gravity is still in it.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Also called `comp_accel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C)
     - 3dm-gx5-15: 5.2.11 Compensated Acceleration (0x82, 0x1C)
@@ -1201,7 +1556,9 @@ class CompensatedAcceleration(Data):
     ROLE = "data"
 
     accel: types.Vector3f
-    """Acceleration. [m/s^2] Frame: vehicle. Valid if valid_flags.valid."""
+    """Acceleration. Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1220,6 +1577,79 @@ class CompensatedAcceleration(Data):
         return codec.finished(out)
 
 
+_STANDARD_ATMOSPHERE_0 = codec.Block(
+    "fffffH",
+    "geometric_altitude",
+    "geopotential_altitude",
+    "standard_temperature",
+    "standard_pressure",
+    "standard_density",
+    "valid_flags",
+)
+
+
+@dataclass(slots=True)
+class StandardAtmosphere(Data):
+    """Standard atmosphere (0x82,0x20).
+
+    US Standard Atmosphere of 1976 at the altitude of the device.
+
+    It is valid only with a valid GNSS position.
+
+    - mip-sdk-4: Standard Atmosphere (0x82,0x20)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x20
+    NAME = "filter_data.standard_atmosphere"
+    ROLE = "data"
+
+    geometric_altitude: float
+    """Altitude that goes into the model. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is
+    set.
+    """
+    geopotential_altitude: float
+    """Geopotential altitude. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    standard_temperature: float
+    """Temperature. Unit: degC. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    standard_pressure: float
+    """Pressure. Unit: mbar. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    standard_density: float
+    """Density. Unit: kg/m^3. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[StandardAtmosphere, int]:
+        v = _STANDARD_ATMOSPHERE_0.read(raw, at)
+        at += 22
+        geometric_altitude = v[0]
+        geopotential_altitude = v[1]
+        standard_temperature = v[2]
+        standard_pressure = v[3]
+        standard_density = v[4]
+        valid_flags = ValidFlags(v[5])
+        return cls(
+            geometric_altitude,
+            geopotential_altitude,
+            standard_temperature,
+            standard_pressure,
+            standard_density,
+            valid_flags,
+        ), at
+
+    def _write(self) -> bytes:
+        out = _STANDARD_ATMOSPHERE_0.write(
+            self.geometric_altitude,
+            self.geopotential_altitude,
+            self.standard_temperature,
+            self.standard_pressure,
+            self.standard_density,
+            self.valid_flags,
+        )
+        return codec.finished(out)
+
+
 _PRESSURE_ALTITUDE_0 = codec.Block("fH", "pressure_altitude", "valid_flags")
 
 
@@ -1228,8 +1658,10 @@ class PressureAltitude(Data):
     """Pressure altitude (0x82,0x21).
 
     Altitude that the US Standard Atmosphere of 1976 gives for the measured pressure.
-    It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.
+
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    It needs a valid pressure. The model ends at a pressure of 0.0037 mbar, an altitude of 84852 m.
 
     - 3dm-cv7-gnss-ins: Pressure Altitude (0x82,0x21)
     - 3dm-gx5-15: 5.2.13 Pressure Altitude (0x82, 0x21)
@@ -1241,7 +1673,8 @@ class PressureAltitude(Data):
     ROLE = "data"
 
     pressure_altitude: float
-    """Altitude. [m] Range: … to 84852. Valid if valid_flags.valid."""
+    """Altitude. Unit: m. Range: at most 84852. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1258,8 +1691,467 @@ class PressureAltitude(Data):
         return codec.finished(out)
 
 
+_DENSITY_ALTITUDE_0 = codec.Block("fH", "density_altitude", "valid_flags")
+
+
+@dataclass(slots=True)
+class DensityAltitude(Data):
+    """Density altitude (0x82,0x22).
+
+    Altitude at which the standard atmosphere has the density of the air around the device.
+
+    Uncertain: The SDK gives the name only; the description is the usual meaning of the term.
+
+    - mip-sdk-4: Density Altitude (0x82,0x22)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x22
+    NAME = "filter_data.density_altitude"
+    ROLE = "data"
+
+    density_altitude: float
+    """Altitude. Unit: m. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[DensityAltitude, int]:
+        v = _DENSITY_ALTITUDE_0.read(raw, at)
+        at += 6
+        density_altitude = v[0]
+        valid_flags = ValidFlags(v[1])
+        return cls(density_altitude, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _DENSITY_ALTITUDE_0.write(self.density_altitude, self.valid_flags)
+        return codec.finished(out)
+
+
+_MAG_OFFSET_0 = codec.Block("fffH", *["hard_iron"] * 3, "valid_flags")
+
+
+@dataclass(slots=True)
+class MagOffset(Data):
+    """Magnetometer offset (0x82,0x25).
+
+    Estimated hard iron offset of the magnetometer.
+
+    Also called `magnetometer_offset`.
+
+    The filter adds it to the stored hard iron offset `mip_3dm.MagnetometerHardIronOffset`
+    (0x0C,0x3A).
+
+    - mip-sdk-4: Magnetometer Offset (0x82,0x25)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x25
+    NAME = "filter_data.mag_offset"
+    ROLE = "data"
+
+    hard_iron: types.Vector3f
+    """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if `ValidFlags.VALID`
+    of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagOffset, int]:
+        v = _MAG_OFFSET_0.read(raw, at)
+        at += 14
+        hard_iron = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(hard_iron, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_OFFSET_0.write(*codec.exactly("hard_iron", self.hard_iron, 3), self.valid_flags)
+        return codec.finished(out)
+
+
+_MAG_MATRIX_0 = codec.Block("fffffffffH", *["soft_iron"] * 9, "valid_flags")
+
+
+@dataclass(slots=True)
+class MagMatrix(Data):
+    """Magnetometer matrix (0x82,0x26).
+
+    Estimated soft iron matrix of the magnetometer.
+
+    Also called `magnetometer_matrix`.
+
+    The filter multiplies the stored soft iron matrix `mip_3dm.MagnetometerSoftIronMatrix`
+    (0x0C,0x3B) by it, from the right.
+
+    - mip-sdk-4: Magnetometer Matrix (0x82,0x26)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x26
+    NAME = "filter_data.mag_matrix"
+    ROLE = "data"
+
+    soft_iron: types.Matrix3f
+    """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1. Frame: sensor. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagMatrix, int]:
+        v = _MAG_MATRIX_0.read(raw, at)
+        at += 38
+        soft_iron = v[0:9]
+        valid_flags = ValidFlags(v[9])
+        return cls(soft_iron, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_MATRIX_0.write(*codec.exactly("soft_iron", self.soft_iron, 9), self.valid_flags)
+        return codec.finished(out)
+
+
+_MAG_OFFSET_UNCERTAINTY_0 = codec.Block("fffH", *["hard_iron_uncertainty"] * 3, "valid_flags")
+
+
+@dataclass(slots=True)
+class MagOffsetUncertainty(Data):
+    """Magnetometer offset uncertainty (0x82,0x28).
+
+    Standard deviation of the estimated hard iron offset.
+
+    Also called `magnetometer_offset_uncertainty`.
+
+    - mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x28
+    NAME = "filter_data.mag_offset_uncertainty"
+    ROLE = "data"
+
+    hard_iron_uncertainty: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: gauss. Frame: sensor. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagOffsetUncertainty, int]:
+        v = _MAG_OFFSET_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        hard_iron_uncertainty = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(hard_iron_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_OFFSET_UNCERTAINTY_0.write(
+            *codec.exactly("hard_iron_uncertainty", self.hard_iron_uncertainty, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_MAG_MATRIX_UNCERTAINTY_0 = codec.Block("fffffffffH", *["soft_iron_uncertainty"] * 9, "valid_flags")
+
+
+@dataclass(slots=True)
+class MagMatrixUncertainty(Data):
+    """Magnetometer matrix uncertainty (0x82,0x29).
+
+    Standard deviation of the estimated soft iron matrix.
+
+    Also called `magnetometer_matrix_uncertainty`.
+
+    - mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x29
+    NAME = "filter_data.mag_matrix_uncertainty"
+    ROLE = "data"
+
+    soft_iron_uncertainty: types.Matrix3f
+    """Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+    1. Frame: sensor. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagMatrixUncertainty, int]:
+        v = _MAG_MATRIX_UNCERTAINTY_0.read(raw, at)
+        at += 38
+        soft_iron_uncertainty = v[0:9]
+        valid_flags = ValidFlags(v[9])
+        return cls(soft_iron_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_MATRIX_UNCERTAINTY_0.write(
+            *codec.exactly("soft_iron_uncertainty", self.soft_iron_uncertainty, 9), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_MAG_COVARIANCE_MATRIX_0 = codec.Block("fffffffffH", *["covariance"] * 9, "valid_flags")
+
+
+@dataclass(slots=True)
+class MagCovarianceMatrix(Data):
+    """Magnetometer covariance matrix (0x82,0x2A).
+
+    Covariance of the magnetometer measurement.
+
+    Also called `magnetometer_covariance_matrix`.
+
+    - mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x2A
+    NAME = "filter_data.mag_covariance_matrix"
+    ROLE = "data"
+
+    covariance: types.Matrix3f
+    """Covariance matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Valid if `ValidFlags.VALID` of `valid_flags` is set. Uncertain: The unit, which is likely
+    gauss^2, and the frame.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagCovarianceMatrix, int]:
+        v = _MAG_COVARIANCE_MATRIX_0.read(raw, at)
+        at += 38
+        covariance = v[0:9]
+        valid_flags = ValidFlags(v[9])
+        return cls(covariance, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_COVARIANCE_MATRIX_0.write(
+            *codec.exactly("covariance", self.covariance, 9), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_MAG_RESIDUAL_VECTOR_0 = codec.Block("fffH", *["residual"] * 3, "valid_flags")
+
+
+@dataclass(slots=True)
+class MagResidualVector(Data):
+    """Magnetometer residual vector (0x82,0x2C).
+
+    Residual of the magnetometer measurement.
+
+    Also called `magnetometer_residual_vector`.
+
+    - mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x2C
+    NAME = "filter_data.mag_residual_vector"
+    ROLE = "data"
+
+    residual: types.Vector3f
+    """Residual. Elements: x, y, z. Unit: gauss. Frame: vehicle. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[MagResidualVector, int]:
+        v = _MAG_RESIDUAL_VECTOR_0.read(raw, at)
+        at += 14
+        residual = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(residual, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _MAG_RESIDUAL_VECTOR_0.write(
+            *codec.exactly("residual", self.residual, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_ANTENNA_OFFSET_CORRECTION_0 = codec.Block("fffH", *["offset"] * 3, "valid_flags")
+
+
+@dataclass(slots=True)
+class AntennaOffsetCorrection(Data):
+    """Antenna offset correction (0x82,0x30).
+
+    Estimated error of the offset of the GNSS antenna.
+
+    The filter adds it to the stored offset `filter.GnssAntennaOffsetControl` (0x0D,0x13).
+
+    - mip-sdk-4: Antenna Offset Correction (0x82,0x30)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x30
+    NAME = "filter_data.antenna_offset_correction"
+    ROLE = "data"
+
+    offset: types.Vector3f
+    """Correction of the offset. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetCorrection, int]:
+        v = _ANTENNA_OFFSET_CORRECTION_0.read(raw, at)
+        at += 14
+        offset = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(offset, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ANTENNA_OFFSET_CORRECTION_0.write(
+            *codec.exactly("offset", self.offset, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0 = codec.Block(
+    "fffH", *["offset_uncertainty"] * 3, "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class AntennaOffsetCorrectionUncertainty(Data):
+    """Antenna offset correction uncertainty (0x82,0x31).
+
+    Standard deviation of the estimated error of the offset of the GNSS antenna.
+
+    - mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x31
+    NAME = "filter_data.antenna_offset_correction_uncertainty"
+    ROLE = "data"
+
+    offset_uncertainty: types.Vector3f
+    """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[AntennaOffsetCorrectionUncertainty, int]:
+        v = _ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.read(raw, at)
+        at += 14
+        offset_uncertainty = v[0:3]
+        valid_flags = ValidFlags(v[3])
+        return cls(offset_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0.write(
+            *codec.exactly("offset_uncertainty", self.offset_uncertainty, 3), self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_CLOCK_CORRECTION_0 = codec.Block("BffH", "receiver_id", "bias", "bias_drift", "valid_flags")
+
+
+@dataclass(slots=True)
+class ClockCorrection(Data):
+    """Clock correction (0x82,0x32).
+
+    Estimated clock error of one GNSS receiver.
+
+    - mip-sdk-4: Clock Correction (0x82,0x32)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x32
+    NAME = "filter_data.clock_correction"
+    ROLE = "data"
+
+    receiver_id: int
+    """Receiver, counted from 1. Range: at least 1."""
+    bias: float
+    """Bias of the clock. Unit: s. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    bias_drift: float
+    """Drift of the clock. Unit: s/s. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ClockCorrection, int]:
+        v = _CLOCK_CORRECTION_0.read(raw, at)
+        at += 11
+        receiver_id = v[0]
+        bias = v[1]
+        bias_drift = v[2]
+        valid_flags = ValidFlags(v[3])
+        return cls(receiver_id, bias, bias_drift, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _CLOCK_CORRECTION_0.write(
+            self.receiver_id, self.bias, self.bias_drift, self.valid_flags
+        )
+        return codec.finished(out)
+
+
+_CLOCK_CORRECTION_UNCERTAINTY_0 = codec.Block(
+    "BffH", "receiver_id", "bias_uncertainty", "bias_drift_uncertainty", "valid_flags"
+)
+
+
+@dataclass(slots=True)
+class ClockCorrectionUncertainty(Data):
+    """Clock correction uncertainty (0x82,0x33).
+
+    Standard deviation of the estimated clock error of one GNSS receiver.
+
+    - mip-sdk-4: Clock Correction Uncertainty (0x82,0x33)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x33
+    NAME = "filter_data.clock_correction_uncertainty"
+    ROLE = "data"
+
+    receiver_id: int
+    """Receiver, counted from 1. Range: at least 1."""
+    bias_uncertainty: float
+    """Standard deviation of the bias. Unit: s. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
+    bias_drift_uncertainty: float
+    """Standard deviation of the drift. Unit: s/s. Valid if `ValidFlags.VALID` of `valid_flags` is
+    set.
+    """
+    valid_flags: ValidFlags
+    """Validity of the values."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ClockCorrectionUncertainty, int]:
+        v = _CLOCK_CORRECTION_UNCERTAINTY_0.read(raw, at)
+        at += 11
+        receiver_id = v[0]
+        bias_uncertainty = v[1]
+        bias_drift_uncertainty = v[2]
+        valid_flags = ValidFlags(v[3])
+        return cls(receiver_id, bias_uncertainty, bias_drift_uncertainty, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _CLOCK_CORRECTION_UNCERTAINTY_0.write(
+            self.receiver_id, self.bias_uncertainty, self.bias_drift_uncertainty, self.valid_flags
+        )
+        return codec.finished(out)
+
+
 _MULTI_ANTENNA_OFFSET_CORRECTION_0 = codec.Block(
-    "BfffH", "receiver_id", "offset", "offset", "offset", "valid_flags"
+    "BfffH", "receiver_id", *["offset"] * 3, "valid_flags"
 )
 
 
@@ -1268,8 +2160,10 @@ class MultiAntennaOffsetCorrection(Data):
     """Multi-antenna offset correction (0x82,0x34).
 
     Estimated error of the offset of one GNSS antenna.
-    The filter adds it to the stored offset.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    The filter adds it to the stored offset.
 
     - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction (0x82,0x34)
     """
@@ -1282,7 +2176,9 @@ class MultiAntennaOffsetCorrection(Data):
     receiver_id: int
     """Receiver that the antenna belongs to."""
     offset: types.Vector3f
-    """Correction of the offset. [m] Frame: vehicle. Valid if valid_flags.valid."""
+    """Correction of the offset. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1303,7 +2199,7 @@ class MultiAntennaOffsetCorrection(Data):
 
 
 _MULTI_ANTENNA_OFFSET_CORRECTION_UNCERTAINTY_0 = codec.Block(
-    "BfffH", "receiver_id", "offset_uncert", "offset_uncert", "offset_uncert", "valid_flags"
+    "BfffH", "receiver_id", *["offset_uncert"] * 3, "valid_flags"
 )
 
 
@@ -1312,6 +2208,7 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
     """Multi-antenna offset correction uncertainty (0x82,0x35).
 
     Standard deviation of the estimated error of the offset of one GNSS antenna.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Multi Antenna Offset Correction Uncertainty (0x82,0x35)
@@ -1325,7 +2222,9 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
     receiver_id: int
     """Receiver that the antenna belongs to."""
     offset_uncert: types.Vector3f
-    """Standard deviation per axis. [m] Frame: vehicle. Valid if valid_flags.valid."""
+    """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1347,9 +2246,7 @@ class MultiAntennaOffsetCorrectionUncertainty(Data):
         return codec.finished(out)
 
 
-_ECEF_POSITION_UNCERTAINTY_0 = codec.Block(
-    "fffH", "pos_uncertainty", "pos_uncertainty", "pos_uncertainty", "valid_flags"
-)
+_ECEF_POSITION_UNCERTAINTY_0 = codec.Block("fffH", *["pos_uncertainty"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -1357,7 +2254,8 @@ class EcefPositionUncertainty(Data):
     """ECEF position uncertainty (0x82,0x36).
 
     Standard deviation of the estimated position.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `ecef_pos_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Position Uncertainty (0x82,0x36)
     """
@@ -1368,7 +2266,9 @@ class EcefPositionUncertainty(Data):
     ROLE = "data"
 
     pos_uncertainty: types.Vector3f
-    """Standard deviation per axis. [m] Frame: ecef. Valid if valid_flags.valid."""
+    """Standard deviation per axis. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1387,9 +2287,7 @@ class EcefPositionUncertainty(Data):
         return codec.finished(out)
 
 
-_ECEF_VELOCITY_UNCERTAINTY_0 = codec.Block(
-    "fffH", "vel_uncertainty", "vel_uncertainty", "vel_uncertainty", "valid_flags"
-)
+_ECEF_VELOCITY_UNCERTAINTY_0 = codec.Block("fffH", *["vel_uncertainty"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -1397,7 +2295,8 @@ class EcefVelocityUncertainty(Data):
     """ECEF velocity uncertainty (0x82,0x37).
 
     Standard deviation of the estimated velocity.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `ecef_vel_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity Uncertainty (0x82,0x37)
     """
@@ -1408,7 +2307,9 @@ class EcefVelocityUncertainty(Data):
     ROLE = "data"
 
     vel_uncertainty: types.Vector3f
-    """Standard deviation per axis. [m/s] Frame: ecef. Valid if valid_flags.valid."""
+    """Standard deviation per axis. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
+    `ValidFlags.VALID` of `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1427,9 +2328,7 @@ class EcefVelocityUncertainty(Data):
         return codec.finished(out)
 
 
-_ECEF_POSITION_0 = codec.Block(
-    "dddH", "position_ecef", "position_ecef", "position_ecef", "valid_flags"
-)
+_ECEF_POSITION_0 = codec.Block("dddH", *["position_ecef"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -1437,7 +2336,8 @@ class EcefPosition(Data):
     """ECEF position (0x82,0x40).
 
     Estimated position.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `ecef_pos`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Position (0x82,0x40)
     """
@@ -1448,7 +2348,9 @@ class EcefPosition(Data):
     ROLE = "data"
 
     position_ecef: types.Vector3d
-    """Position. [m] Frame: ecef. Valid if valid_flags.valid."""
+    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1467,9 +2369,7 @@ class EcefPosition(Data):
         return codec.finished(out)
 
 
-_ECEF_VELOCITY_0 = codec.Block(
-    "fffH", "velocity_ecef", "velocity_ecef", "velocity_ecef", "valid_flags"
-)
+_ECEF_VELOCITY_0 = codec.Block("fffH", *["velocity_ecef"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
@@ -1477,7 +2377,8 @@ class EcefVelocity(Data):
     """ECEF velocity (0x82,0x41).
 
     Estimated velocity.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `ecef_vel`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: ECEF Velocity (0x82,0x41)
     """
@@ -1488,7 +2389,9 @@ class EcefVelocity(Data):
     ROLE = "data"
 
     velocity_ecef: types.Vector3f
-    """Velocity. [m/s] Frame: ecef. Valid if valid_flags.valid."""
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1507,17 +2410,16 @@ class EcefVelocity(Data):
         return codec.finished(out)
 
 
-_NED_RELATIVE_POSITION_0 = codec.Block(
-    "dddH", "relative_position", "relative_position", "relative_position", "valid_flags"
-)
+_NED_RELATIVE_POSITION_0 = codec.Block("dddH", *["relative_position"] * 3, "valid_flags")
 
 
 @dataclass(slots=True)
 class NedRelativePosition(Data):
     """NED relative position (0x82,0x42).
 
-    Estimated position relative to the point that `filter.relative_position_configuration` sets.
-    Supported by 3DM-CV7-GNSS/INS.
+    Estimated position relative to the point that `filter.RelativePositionConfiguration` sets.
+
+    Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NED Relative Position (0x82,0x42)
     """
@@ -1528,7 +2430,9 @@ class NedRelativePosition(Data):
     ROLE = "data"
 
     relative_position: types.Vector3d
-    """Relative position. [m] Frame: ned. Valid if valid_flags.valid."""
+    """Relative position. Elements: x, y, z. Unit: m. Frame: ned. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1548,18 +2452,7 @@ class NedRelativePosition(Data):
 
 
 _GNSS_POSITION_AIDING_STATUS_0 = codec.Block(
-    "BfHBBBBBBBB",
-    "receiver_id",
-    "time_of_week",
-    "status",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
-    "reserved",
+    "BfHBBBBBBBB", "receiver_id", "time_of_week", "status", *["reserved"] * 8
 )
 
 
@@ -1568,8 +2461,10 @@ class GnssPositionAidingStatus(Data):
     """GNSS position aiding status (0x82,0x43).
 
     How the filter uses the position measurements of one GNSS receiver.
+
+    Also called `gnss_pos_aid_status`. Supported by 3DM-CV7-GNSS/INS.
+
     Single precision resolves the time of week to 0.0625 s at the end of the week.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS Position Aiding Status (0x82,0x43)
     """
@@ -1582,7 +2477,7 @@ class GnssPositionAidingStatus(Data):
     receiver_id: int
     """Number of the receiver."""
     time_of_week: float
-    """GPS time of week of the last measurement. [s]"""
+    """GPS time of week of the last measurement. Unit: s."""
     status: GnssAidingStatus
     """How the measurements are used."""
     reserved: tuple[int, ...] = (0,) * 8
@@ -1608,6 +2503,98 @@ class GnssPositionAidingStatus(Data):
         return codec.finished(out)
 
 
+_GNSS_ATTITUDE_AIDING_STATUS_0 = codec.Block("fHBBBBBBBB", "tow", "status", *["reserved"] * 8)
+
+
+@dataclass(slots=True)
+class GnssAttitudeAidingStatus(Data):
+    """GNSS attitude aiding status (0x82,0x44).
+
+    How the filter uses the attitude that two GNSS antennas give.
+
+    Also called `gnss_att_aid_status`.
+
+    Single precision resolves the time of week to 0.0625 s at the end of the week.
+
+    - mip-sdk-4: Gnss Att Aid Status (0x82,0x44)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x44
+    NAME = "filter_data.gnss_attitude_aiding_status"
+    ROLE = "data"
+
+    tow: float
+    """GPS time of week of the last valid measurement. Unit: s. Uncertain: Whether it is the time of
+    the measurement or that of its processing.
+    """
+    status: GnssAidingStatus
+    """How the measurements are used."""
+    reserved: tuple[int, ...] = (0,) * 8
+    """Reserved. Reserved."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssAttitudeAidingStatus, int]:
+        v = _GNSS_ATTITUDE_AIDING_STATUS_0.read(raw, at)
+        at += 14
+        tow = v[0]
+        status = GnssAidingStatus(v[1])
+        reserved = v[2:10]
+        return cls(tow, status, reserved), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_ATTITUDE_AIDING_STATUS_0.write(
+            self.tow, self.status, *codec.exactly("reserved", self.reserved, 8)
+        )
+        return codec.finished(out)
+
+
+_HEADING_AIDING_STATUS_0 = codec.Block("fBff", "tow", "type", *["reserved"] * 2)
+
+
+@dataclass(slots=True)
+class HeadingAidingStatus(Data):
+    """Heading aiding status (0x82,0x45).
+
+    The heading measurement that the filter used last.
+
+    Also called `head_aid_status`.
+
+    Single precision resolves the time of week to 0.0625 s at the end of the week.
+
+    - mip-sdk-4: Head Aid Status (0x82,0x45)
+    """
+
+    SET = 0x82
+    DESCRIPTOR = 0x45
+    NAME = "filter_data.heading_aiding_status"
+    ROLE = "data"
+
+    tow: float
+    """GPS time of week of the last valid measurement. Unit: s. Uncertain: Whether it is the time of
+    the measurement or that of its processing.
+    """
+    type: HeadingAidingType
+    """Source of the heading."""
+    reserved: tuple[float, float] = (0.0, 0.0)
+    """Reserved. Reserved."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[HeadingAidingStatus, int]:
+        v = _HEADING_AIDING_STATUS_0.read(raw, at)
+        at += 13
+        tow = v[0]
+        type = HeadingAidingType(v[1])
+        reserved = v[2:4]
+        return cls(tow, type, reserved), at
+
+    def _write(self) -> bytes:
+        out = _HEADING_AIDING_STATUS_0.write(
+            self.tow, self.type, *codec.exactly("reserved", self.reserved, 2)
+        )
+        return codec.finished(out)
+
+
 _AIDING_MEASUREMENT_SUMMARY_0 = codec.Block("fBBB", "time_of_week", "source", "type", "indicator")
 
 
@@ -1616,8 +2603,10 @@ class AidingMeasurementSummary(Data):
     """Aiding measurement summary (0x82,0x46).
 
     What the filter did with one kind of aiding measurement in the last measurement interval.
-    Single precision resolves the time of week to 0.0625 s at the end of the week.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    Single precision resolves the time of week to 0.0625 s at the end of the week.
 
     - 3dm-cv7-gnss-ins: Aiding Measurement Summary (0x82,0x46)
     """
@@ -1628,7 +2617,7 @@ class AidingMeasurementSummary(Data):
     ROLE = "data"
 
     time_of_week: float
-    """GPS time of week at the end of the interval. [s]"""
+    """GPS time of week at the end of the interval. Unit: s."""
     source: int
     """Number of the source of the measurement."""
     type: AidingMeasurementType
@@ -1661,8 +2650,10 @@ class OdometerScaleFactorError(Data):
     """Odometer scale factor error (0x82,0x47).
 
     Estimated relative error of the odometer scale factor.
-    Estimated scale factor = configured scale factor * (1 + error).
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    Estimated scale factor = configured scale factor * (1 + error).
 
     - 3dm-cv7-gnss-ins: Odometer Scale Factor Error (0x82,0x47)
     """
@@ -1673,7 +2664,7 @@ class OdometerScaleFactorError(Data):
     ROLE = "data"
 
     scale_factor_error: float
-    """Relative error. [1] Valid if valid_flags.valid."""
+    """Relative error. Unit: 1. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1700,6 +2691,7 @@ class OdometerScaleFactorErrorUncertainty(Data):
     """Odometer scale factor error uncertainty (0x82,0x48).
 
     Uncertainty of the estimated error of the odometer scale factor.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Scale Factor Error Uncertainty (0x82,0x48)
@@ -1711,7 +2703,9 @@ class OdometerScaleFactorErrorUncertainty(Data):
     ROLE = "data"
 
     scale_factor_error_uncertainty: float
-    """Uncertainty of the relative error. [1] Valid if valid_flags.valid."""
+    """Uncertainty of the relative error. Unit: 1. Valid if `ValidFlags.VALID` of `valid_flags` is
+    set.
+    """
     valid_flags: ValidFlags
     """Validity of the values."""
 
@@ -1740,8 +2734,10 @@ class GnssDualAntennaStatus(Data):
     """GNSS dual antenna status (0x82,0x49).
 
     Heading that two GNSS antennas give.
-    Single precision resolves the time of week to 0.0625 s at the end of the week.
+
     Supported by 3DM-CV7-GNSS/INS.
+
+    Single precision resolves the time of week to 0.0625 s at the end of the week.
 
     - 3dm-cv7-gnss-ins: GNSS Dual Antenna Status (0x82,0x49)
     """
@@ -1752,11 +2748,14 @@ class GnssDualAntennaStatus(Data):
     ROLE = "data"
 
     time_of_week: float
-    """GPS time of week of the last measurement. [s] Valid if valid_flags.valid."""
+    """GPS time of week of the last measurement. Unit: s. Valid if `ValidFlags.VALID` of
+    `valid_flags` is set.
+    """
     heading: float
-    """Heading. [rad] Valid if valid_flags.valid."""
+    """Heading. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set."""
     heading_unc: float
-    """Uncertainty of the heading. [rad] Valid if valid_flags.valid."""
+    """Uncertainty of the heading. Unit: rad. Valid if `ValidFlags.VALID` of `valid_flags` is set.
+    """
     fix_type: DualAntennaFixType
     """Kind of solution."""
     status_flags: DualAntennaStatusFlags
@@ -1789,15 +2788,7 @@ class GnssDualAntennaStatus(Data):
 
 
 _AIDING_FRAME_CONFIGURATION_ERROR_0 = codec.Block(
-    "Bfffffff",
-    "frame_id",
-    "translation",
-    "translation",
-    "translation",
-    "attitude",
-    "attitude",
-    "attitude",
-    "attitude",
+    "Bfffffff", "frame_id", *["translation"] * 3, *["attitude"] * 4
 )
 
 
@@ -1805,8 +2796,9 @@ _AIDING_FRAME_CONFIGURATION_ERROR_0 = codec.Block(
 class AidingFrameConfigurationError(Data):
     """Aiding frame configuration error (0x82,0x50).
 
-    Estimated error of a frame that `aiding.frame_configuration` defines; it is corrected for.
-    Supported by 3DM-CV7-GNSS/INS.
+    Estimated error of a frame that `aiding.FrameConfiguration` defines; it is corrected for.
+
+    Also called `aiding_frame_config_error`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50)
     """
@@ -1819,9 +2811,9 @@ class AidingFrameConfigurationError(Data):
     frame_id: int
     """Number of the frame."""
     translation: types.Vector3f
-    """Error of the translation. [m]"""
+    """Error of the translation. Elements: x, y, z. Unit: m."""
     attitude: types.Quatf
-    """Error of the rotation. [1]"""
+    """Error of the rotation. Elements: w, x, y, z. Unit: 1."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AidingFrameConfigurationError, int]:
@@ -1842,14 +2834,7 @@ class AidingFrameConfigurationError(Data):
 
 
 _AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_0 = codec.Block(
-    "Bffffff",
-    "frame_id",
-    "translation_unc",
-    "translation_unc",
-    "translation_unc",
-    "attitude_unc",
-    "attitude_unc",
-    "attitude_unc",
+    "Bffffff", "frame_id", *["translation_unc"] * 3, *["attitude_unc"] * 3
 )
 
 
@@ -1857,8 +2842,9 @@ _AIDING_FRAME_CONFIGURATION_ERROR_UNCERTAINTY_0 = codec.Block(
 class AidingFrameConfigurationErrorUncertainty(Data):
     """Aiding frame configuration error uncertainty (0x82,0x51).
 
-    Uncertainty of the estimated error of a frame that `aiding.frame_configuration` defines.
-    Supported by 3DM-CV7-GNSS/INS.
+    Uncertainty of the estimated error of a frame that `aiding.FrameConfiguration` defines.
+
+    Also called `aiding_frame_config_error_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51)
     """
@@ -1871,9 +2857,9 @@ class AidingFrameConfigurationErrorUncertainty(Data):
     frame_id: int
     """Number of the frame."""
     translation_unc: types.Vector3f
-    """Uncertainty of the translation. [m]"""
+    """Uncertainty of the translation. Elements: x, y, z. Unit: m."""
     attitude_unc: types.Vector3f
-    """Uncertainty of the rotation about each axis. [rad]"""
+    """Uncertainty of the rotation about each axis. Elements: x, y, z. Unit: rad."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AidingFrameConfigurationErrorUncertainty, int]:
@@ -1916,8 +2902,26 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x13: (GravityVector,),
     0x14: (HeadingUpdateSourceState,),
     0x15: (MagneticModel,),
+    0x16: (GyroScaleFactor,),
+    0x17: (AccelScaleFactor,),
+    0x18: (GyroScaleFactorUncertainty,),
+    0x19: (AccelScaleFactorUncertainty,),
+    0x1A: (MagBias,),
+    0x1B: (MagBiasUncertainty,),
     0x1C: (CompensatedAcceleration,),
+    0x20: (StandardAtmosphere,),
     0x21: (PressureAltitude,),
+    0x22: (DensityAltitude,),
+    0x25: (MagOffset,),
+    0x26: (MagMatrix,),
+    0x28: (MagOffsetUncertainty,),
+    0x29: (MagMatrixUncertainty,),
+    0x2A: (MagCovarianceMatrix,),
+    0x2C: (MagResidualVector,),
+    0x30: (AntennaOffsetCorrection,),
+    0x31: (AntennaOffsetCorrectionUncertainty,),
+    0x32: (ClockCorrection,),
+    0x33: (ClockCorrectionUncertainty,),
     0x34: (MultiAntennaOffsetCorrection,),
     0x35: (MultiAntennaOffsetCorrectionUncertainty,),
     0x36: (EcefPositionUncertainty,),
@@ -1926,6 +2930,8 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x41: (EcefVelocity,),
     0x42: (NedRelativePosition,),
     0x43: (GnssPositionAidingStatus,),
+    0x44: (GnssAttitudeAidingStatus,),
+    0x45: (HeadingAidingStatus,),
     0x46: (AidingMeasurementSummary,),
     0x47: (OdometerScaleFactorError,),
     0x48: (OdometerScaleFactorErrorUncertainty,),

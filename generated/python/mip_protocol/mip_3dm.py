@@ -1,6 +1,9 @@
 """3DM (0x0C).
 
 Commands that set up the sensors, the outputs, the pins and the events of a device.
+
+- 3dm-gx5-15: 4.2 3DM Commands
+- 3dm-cv7-gnss-ins: 3DM (0x0C)
 """
 
 from __future__ import annotations
@@ -10,7 +13,7 @@ from enum import IntFlag
 
 from . import codec, types
 from .errors import Truncated
-from .field import Command, Field, Response, Structure
+from .field import Command, Field, Response, ResponseClass, Structure
 from .protocol import FunctionSelector
 
 _POLL_ENTRY_0 = codec.Block("BH", "descriptor", "reserved")
@@ -18,12 +21,15 @@ _POLL_ENTRY_0 = codec.Block("BH", "descriptor", "reserved")
 
 @dataclass(slots=True)
 class PollEntry(Structure):
-    """A field that a poll asks for."""
+    """A field that a poll asks for.
+
+    - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
+    """
 
     descriptor: int
     """Field descriptor."""
     reserved: int = 0
-    """In place of a decimation."""
+    """In place of a decimation. Reserved: send 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollEntry, int]:
@@ -39,7 +45,10 @@ class PollEntry(Structure):
 
 
 class FactoryStreamingAction(codec.OpenEnum):
-    """What happens to the message formats that are set."""
+    """What happens to the message formats that are set.
+
+    - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
+    """
 
     OVERWRITE = 0
     """The formats are replaced."""
@@ -49,33 +58,115 @@ class FactoryStreamingAction(codec.OpenEnum):
     """The support fields are added behind the formats; fields may occur twice."""
 
 
-class LegacyDataStream(codec.OpenEnum):
-    """A data stream of a 5-series device."""
+class ConstellationId(codec.OpenEnum):
+    """Constellation in the settings of a receiver. The values are not those of gnss_constellation,
+    which GNSS data use.
 
-    ALL_STREAMS = 0
-    """All streams; for save, load and default only."""
-    IMU = 1
-    """Sensor data (0x80)."""
-    GNSS = 2
-    """GNSS data."""
-    FILTER = 3
-    """Estimation filter data (0x82)."""
+    - mip-sdk-4: Constellation Settings (0x0C,0x21)
+    """
+
+    GPS = 0
+    """GPS, satellites G1 to G32."""
+    SBAS = 1
+    """SBAS, satellites S120 to S158."""
+    GALILEO = 2
+    """Galileo, satellites E1 to E36."""
+    BEIDOU = 3
+    """BeiDou, satellites B1 to B37."""
+    QZSS = 5
+    """QZSS, satellites Q1 to Q5."""
+    GLONASS = 6
+    """GLONASS, satellites R1 to R32."""
+
+
+@codec.open_flag(16)
+class ConstellationOptions(IntFlag):
+    """Options of a constellation.
+
+    - mip-sdk-4: Constellation Settings (0x0C,0x21)
+    """
+
+    L1SAIF = 1 << 0
+    """The L1-SAIF signal; QZSS only. Bit 0."""
+
+
+_CONSTELLATION_SETTINGS_ENTRY_0 = codec.Block(
+    "BBBBH", "constellation_id", "enable", "reserved_channels", "max_channels", "option_flags"
+)
+
+
+@dataclass(slots=True)
+class ConstellationSettingsEntry(Structure):
+    """How a receiver tracks one constellation.
+
+    - mip-sdk-4: Constellation Settings (0x0C,0x21)
+    """
+
+    constellation_id: ConstellationId
+    """Constellation."""
+    enable: int
+    """1 switches it on, 0 off. Range: 0 to 1."""
+    reserved_channels: int
+    """Channels that are kept for it. Unit: 1. Range: 0 to 32."""
+    max_channels: int
+    """Channels that it takes at most. Unit: 1. Range: 0 to 32."""
+    option_flags: ConstellationOptions
+    """Options."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettingsEntry, int]:
+        v = _CONSTELLATION_SETTINGS_ENTRY_0.read(raw, at)
+        at += 6
+        constellation_id = ConstellationId(v[0])
+        enable = v[1]
+        reserved_channels = v[2]
+        max_channels = v[3]
+        option_flags = ConstellationOptions(v[4])
+        return cls(constellation_id, enable, reserved_channels, max_channels, option_flags), at
+
+    def _write(self) -> bytes:
+        out = _CONSTELLATION_SETTINGS_ENTRY_0.write(
+            self.constellation_id,
+            self.enable,
+            self.reserved_channels,
+            self.max_channels,
+            self.option_flags,
+        )
+        return out
 
 
 @codec.open_flag(16)
 class SbasOptions(IntFlag):
-    """How SBAS is used."""
+    """How SBAS is used.
+
+    - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
+    """
 
     ENABLE_RANGING = 1 << 0
-    """SBAS pseudoranges take part in the position solution."""
+    """SBAS pseudoranges take part in the position solution. Bit 0."""
     ENABLE_CORRECTIONS = 1 << 1
-    """SBAS differential corrections are applied."""
+    """SBAS differential corrections are applied. Bit 1."""
     APPLY_INTEGRITY = 1 << 2
-    """Only GPS satellites with SBAS integrity information are used."""
+    """Only GPS satellites with SBAS integrity information are used. Bit 2."""
+
+
+class AssistedFixOption(codec.OpenEnum):
+    """Whether a receiver keeps its last fix.
+
+    - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+    """
+
+    NONE = 0
+    """The receiver starts without it."""
+    ENABLED = 1
+    """The receiver starts from its last fix."""
 
 
 class PpsSource(codec.OpenEnum):
-    """Where the pulse per second comes from."""
+    """Where the pulse per second comes from.
+
+    - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
+    """
 
     DISABLED = 0
     """No pulse."""
@@ -90,7 +181,10 @@ class PpsSource(codec.OpenEnum):
 
 
 class SupportedEventsQuery(codec.OpenEnum):
-    """Which part of the event system is asked about."""
+    """Which part of the event system is asked about.
+
+    - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
+    """
 
     TRIGGER_TYPES = 1
     """Triggers."""
@@ -103,12 +197,15 @@ _SUPPORTED_EVENT_INFO_0 = codec.Block("BB", "type", "count")
 
 @dataclass(slots=True)
 class SupportedEventInfo(Structure):
-    """How many instances of one trigger or action type a device can have."""
+    """How many instances of one trigger or action type a device can have.
+
+    - 3dm-cv7-gnss-ins: Info
+    """
 
     type: int
     """A value of event_trigger_type if triggers were asked about, else of event_action_type."""
     count: int
-    """Instances of this type at most. [1]"""
+    """Instances of this type at most. Unit: 1."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SupportedEventInfo, int]:
@@ -128,7 +225,10 @@ _EVENT_TRIGGER_STATUS_ENTRY_0 = codec.Block("BB", "type", "status")
 
 @dataclass(slots=True)
 class EventTriggerStatusEntry(Structure):
-    """Type and state of one trigger."""
+    """Type and state of one trigger.
+
+    - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
+    """
 
     type: types.EventTriggerType
     """Configured type."""
@@ -153,7 +253,10 @@ _EVENT_ACTION_STATUS_ENTRY_0 = codec.Block("BB", "action_type", "trigger_id")
 
 @dataclass(slots=True)
 class EventActionStatusEntry(Structure):
-    """Type and trigger of one action."""
+    """Type and trigger of one action.
+
+    - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
+    """
 
     action_type: types.EventActionType
     """Configured type."""
@@ -174,7 +277,10 @@ class EventActionStatusEntry(Structure):
 
 
 class OdometerMode(codec.OpenEnum):
-    """How the odometer input works."""
+    """How the odometer input works.
+
+    - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
+    """
 
     DISABLED = 0
     """Not used."""
@@ -183,7 +289,10 @@ class OdometerMode(codec.OpenEnum):
 
 
 class SensorRangeType(codec.OpenEnum):
-    """A sensor whose range can be set, which also decides the unit of the range."""
+    """A sensor whose range can be set, which also decides the unit of the range.
+
+    - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
+    """
 
     ALL = 0
     """All sensors; for save, load and default only."""
@@ -202,7 +311,10 @@ _SENSOR_RANGE_ENTRY_0 = codec.Block("Bf", "setting", "range")
 
 @dataclass(slots=True)
 class SensorRangeEntry(Structure):
-    """A range that a sensor supports."""
+    """A range that a sensor supports.
+
+    - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
+    """
 
     setting: int
     """Value for the sensor range command."""
@@ -223,12 +335,31 @@ class SensorRangeEntry(Structure):
 
 
 class DeviceStatusSelector(codec.OpenEnum):
-    """How much a device status tells."""
+    """How much a device status tells.
+
+    - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
+    """
 
     BASIC = 1
     """State and timer."""
     DIAGNOSTIC = 2
     """State and timer with the counters of streams and port."""
+
+
+class LegacyDataStream(codec.OpenEnum):
+    """A data stream of a 5-series device.
+
+    - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
+    """
+
+    ALL_STREAMS = 0
+    """All streams; for save, load and default only."""
+    IMU = 1
+    """Sensor data (0x80)."""
+    GNSS = 2
+    """GNSS data."""
+    FILTER = 3
+    """Estimation filter data (0x82)."""
 
 
 _IMU_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
@@ -238,8 +369,7 @@ _IMU_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
 class ImuMessageFormatResponse(Response):
     """IMU Message Format response (0x0C,0x80).
 
-    Answers IMU Message Format (0x0C,0x08).
-    Supported by 3DM-GX5-15.
+    Answers `ImuMessageFormat`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -249,6 +379,7 @@ class ImuMessageFormatResponse(Response):
     NAME = "3dm.imu_message_format_response"
     ROLE = "response"
 
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -257,12 +388,54 @@ class ImuMessageFormatResponse(Response):
         v = _IMU_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
         at += 1
         num_descriptors = v[0]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 84)
         descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
         return cls(descriptors), at
 
     def _write(self) -> bytes:
         out = _IMU_MESSAGE_FORMAT_RESPONSE_0.write(codec.count("descriptors", self.descriptors, 84))
+        out += codec.write_structures(
+            "descriptors", codec.at_most("descriptors", self.descriptors, 84), types.DescriptorRate
+        )
+        return codec.finished(out)
+
+
+_GNSS_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors")
+
+
+@dataclass(slots=True)
+class GnssMessageFormatResponse(Response):
+    """GNSS Message Format response (0x0C,0x81).
+
+    Answers `GnssMessageFormat`.
+
+    - mip-sdk-4: Gnss Message Format (0x0C,0x09)
+    - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x81
+    NAME = "3dm.gnss_message_format_response"
+    ROLE = "response"
+
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Range: 0 to 82.
+    descriptors: tuple[types.DescriptorRate, ...]
+    """Fields and decimations."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssMessageFormatResponse, int]:
+        v = _GNSS_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
+        at += 1
+        num_descriptors = v[0]
+        n = codec.counted(raw, at, num_descriptors, 3, 84)
+        descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
+        return cls(descriptors), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_MESSAGE_FORMAT_RESPONSE_0.write(
+            codec.count("descriptors", self.descriptors, 84)
+        )
         out += codec.write_structures(
             "descriptors", codec.at_most("descriptors", self.descriptors, 84), types.DescriptorRate
         )
@@ -276,8 +449,8 @@ _ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "num_descriptors
 class EstimationFilterMessageFormatResponse(Response):
     """Estimation Filter Message Format response (0x0C,0x82).
 
-    Answers Estimation Filter Message Format (0x0C,0x0A).
-    Supported by 3DM-GX5-15.
+    Also called `filter_message_format_response`. Answers `EstimationFilterMessageFormat`. Supported
+    by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
@@ -287,6 +460,7 @@ class EstimationFilterMessageFormatResponse(Response):
     NAME = "3dm.estimation_filter_message_format_response"
     ROLE = "response"
 
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -295,7 +469,7 @@ class EstimationFilterMessageFormatResponse(Response):
         v = _ESTIMATION_FILTER_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
         at += 1
         num_descriptors = v[0]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 84)
         descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
         return cls(descriptors), at
 
@@ -316,8 +490,7 @@ _GET_IMU_DATA_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 class GetImuDataBaseRateResponse(Response):
     """Get IMU Data Base Rate response (0x0C,0x83).
 
-    Answers Get IMU Data Base Rate (0x0C,0x06).
-    Supported by 3DM-GX5-15.
+    Also called `imu_get_base_rate_response`. Answers `GetImuDataBaseRate`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -328,7 +501,7 @@ class GetImuDataBaseRateResponse(Response):
     ROLE = "response"
 
     rate: int
-    """Base rate of the sensor data. [Hz]"""
+    """Base rate of the sensor data. Unit: Hz."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetImuDataBaseRateResponse, int]:
@@ -342,6 +515,38 @@ class GetImuDataBaseRateResponse(Response):
         return codec.finished(out)
 
 
+_GET_GNSS_DATA_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
+
+
+@dataclass(slots=True)
+class GetGnssDataBaseRateResponse(Response):
+    """Get GNSS Data Base Rate response (0x0C,0x84).
+
+    Also called `gnss_get_base_rate_response`. Answers `GetGnssDataBaseRate`.
+
+    - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x84
+    NAME = "3dm.get_gnss_data_base_rate_response"
+    ROLE = "response"
+
+    rate: int
+    """Base rate of the GNSS data. Unit: Hz."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetGnssDataBaseRateResponse, int]:
+        v = _GET_GNSS_DATA_BASE_RATE_RESPONSE_0.read(raw, at)
+        at += 2
+        rate = v[0]
+        return cls(rate), at
+
+    def _write(self) -> bytes:
+        out = _GET_GNSS_DATA_BASE_RATE_RESPONSE_0.write(self.rate)
+        return codec.finished(out)
+
+
 _DATA_STREAM_CONTROL_RESPONSE_0 = codec.Block("BB", "desc_set", "enabled")
 
 
@@ -349,8 +554,8 @@ _DATA_STREAM_CONTROL_RESPONSE_0 = codec.Block("BB", "desc_set", "enabled")
 class DataStreamControlResponse(Response):
     """Data Stream Control response (0x0C,0x85).
 
-    Answers Data Stream Control (0x0C,0x11).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `datastream_control_response`. Answers `DataStreamControl`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -360,15 +565,13 @@ class DataStreamControlResponse(Response):
     DESCRIPTOR = 0x85
     NAME = "3dm.data_stream_control_response"
     ROLE = "response"
-    READINGS = {
-        "desc_set": (
-            "device",
-            {"3dm-gx5-15": LegacyDataStream},
-        ),
-    }
+    READINGS = {"desc_set": ("device", {"3dm-gx5-15": LegacyDataStream})}
 
     desc_set: int
-    """Stream of the command."""
+    """Stream of the command.
+
+    - On the 3DM-GX5-15: values of `LegacyDataStream`.
+    """
     enabled: bool
     """Whether the stream is sent."""
 
@@ -392,8 +595,8 @@ _UART_BAUD_RATE_RESPONSE_0 = codec.Block("I", "baud")
 class UartBaudRateResponse(Response):
     """UART Baud Rate response (0x0C,0x87).
 
-    Answers UART Baud Rate (0x0C,0x40).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `uart_baudrate_response`. Answers `UartBaudRate`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -405,7 +608,7 @@ class UartBaudRateResponse(Response):
     ROLE = "response"
 
     baud: int
-    """Baud rate. [Bd] On 3dm-gx5-15: factory default 115200."""
+    """Baud rate. Unit: Bd."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRateResponse, int]:
@@ -426,7 +629,7 @@ _GET_ESTIMATION_FILTER_DATA_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 class GetEstimationFilterDataBaseRateResponse(Response):
     """Get Estimation Filter Data Base Rate response (0x0C,0x8A).
 
-    Answers Get Estimation Filter Data Base Rate (0x0C,0x0B).
+    Also called `filter_get_base_rate_response`. Answers `GetEstimationFilterDataBaseRate`.
     Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
@@ -438,7 +641,7 @@ class GetEstimationFilterDataBaseRateResponse(Response):
     ROLE = "response"
 
     rate: int
-    """Base rate of the filter data. [Hz]"""
+    """Base rate of the filter data. Unit: Hz."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetEstimationFilterDataBaseRateResponse, int]:
@@ -461,8 +664,8 @@ _ADVANCED_LOW_PASS_FILTER_SETTINGS_RESPONSE_0 = codec.Block(
 class AdvancedLowPassFilterSettingsResponse(Response):
     """Advanced Low-Pass Filter Settings response (0x0C,0x8B).
 
-    Answers Advanced Low-Pass Filter Settings (0x0C,0x50).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `imu_lowpass_filter_response`. Answers `AdvancedLowPassFilterSettings`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
     - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -475,19 +678,17 @@ class AdvancedLowPassFilterSettingsResponse(Response):
 
     target_descriptor: int
     """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-    magnetic field 0x06 or pressure 0x17. On 3dm-cv7-gnss-ins: Field descriptor in the sensor
-    data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
-    0 means all of them, except for read.
+    magnetic field 0x06 or pressure 0x17.
     """
     enable: bool
-    """Whether the quantity is filtered. Factory default: True."""
+    """Whether the quantity is filtered. Default: true."""
     manual: bool
-    """True uses the frequency; false follows half the rate of the message format. Factory
-    default: False.
+    """True uses the frequency; false follows half the rate of the message format. Default: false.
     """
     frequency: int
-    """Cutoff (-3 dB). It has no meaning if manual is false. [Hz] On 3dm-gx5-15: at most 250."""
+    """Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz."""
     reserved: int = 0
+    """Reserved."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AdvancedLowPassFilterSettingsResponse, int]:
@@ -514,8 +715,7 @@ _NMEA_MESSAGE_FORMAT_RESPONSE_0 = codec.Block("B", "count")
 class NmeaMessageFormatResponse(Response):
     """NMEA Message Format response (0x0C,0x8C).
 
-    Answers NMEA Message Format (0x0C,0x0C).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `NmeaMessageFormat`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
     """
@@ -525,6 +725,7 @@ class NmeaMessageFormatResponse(Response):
     NAME = "3dm.nmea_message_format_response"
     ROLE = "response"
 
+    # On the wire: count. Number of sentences. The number of elements of `format_entries`.
     format_entries: tuple[types.NmeaMessage, ...]
     """Sentences to stream."""
 
@@ -533,7 +734,7 @@ class NmeaMessageFormatResponse(Response):
         v = _NMEA_MESSAGE_FORMAT_RESPONSE_0.read(raw, at)
         at += 1
         count = v[0]
-        n = codec.counted(raw, at, count, 5)
+        n = codec.counted(raw, at, count, 5, 50)
         format_entries, at = codec.read_structures(types.NmeaMessage, raw, at, n)
         return cls(format_entries), at
 
@@ -556,8 +757,7 @@ _GET_DATA_BASE_RATE_RESPONSE_0 = codec.Block("BH", "desc_set", "rate")
 class GetDataBaseRateResponse(Response):
     """Get Data Base Rate response (0x0C,0x8E).
 
-    Answers Get Data Base Rate (0x0C,0x0E).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `get_base_rate_response`. Answers `GetDataBaseRate`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
@@ -570,7 +770,7 @@ class GetDataBaseRateResponse(Response):
     desc_set: int
     """Data descriptor set of the command."""
     rate: int
-    """Base rate; 0 if the rate is variable or unknown and data is sent as it comes. [Hz]"""
+    """Base rate; 0 if the rate is variable or unknown and data is sent as it comes. Unit: Hz."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetDataBaseRateResponse, int]:
@@ -592,8 +792,7 @@ _MESSAGE_FORMAT_RESPONSE_0 = codec.Block("BB", "desc_set", "num_descriptors")
 class MessageFormatResponse(Response):
     """Message Format response (0x0C,0x8F).
 
-    Answers Message Format (0x0C,0x0F).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `MessageFormat`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
     """
@@ -605,6 +804,7 @@ class MessageFormatResponse(Response):
 
     desc_set: int
     """Data descriptor set; 0 means all of them (save, load, default)."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[types.DescriptorRate, ...]
     """Fields and decimations."""
 
@@ -614,7 +814,7 @@ class MessageFormatResponse(Response):
         at += 2
         desc_set = v[0]
         num_descriptors = v[1]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 83)
         descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
         return cls(desc_set, descriptors), at
 
@@ -638,7 +838,9 @@ class DeviceStatusBasicResponse(Response):
     """Basic Device Status (0x0C,0x90).
 
     State and timer.
-    Supported by 3DM-GX5-15.
+
+    Answers `DeviceStatus`. Sent if `status_selector` is `DeviceStatusSelector.BASIC`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     """
@@ -648,16 +850,18 @@ class DeviceStatusBasicResponse(Response):
     NAME = "3dm.device_status_basic_response"
     ROLE = "response"
 
+    # On the wire: model_number. Model number of the 3DM-GX5-15. Always 6254.
+    # On the wire: status_selector. Basic status. Always 1.
     status_flags: int
     """Reserved."""
     system_state: int
     """State of the system; its values are not documented."""
     system_timer: int
-    """Time since start-up. [ms]"""
+    """Time since start-up. Unit: ms."""
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x18\x6e" and data[2:3] == b"\x01"
+        return data[0:2] == b"\x18n" and data[2:3] == b"\x01"
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusBasicResponse, int]:
@@ -709,6 +913,8 @@ class DeviceStatusDiagnosticResponse(Response):
     """Diagnostic Device Status (0x0C,0x90).
 
     State and timer with the counters of streams and port.
+
+    Answers `DeviceStatus`. Sent if `status_selector` is `DeviceStatusSelector.DIAGNOSTIC`.
     Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
@@ -719,38 +925,40 @@ class DeviceStatusDiagnosticResponse(Response):
     NAME = "3dm.device_status_diagnostic_response"
     ROLE = "response"
 
+    # On the wire: model_number. Model number of the 3DM-GX5-15. Always 6254.
+    # On the wire: status_selector. Diagnostic status. Always 2.
     status_flags: int
     """Reserved."""
     system_state: int
     """State of the system; its values are not documented."""
     system_timer: int
-    """Time since start-up. [ms]"""
+    """Time since start-up. Unit: ms."""
     imu_stream_enabled: bool
     """Whether sensor data is streamed."""
     filter_stream_enabled: bool
     """Whether filter data is streamed."""
     imu_dropped_packets: int
-    """Sensor data packets that were not sent. [1]"""
+    """Sensor data packets that were not sent. Unit: 1."""
     filter_dropped_packets: int
-    """Filter data packets that were not sent. [1]"""
+    """Filter data packets that were not sent. Unit: 1."""
     com_port_bytes_written: int
-    """Bytes written to the port. [byte]"""
+    """Bytes written to the port. Unit: byte."""
     com_port_bytes_read: int
-    """Bytes read from the port. [byte]"""
+    """Bytes read from the port. Unit: byte."""
     com_port_write_overruns: int
-    """Overruns while writing to the port. [1]"""
+    """Overruns while writing to the port. Unit: 1."""
     com_port_read_overruns: int
-    """Overruns while reading from the port. [1]"""
+    """Overruns while reading from the port. Unit: 1."""
     imu_parser_errors: int
-    """Messages of the IMU that could not be parsed. [1]"""
+    """Messages of the IMU that could not be parsed. Unit: 1."""
     imu_message_count: int
-    """Messages of the IMU that were read. [1]"""
+    """Messages of the IMU that were read. Unit: 1."""
     imu_last_message_time: int
-    """System timer at the last message of the IMU. [ms]"""
+    """System timer at the last message of the IMU. Unit: ms."""
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x18\x6e" and data[2:3] == b"\x02"
+        return data[0:2] == b"\x18n" and data[2:3] == b"\x02"
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatusDiagnosticResponse, int]:
@@ -828,7 +1036,7 @@ _COMPLEMENTARY_FILTER_CONFIGURATION_RESPONSE_0 = codec.Block(
 class ComplementaryFilterConfigurationResponse(Response):
     """Complementary Filter Configuration response (0x0C,0x97).
 
-    Answers Complementary Filter Configuration (0x0C,0x51).
+    Also called `complementary_filter_response`. Answers `ComplementaryFilterConfiguration`.
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
@@ -841,19 +1049,13 @@ class ComplementaryFilterConfigurationResponse(Response):
     ROLE = "response"
 
     pitch_roll_enable: bool
-    """Corrects pitch and roll (up, in terms of the 5-series). On 3dm-gx5-15: factory default
-    true.
-    """
+    """Corrects pitch and roll (up, in terms of the 5-series)."""
     heading_enable: bool
-    """Corrects the heading (north, in terms of the 5-series). On 3dm-gx5-15: factory default
-    true.
-    """
+    """Corrects the heading (north, in terms of the 5-series)."""
     pitch_roll_time_constant: float
-    """Time constant of the correction of pitch and roll. [s] Range: 1 to 1000. Factory default:
-    10.
-    """
+    """Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10."""
     heading_time_constant: float
-    """Time constant of the correction of the heading. [s] Range: 1 to 1000. Factory default: 10."""
+    """Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterConfigurationResponse, int]:
@@ -877,15 +1079,15 @@ class ComplementaryFilterConfigurationResponse(Response):
         return codec.finished(out)
 
 
-_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_0 = codec.Block("fff", "bias", "bias", "bias")
+_ACCELEROMETER_BIAS_CONFIGURATION_RESPONSE_0 = codec.Block("fff", *["bias"] * 3)
 
 
 @dataclass(slots=True)
 class AccelerometerBiasConfigurationResponse(Response):
     """Accelerometer Bias Configuration response (0x0C,0x9A).
 
-    Answers Accelerometer Bias Configuration (0x0C,0x37).
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    Also called `accel_bias_response`. Answers `AccelerometerBiasConfiguration`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -897,7 +1099,7 @@ class AccelerometerBiasConfigurationResponse(Response):
     ROLE = "response"
 
     bias: types.Vector3f
-    """Accelerometer bias. [g] Frame: sensor."""
+    """Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasConfigurationResponse, int]:
@@ -913,15 +1115,18 @@ class AccelerometerBiasConfigurationResponse(Response):
         return codec.finished(out)
 
 
-_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_0 = codec.Block("fff", "bias", "bias", "bias")
+_GYROSCOPE_BIAS_CONFIGURATION_RESPONSE_0 = codec.Block("fff", *["bias"] * 3)
 
 
 @dataclass(slots=True)
 class GyroscopeBiasConfigurationResponse(Response):
     """Gyroscope Bias Configuration response (0x0C,0x9B).
 
-    The bias in use. The capture gyroscope bias command answers with it too.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    The bias in use.
+
+    Also called `gyro_bias_response` and `capture_gyro_bias_response`. Answers
+    `GyroscopeBiasConfiguration` and `CaptureGyroscopeBias`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -933,7 +1138,7 @@ class GyroscopeBiasConfigurationResponse(Response):
     ROLE = "response"
 
     bias: types.Vector3f
-    """Gyroscope bias. [rad/s] Frame: sensor."""
+    """Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasConfigurationResponse, int]:
@@ -947,15 +1152,15 @@ class GyroscopeBiasConfigurationResponse(Response):
         return codec.finished(out)
 
 
-_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_0 = codec.Block("fff", "offset", "offset", "offset")
+_MAGNETOMETER_HARD_IRON_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 
 
 @dataclass(slots=True)
 class MagnetometerHardIronOffsetResponse(Response):
     """Magnetometer Hard Iron Offset response (0x0C,0x9C).
 
-    Answers Magnetometer Hard Iron Offset (0x0C,0x3A).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `mag_hard_iron_offset_response`. Answers `MagnetometerHardIronOffset`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     """
@@ -966,7 +1171,7 @@ class MagnetometerHardIronOffsetResponse(Response):
     ROLE = "response"
 
     offset: types.Vector3f
-    """Hard iron offset. [gauss] Frame: sensor."""
+    """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerHardIronOffsetResponse, int]:
@@ -982,26 +1187,15 @@ class MagnetometerHardIronOffsetResponse(Response):
         return codec.finished(out)
 
 
-_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_0 = codec.Block(
-    "fffffffff",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-)
+_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_0 = codec.Block("fffffffff", *["offset"] * 9)
 
 
 @dataclass(slots=True)
 class MagnetometerSoftIronMatrixResponse(Response):
     """Magnetometer Soft Iron Matrix response (0x0C,0x9D).
 
-    Answers Magnetometer Soft Iron Matrix (0x0C,0x3B).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `mag_soft_iron_matrix_response`. Answers `MagnetometerSoftIronMatrix`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     """
@@ -1012,7 +1206,9 @@ class MagnetometerSoftIronMatrixResponse(Response):
     ROLE = "response"
 
     offset: types.Matrix3f
-    """Soft iron matrix in row-major order. [1] Frame: sensor."""
+    """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1. Frame: sensor.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerSoftIronMatrixResponse, int]:
@@ -1035,8 +1231,8 @@ _CONING_AND_SCULLING_ENABLE_RESPONSE_0 = codec.Block("B", "enable")
 class ConingAndScullingEnableResponse(Response):
     """Coning and Sculling Enable response (0x0C,0x9E).
 
-    Answers Coning and Sculling Enable (0x0C,0x3E).
-    Supported by 3DM-GX5-15.
+    Also called `coning_sculling_enable_response`. Answers `ConingAndScullingEnable`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -1047,7 +1243,7 @@ class ConingAndScullingEnableResponse(Response):
     ROLE = "response"
 
     enable: bool
-    """Whether the compensation is on. Factory default: True."""
+    """Whether the compensation is on. Default: true."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ConingAndScullingEnableResponse, int]:
@@ -1061,6 +1257,60 @@ class ConingAndScullingEnableResponse(Response):
         return codec.finished(out)
 
 
+_CONSTELLATION_SETTINGS_RESPONSE_0 = codec.Block(
+    "HHB", "max_channels_available", "max_channels_use", "config_count"
+)
+
+
+@dataclass(slots=True)
+class ConstellationSettingsResponse(Response):
+    """Constellation Settings response (0x0C,0xA0).
+
+    Tracking channels of the receiver and the setting of each constellation.
+
+    Answers `ConstellationSettings`.
+
+    - mip-sdk-4: Constellation Settings (0x0C,0x21)
+    - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xA0
+    NAME = "3dm.constellation_settings_response"
+    ROLE = "response"
+
+    max_channels_available: int
+    """Channels that the receiver has. Unit: 1."""
+    max_channels_use: int
+    """Channels in use at most. Unit: 1."""
+    # On the wire: config_count. Number of entries. The number of elements of `settings`. Range: 0
+    # to 41.
+    settings: tuple[ConstellationSettingsEntry, ...]
+    """One entry for each constellation."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettingsResponse, int]:
+        v = _CONSTELLATION_SETTINGS_RESPONSE_0.read(raw, at)
+        at += 5
+        max_channels_available = v[0]
+        max_channels_use = v[1]
+        config_count = v[2]
+        n = codec.counted(raw, at, config_count, 6, 41)
+        settings, at = codec.read_structures(ConstellationSettingsEntry, raw, at, n)
+        return cls(max_channels_available, max_channels_use, settings), at
+
+    def _write(self) -> bytes:
+        out = _CONSTELLATION_SETTINGS_RESPONSE_0.write(
+            self.max_channels_available,
+            self.max_channels_use,
+            codec.count("settings", self.settings, 41),
+        )
+        out += codec.write_structures(
+            "settings", codec.at_most("settings", self.settings, 41), ConstellationSettingsEntry
+        )
+        return codec.finished(out)
+
+
 _GNSS_SBAS_SETTINGS_RESPONSE_0 = codec.Block(
     "BHB", "enable_sbas", "sbas_options", "num_included_prns"
 )
@@ -1070,8 +1320,7 @@ _GNSS_SBAS_SETTINGS_RESPONSE_0 = codec.Block(
 class GnssSbasSettingsResponse(Response):
     """GNSS SBAS Settings response (0x0C,0xA1).
 
-    Answers GNSS SBAS Settings (0x0C,0x22).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GnssSbasSettings`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -1085,6 +1334,8 @@ class GnssSbasSettingsResponse(Response):
     """1 switches SBAS on, 0 off. Range: 0 to 1."""
     sbas_options: SbasOptions
     """What SBAS is used for."""
+    # On the wire: num_included_prns. Number of satellites listed; 0 searches for all. The number of
+    # elements of `included_prns`.
     included_prns: tuple[int, ...]
     """PRN numbers of the SBAS satellites to search for."""
 
@@ -1095,7 +1346,7 @@ class GnssSbasSettingsResponse(Response):
         enable_sbas = v[0]
         sbas_options = SbasOptions(v[1])
         num_included_prns = v[2]
-        n = codec.counted(raw, at, num_included_prns, 2)
+        n = codec.counted(raw, at, num_included_prns, 2, 124)
         included_prns = codec.read_numbers("H", raw, at, n)
         at += n * 2
         return cls(enable_sbas, sbas_options, included_prns), at
@@ -1112,6 +1363,79 @@ class GnssSbasSettingsResponse(Response):
         return codec.finished(out)
 
 
+_GNSS_ASSISTED_FIX_RESPONSE_0 = codec.Block("BB", "option", "flags")
+
+
+@dataclass(slots=True)
+class GnssAssistedFixResponse(Response):
+    """GNSS Assisted Fix response (0x0C,0xA2).
+
+    Answers `GnssAssistedFix`.
+
+    - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xA2
+    NAME = "3dm.gnss_assisted_fix_response"
+    ROLE = "response"
+
+    option: AssistedFixOption
+    """Assisted fix. Default: `AssistedFixOption.NONE`."""
+    flags: int = 255
+    """Reserved."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFixResponse, int]:
+        v = _GNSS_ASSISTED_FIX_RESPONSE_0.read(raw, at)
+        at += 2
+        option = AssistedFixOption(v[0])
+        flags = v[1]
+        return cls(option, flags), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_ASSISTED_FIX_RESPONSE_0.write(self.option, self.flags)
+        return codec.finished(out)
+
+
+_GNSS_TIME_ASSISTANCE_RESPONSE_0 = codec.Block("dHf", "tow", "week_number", "accuracy")
+
+
+@dataclass(slots=True)
+class GnssTimeAssistanceResponse(Response):
+    """GNSS Time Assistance response (0x0C,0xA3).
+
+    Answers `GnssTimeAssistance`.
+
+    - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0xA3
+    NAME = "3dm.gnss_time_assistance_response"
+    ROLE = "response"
+
+    tow: float
+    """GPS time of week. Unit: s."""
+    week_number: int
+    """GPS week number since 1980. Unit: week."""
+    accuracy: float
+    """Accuracy of the time. Unit: s."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistanceResponse, int]:
+        v = _GNSS_TIME_ASSISTANCE_RESPONSE_0.read(raw, at)
+        at += 14
+        tow = v[0]
+        week_number = v[1]
+        accuracy = v[2]
+        return cls(tow, week_number, accuracy), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_TIME_ASSISTANCE_RESPONSE_0.write(self.tow, self.week_number, self.accuracy)
+        return codec.finished(out)
+
+
 _PPS_SOURCE_CONTROL_RESPONSE_0 = codec.Block("B", "source")
 
 
@@ -1119,8 +1443,7 @@ _PPS_SOURCE_CONTROL_RESPONSE_0 = codec.Block("B", "source")
 class PpsSourceControlResponse(Response):
     """PPS Source Control response (0x0C,0xA8).
 
-    Answers PPS Source Control (0x0C,0x28).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `pps_source_response`. Answers `PpsSourceControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
@@ -1131,7 +1454,7 @@ class PpsSourceControlResponse(Response):
     ROLE = "response"
 
     source: PpsSource
-    """Source of the pulse. Factory default: receiver_1."""
+    """Source of the pulse. Default: `PpsSource.RECEIVER_1`."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControlResponse, int]:
@@ -1154,8 +1477,8 @@ _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_EULER_RESPONSE_0 = codec.Block(
 class SensorToVehicleFrameTransformationEulerResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
 
-    Answers Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `sensor_2_vehicle_transform_euler_response`. Answers
+    `SensorToVehicleFrameTransformationEuler`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -1166,11 +1489,11 @@ class SensorToVehicleFrameTransformationEulerResponse(Response):
     ROLE = "response"
 
     roll: float
-    """Rotation about the x axis. [rad]"""
+    """Rotation about the x axis. Unit: rad."""
     pitch: float
-    """Rotation about the y axis. [rad]"""
+    """Rotation about the y axis. Unit: rad."""
     yaw: float
-    """Rotation about the z axis. [rad]"""
+    """Rotation about the z axis. Unit: rad."""
 
     @classmethod
     def _read(
@@ -1190,17 +1513,15 @@ class SensorToVehicleFrameTransformationEulerResponse(Response):
         return codec.finished(out)
 
 
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_0 = codec.Block(
-    "ffff", "q", "q", "q", "q"
-)
+_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["q"] * 4)
 
 
 @dataclass(slots=True)
 class SensorToVehicleFrameTransformationQuaternionResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
 
-    Answers Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
+    `SensorToVehicleFrameTransformationQuaternion`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -1211,7 +1532,9 @@ class SensorToVehicleFrameTransformationQuaternionResponse(Response):
     ROLE = "response"
 
     q: types.Quatf
-    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. [1]"""
+    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
+    w, x, y, z. Unit: 1.
+    """
 
     @classmethod
     def _read(
@@ -1230,7 +1553,7 @@ class SensorToVehicleFrameTransformationQuaternionResponse(Response):
 
 
 _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_0 = codec.Block(
-    "fffffffff", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm"
+    "fffffffff", *["dcm"] * 9
 )
 
 
@@ -1238,8 +1561,8 @@ _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_RESPONSE_0 = cod
 class SensorToVehicleFrameTransformationDirectionCosineMatrixResponse(Response):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
 
-    Answers Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `sensor_2_vehicle_transform_dcm_response`. Answers
+    `SensorToVehicleFrameTransformationDirectionCosineMatrix`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -1250,7 +1573,9 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrixResponse(Response):
     ROLE = "response"
 
     dcm: types.Matrix3f
-    """The matrix in row-major order. [1]"""
+    """The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+    1.
+    """
 
     @classmethod
     def _read(
@@ -1275,8 +1600,8 @@ _GET_SUPPORTED_EVENTS_RESPONSE_0 = codec.Block("BBB", "query", "max_instances", 
 class GetSupportedEventsResponse(Response):
     """Get Supported Events response (0x0C,0xB4).
 
-    Answers Get Supported Events (0x0C,0x2A).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `get_event_support_response`. Answers `GetSupportedEvents`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -1289,7 +1614,8 @@ class GetSupportedEventsResponse(Response):
     query: SupportedEventsQuery
     """Query of the command."""
     max_instances: int
-    """Number of slots; instances go from 1 to this. [1]"""
+    """Number of slots; instances go from 1 to this. Unit: 1."""
+    # On the wire: num_entries. Number of types. The number of elements of `entries`.
     entries: tuple[SupportedEventInfo, ...]
     """The types."""
 
@@ -1300,7 +1626,7 @@ class GetSupportedEventsResponse(Response):
         query = SupportedEventsQuery(v[0])
         max_instances = v[1]
         num_entries = v[2]
-        n = codec.counted(raw, at, num_entries, 2)
+        n = codec.counted(raw, at, num_entries, 2, 125)
         entries, at = codec.read_structures(SupportedEventInfo, raw, at, n)
         return cls(query, max_instances, entries), at
 
@@ -1321,8 +1647,7 @@ _EVENT_CONTROL_RESPONSE_0 = codec.Block("BB", "instance", "mode")
 class EventControlResponse(Response):
     """Event Control response (0x0C,0xB5).
 
-    Answers Event Control (0x0C,0x2B).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `EventControl`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
     """
@@ -1335,7 +1660,7 @@ class EventControlResponse(Response):
     instance: int
     """Trigger instance; 0 means all configured triggers, except for read."""
     mode: types.EventTriggerMode
-    """New mode. Factory default: disabled."""
+    """New mode. Default: `types.EventTriggerMode.DISABLED`."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventControlResponse, int]:
@@ -1357,8 +1682,7 @@ _GET_EVENT_TRIGGER_STATUS_RESPONSE_0 = codec.Block("B", "count")
 class GetEventTriggerStatusResponse(Response):
     """Get Event Trigger Status response (0x0C,0xB6).
 
-    Answers Get Event Trigger Status (0x0C,0x2C).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetEventTriggerStatus`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
@@ -1368,6 +1692,7 @@ class GetEventTriggerStatusResponse(Response):
     NAME = "3dm.get_event_trigger_status_response"
     ROLE = "response"
 
+    # On the wire: count. Number of entries. The number of elements of `triggers`.
     triggers: tuple[EventTriggerStatusEntry, ...]
     """One entry per trigger, in the order asked for, or by instance if all were asked for."""
 
@@ -1376,7 +1701,7 @@ class GetEventTriggerStatusResponse(Response):
         v = _GET_EVENT_TRIGGER_STATUS_RESPONSE_0.read(raw, at)
         at += 1
         count = v[0]
-        n = codec.counted(raw, at, count, 2)
+        n = codec.counted(raw, at, count, 2, 126)
         triggers, at = codec.read_structures(EventTriggerStatusEntry, raw, at, n)
         return cls(triggers), at
 
@@ -1397,8 +1722,7 @@ _GET_EVENT_ACTION_STATUS_RESPONSE_0 = codec.Block("B", "count")
 class GetEventActionStatusResponse(Response):
     """Get Event Action Status response (0x0C,0xB7).
 
-    Answers Get Event Action Status (0x0C,0x2D).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GetEventActionStatus`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
@@ -1408,6 +1732,7 @@ class GetEventActionStatusResponse(Response):
     NAME = "3dm.get_event_action_status_response"
     ROLE = "response"
 
+    # On the wire: count. Number of entries. The number of elements of `actions`.
     actions: tuple[EventActionStatusEntry, ...]
     """One entry per action, in the order asked for, or by instance if all were asked for."""
 
@@ -1416,7 +1741,7 @@ class GetEventActionStatusResponse(Response):
         v = _GET_EVENT_ACTION_STATUS_RESPONSE_0.read(raw, at)
         at += 1
         count = v[0]
-        n = codec.counted(raw, at, count, 2)
+        n = codec.counted(raw, at, count, 2, 126)
         actions, at = codec.read_structures(EventActionStatusEntry, raw, at, n)
         return cls(actions), at
 
@@ -1435,8 +1760,8 @@ _EVENT_TRIGGER_CONFIGURATION_RESPONSE_0 = codec.Block("BB", "instance", "type")
 class EventTriggerConfigurationResponse(Response):
     """Event Trigger Configuration response (0x0C,0xB8).
 
-    Answers Event Trigger Configuration (0x0C,0x2E).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `event_trigger_response`. Answers `EventTriggerConfiguration`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
@@ -1449,11 +1774,17 @@ class EventTriggerConfigurationResponse(Response):
     instance: int
     """Trigger instance; 0 means all (save, load, default)."""
     type: types.EventTriggerType
-    """Kind of trigger. Factory default: none."""
+    """Kind of trigger. Default: `types.EventTriggerType.NONE`."""
     parameters: (
         types.EventTriggerGpio | types.EventTriggerThreshold | types.EventTriggerCombination | None
     ) = None
-    """The condition."""
+    """The condition. Selected by `type`.
+
+    - If `type` is `types.EventTriggerType.NONE`: `None`.
+    - If `type` is `types.EventTriggerType.GPIO`: `types.EventTriggerGpio`.
+    - If `type` is `types.EventTriggerType.THRESHOLD`: `types.EventTriggerThreshold`.
+    - If `type` is `types.EventTriggerType.COMBINATION`: `types.EventTriggerCombination`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfigurationResponse, int]:
@@ -1501,8 +1832,8 @@ _EVENT_ACTION_CONFIGURATION_RESPONSE_0 = codec.Block("BBB", "instance", "trigger
 class EventActionConfigurationResponse(Response):
     """Event Action Configuration response (0x0C,0xB9).
 
-    Answers Event Action Configuration (0x0C,0x2F).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `event_action_response`. Answers `EventActionConfiguration`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     """
@@ -1517,9 +1848,14 @@ class EventActionConfigurationResponse(Response):
     trigger: int
     """Trigger instance that the action follows."""
     type: types.EventActionType
-    """Kind of action. Factory default: none."""
+    """Kind of action. Default: `types.EventActionType.NONE`."""
     parameters: types.EventActionGpio | types.EventActionMessage | None = None
-    """The effect."""
+    """The effect. Selected by `type`.
+
+    - If `type` is `types.EventActionType.NONE`: `None`.
+    - If `type` is `types.EventActionType.GPIO`: `types.EventActionGpio`.
+    - If `type` is `types.EventActionType.MESSAGE`: `types.EventActionMessage`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfigurationResponse, int]:
@@ -1557,8 +1893,7 @@ _GPIO_CONFIGURATION_RESPONSE_0 = codec.Block("BBBB", "pin", "feature", "behavior
 class GpioConfigurationResponse(Response):
     """GPIO Configuration response (0x0C,0xC1).
 
-    Answers GPIO Configuration (0x0C,0x41).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `gpio_config_response`. Answers `GpioConfiguration`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
@@ -1578,15 +1913,23 @@ class GpioConfigurationResponse(Response):
                 4: types.GpioTimestampBehavior,
                 5: types.GpioUartBehavior,
             },
-        ),
+        )
     }
 
     pin: int
     """GPIO pin, counted from 1; 0 means all pins (save, load, default)."""
     feature: types.GpioFeature
-    """Use of the pin. Factory default: unused."""
+    """Use of the pin. Default: `types.GpioFeature.UNUSED`."""
     behavior: int
-    """Role of the pin within the feature; 0 where the feature names none."""
+    """Role of the pin within the feature; 0 where the feature names none.
+
+    - If `feature` is `types.GpioFeature.UNUSED`: values of `types.GpioUnusedBehavior`.
+    - If `feature` is `types.GpioFeature.GPIO`: values of `types.GpioBehavior`.
+    - If `feature` is `types.GpioFeature.PPS`: values of `types.GpioPpsBehavior`.
+    - If `feature` is `types.GpioFeature.ENCODER`: values of `types.GpioEncoderBehavior`.
+    - If `feature` is `types.GpioFeature.TIMESTAMP`: values of `types.GpioTimestampBehavior`.
+    - If `feature` is `types.GpioFeature.UART`: values of `types.GpioUartBehavior`.
+    """
     pin_mode: types.GpioPinMode
     """Electrical options."""
 
@@ -1614,8 +1957,7 @@ _GPIO_STATE_RESPONSE_0 = codec.Block("BB", "pin", "state")
 class GpioStateResponse(Response):
     """GPIO State response (0x0C,0xC2).
 
-    Answers GPIO State (0x0C,0x42).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `GpioState`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
     """
@@ -1626,7 +1968,7 @@ class GpioStateResponse(Response):
     ROLE = "response"
 
     pin: int
-    """GPIO pin, counted from 1. Range: 1 to …."""
+    """GPIO pin, counted from 1. Range: at least 1."""
     state: bool
     """True is high."""
 
@@ -1650,8 +1992,7 @@ _ODOMETER_CONFIGURATION_RESPONSE_0 = codec.Block("Bff", "mode", "scaling", "unce
 class OdometerConfigurationResponse(Response):
     """Odometer Configuration response (0x0C,0xC3).
 
-    Answers Odometer Configuration (0x0C,0x43).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `odometer_response`. Answers `OdometerConfiguration`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -1664,11 +2005,11 @@ class OdometerConfigurationResponse(Response):
     mode: OdometerMode
     """How the input works."""
     scaling: float
-    """Pulses over the distance travelled; negative if the encoder turns backwards. [pulse/m]
+    """Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
     Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
     """
     uncertainty: float
-    """Relative uncertainty of the scaling, 1 sigma. [1]"""
+    """Relative uncertainty of the scaling, 1 sigma. Unit: 1."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfigurationResponse, int]:
@@ -1691,8 +2032,7 @@ _SENSOR_RANGE_RESPONSE_0 = codec.Block("BB", "sensor", "setting")
 class SensorRangeResponse(Response):
     """Sensor Range response (0x0C,0xD2).
 
-    Answers Sensor Range (0x0C,0x52).
-    Supported by 3DM-CV7-GNSS/INS.
+    Answers `SensorRange`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
@@ -1727,8 +2067,8 @@ _GET_CALIBRATED_SENSOR_RANGES_RESPONSE_0 = codec.Block("BB", "sensor", "num_rang
 class GetCalibratedSensorRangesResponse(Response):
     """Get Calibrated Sensor Ranges response (0x0C,0xD3).
 
-    Answers Get Calibrated Sensor Ranges (0x0C,0x53).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `calibrated_sensor_ranges_response`. Answers `GetCalibratedSensorRanges`. Supported
+    by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
     """
@@ -1740,6 +2080,7 @@ class GetCalibratedSensorRangesResponse(Response):
 
     sensor: SensorRangeType
     """Sensor of the command."""
+    # On the wire: num_ranges. Number of ranges. The number of elements of `ranges`.
     ranges: tuple[SensorRangeEntry, ...]
     """The ranges."""
 
@@ -1749,7 +2090,7 @@ class GetCalibratedSensorRangesResponse(Response):
         at += 2
         sensor = SensorRangeType(v[0])
         num_ranges = v[1]
-        n = codec.counted(raw, at, num_ranges, 5)
+        n = codec.counted(raw, at, num_ranges, 5, 50)
         ranges, at = codec.read_structures(SensorRangeEntry, raw, at, n)
         return cls(sensor, ranges), at
 
@@ -1772,8 +2113,8 @@ _LOW_PASS_ANTI_ALIASING_FILTER_RESPONSE_0 = codec.Block(
 class LowPassAntiAliasingFilterResponse(Response):
     """Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
 
-    Answers Low-Pass Anti-Aliasing Filter (0x0C,0x54).
-    Supported by 3DM-CV7-GNSS/INS.
+    Also called `lowpass_filter_response`. Answers `LowPassAntiAliasingFilter`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
@@ -1792,7 +2133,7 @@ class LowPassAntiAliasingFilterResponse(Response):
     manual: bool
     """True uses the frequency; false follows half the rate of the field in the message format."""
     frequency: float
-    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. [Hz]"""
+    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[LowPassAntiAliasingFilterResponse, int]:
@@ -1820,10 +2161,12 @@ class PollImuData(Command):
     """Poll IMU Data (0x0C,0x01).
 
     Asks for one sensor data packet (0x80) with the fields listed, in their order.
-    An empty list polls the stored message format; without one the device refuses.
-    Descriptors that the device does not know are ignored.
-    The data comes in a packet of its own behind the reply.
-    Supported by 3DM-GX5-15.
+
+    Also called `poll_imu_message`. Not acknowledged if `suppress_ack` is true. Supported by
+    3DM-GX5-15.
+
+    An empty list polls the stored message format; without one the device refuses. Descriptors that
+    the device does not know are ignored. The data comes in a packet of its own behind the reply.
 
     - 3dm-gx5-15: 4.2.1 Poll IMU Data (0x0C, 0x01)
     """
@@ -1835,12 +2178,13 @@ class PollImuData(Command):
 
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
     """Fields to send."""
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollImuData, int]:
@@ -1848,12 +2192,68 @@ class PollImuData(Command):
         at += 2
         suppress_ack = codec.truth(v[0])
         num_descriptors = v[1]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 83)
         descriptors, at = codec.read_structures(PollEntry, raw, at, n)
         return cls(suppress_ack, descriptors), at
 
     def _write(self) -> bytes:
         out = _POLL_IMU_DATA_0.write(
+            self.suppress_ack, codec.count("descriptors", self.descriptors, 83)
+        )
+        out += codec.write_structures(
+            "descriptors", codec.at_most("descriptors", self.descriptors, 83), PollEntry
+        )
+        return codec.finished(out)
+
+
+_POLL_GNSS_DATA_0 = codec.Block("BB", "suppress_ack", "num_descriptors")
+
+
+@dataclass(slots=True)
+class PollGnssData(Command):
+    """Poll GNSS Data (0x0C,0x02).
+
+    Asks for one GNSS data packet with the fields listed, in their order.
+
+    Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true.
+
+    An empty list polls the stored GNSS message format `GnssMessageFormat` (0x0C,0x09); without one
+    the device refuses. Descriptors that the device does not know are left out. The data comes in a
+    packet of its own behind the reply.
+
+    - mip-sdk-4: Poll Gnss Message (0x0C,0x02)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x02
+    NAME = "3dm.poll_gnss_data"
+    ROLE = "command"
+
+    suppress_ack: bool
+    """Send no acknowledge."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Range: 0 to 83.
+    descriptors: tuple[PollEntry, ...]
+    """Fields to send. Uncertain: The SDK has a decimation in place of the reserved number and does
+    not say what a poll does with it.
+    """
+
+    @property
+    def answered(self) -> bool:
+        return self.suppress_ack != 1
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[PollGnssData, int]:
+        v = _POLL_GNSS_DATA_0.read(raw, at)
+        at += 2
+        suppress_ack = codec.truth(v[0])
+        num_descriptors = v[1]
+        n = codec.counted(raw, at, num_descriptors, 3, 83)
+        descriptors, at = codec.read_structures(PollEntry, raw, at, n)
+        return cls(suppress_ack, descriptors), at
+
+    def _write(self) -> bytes:
+        out = _POLL_GNSS_DATA_0.write(
             self.suppress_ack, codec.count("descriptors", self.descriptors, 83)
         )
         out += codec.write_structures(
@@ -1870,10 +2270,12 @@ class PollEstimationFilterData(Command):
     """Poll Estimation Filter Data (0x0C,0x03).
 
     Asks for one filter data packet (0x82) with the fields listed, in their order.
-    An empty list polls the stored message format; without one the device refuses.
-    Descriptors that the device does not know are ignored.
-    The data comes in a packet of its own behind the reply.
-    Supported by 3DM-GX5-15.
+
+    Also called `poll_filter_message`. Not acknowledged if `suppress_ack` is true. Supported by
+    3DM-GX5-15.
+
+    An empty list polls the stored message format; without one the device refuses. Descriptors that
+    the device does not know are ignored. The data comes in a packet of its own behind the reply.
 
     - 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03)
     """
@@ -1885,12 +2287,13 @@ class PollEstimationFilterData(Command):
 
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[PollEntry, ...]
     """Fields to send."""
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollEstimationFilterData, int]:
@@ -1898,7 +2301,7 @@ class PollEstimationFilterData(Command):
         at += 2
         suppress_ack = codec.truth(v[0])
         num_descriptors = v[1]
-        n = codec.counted(raw, at, num_descriptors, 3)
+        n = codec.counted(raw, at, num_descriptors, 3, 83)
         descriptors, at = codec.read_structures(PollEntry, raw, at, n)
         return cls(suppress_ack, descriptors), at
 
@@ -1920,11 +2323,13 @@ class PollNmeaData(Command):
     """Poll NMEA Data (0x0C,0x04).
 
     Asks for the NMEA sentences listed, once.
-    An empty list polls the stored NMEA format; without one the device refuses.
-    The sentences follow the reply as ordinary NMEA text, on the port of the command even if NMEA is
-    off there.
-    A sentence is sent only if its data is valid.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `nmea_poll_data`. Not acknowledged if `suppress_ack` is true. Supported by
+    3DM-CV7-GNSS/INS.
+
+    An empty list polls the stored NMEA format; without one the device refuses. The sentences follow
+    the reply as ordinary NMEA text, on the port of the command even if NMEA is off there. A
+    sentence is sent only if its data is valid.
 
     - 3dm-cv7-gnss-ins: Poll NMEA Data (0x0C,0x04)
     """
@@ -1936,12 +2341,13 @@ class PollNmeaData(Command):
 
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: count. Number of sentences. The number of elements of `format_entries`.
     format_entries: tuple[types.NmeaMessage, ...]
     """Sentences to send."""
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollNmeaData, int]:
@@ -1949,7 +2355,7 @@ class PollNmeaData(Command):
         at += 2
         suppress_ack = codec.truth(v[0])
         count = v[1]
-        n = codec.counted(raw, at, count, 5)
+        n = codec.counted(raw, at, count, 5, 50)
         format_entries, at = codec.read_structures(types.NmeaMessage, raw, at, n)
         return cls(suppress_ack, format_entries), at
 
@@ -1970,7 +2376,9 @@ class GetImuDataBaseRate(Command):
     """Get IMU Data Base Rate (0x0C,0x06).
 
     Asks for the rate that the decimations of the IMU message format divide.
-    Supported by 3DM-GX5-15.
+
+    Also called `imu_get_base_rate`. Answered by `GetImuDataBaseRateResponse`. Supported by
+    3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06)
     """
@@ -1989,6 +2397,31 @@ class GetImuDataBaseRate(Command):
         return b""
 
 
+@dataclass(slots=True)
+class GetGnssDataBaseRate(Command):
+    """Get GNSS Data Base Rate (0x0C,0x07).
+
+    Asks for the rate that the decimations of the GNSS message format divide.
+
+    Also called `gnss_get_base_rate`. Answered by `GetGnssDataBaseRateResponse`.
+
+    - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x07
+    NAME = "3dm.get_gnss_data_base_rate"
+    ROLE = "command"
+    RESPONSES = (GetGnssDataBaseRateResponse,)
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GetGnssDataBaseRate, int]:
+        return cls(), at
+
+    def _write(self) -> bytes:
+        return b""
+
+
 _IMU_MESSAGE_FORMAT_0 = codec.Block("B", "function")
 _IMU_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
 _IMU_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
@@ -1999,11 +2432,13 @@ class ImuMessageFormat(Command):
     """IMU Message Format (0x0C,0x08).
 
     Fields of the sensor data packets (0x80), in order, with their decimations.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ImuMessageFormatResponse`. Supported by 3DM-GX5-15.
+
     The decimation is the base rate, as the get IMU data base rate command reports it, divided by
-    the wanted rate.
-    The list replaces the one before. If any descriptor is unknown the device refuses and changes
-    nothing.
-    Supported by 3DM-GX5-15.
+    the wanted rate. The list replaces the one before. If any descriptor is unknown the device
+    refuses and changes nothing.
 
     - 3dm-gx5-15: 4.2.5 IMU Message Format (0x0C, 0x08)
     """
@@ -2017,8 +2452,10 @@ class ImuMessageFormat(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None = None
-    """Fields and decimations."""
+    """Fields and decimations. Required for `write`."""
 
     @classmethod
     def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> ImuMessageFormat:
@@ -2045,6 +2482,12 @@ class ImuMessageFormat(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ImuMessageFormatResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ImuMessageFormat, int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
@@ -2059,7 +2502,7 @@ class ImuMessageFormat(Command):
             v = _IMU_MESSAGE_FORMAT_1.read(raw, at)
             at += 1
             num_descriptors = v[0]
-            n = codec.counted(raw, at, num_descriptors, 3)
+            n = codec.counted(raw, at, num_descriptors, 3, 83)
             descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
             done, end = 2, at
         except Truncated:
@@ -2082,6 +2525,109 @@ class ImuMessageFormat(Command):
         return codec.finished(out)
 
 
+_GNSS_MESSAGE_FORMAT_0 = codec.Block("B", "function")
+_GNSS_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
+_GNSS_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
+
+
+@dataclass(slots=True)
+class GnssMessageFormat(Command):
+    """GNSS Message Format (0x0C,0x09).
+
+    Fields of the GNSS data packets, in order, with their decimations.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GnssMessageFormatResponse`.
+
+    The decimation is the base rate, as the get GNSS data base rate command reports it, divided by
+    the wanted rate.
+
+    - mip-sdk-4: Gnss Message Format (0x0C,0x09)
+    - 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x09
+    NAME = "3dm.gnss_message_format"
+    ROLE = "command"
+    RESPONSES = (GnssMessageFormatResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Range: 0 to 82. Required for `write`.
+    descriptors: tuple[types.DescriptorRate, ...] | None = None
+    """Fields and decimations. Required for `write`."""
+
+    @classmethod
+    def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> GnssMessageFormat:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, descriptors=descriptors)
+
+    @classmethod
+    def read(cls) -> GnssMessageFormat:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> GnssMessageFormat:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> GnssMessageFormat:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> GnssMessageFormat:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssMessageFormatResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssMessageFormat, int]:
+        descriptors: tuple[types.DescriptorRate, ...] | None = None
+        v = _GNSS_MESSAGE_FORMAT_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _GNSS_MESSAGE_FORMAT_1.read(raw, at)
+            at += 1
+            num_descriptors = v[0]
+            n = codec.counted(raw, at, num_descriptors, 3, 83)
+            descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, descriptors), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_MESSAGE_FORMAT_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _GNSS_MESSAGE_FORMAT_GROUPS)
+        if there >= 2:
+            out += _GNSS_MESSAGE_FORMAT_1.write(codec.count("descriptors", self.descriptors, 83))
+            out += codec.write_structures(
+                "descriptors",
+                codec.at_most("descriptors", self.descriptors, 83),
+                types.DescriptorRate,
+            )
+        return codec.finished(out)
+
+
 _ESTIMATION_FILTER_MESSAGE_FORMAT_0 = codec.Block("B", "function")
 _ESTIMATION_FILTER_MESSAGE_FORMAT_1 = codec.Block("B", "num_descriptors")
 _ESTIMATION_FILTER_MESSAGE_FORMAT_GROUPS = ((2, ("descriptors",), False),)
@@ -2092,11 +2638,13 @@ class EstimationFilterMessageFormat(Command):
     """Estimation Filter Message Format (0x0C,0x0A).
 
     Fields of the filter data packets (0x82), in order, with their decimations.
+
+    Also called `filter_message_format`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `EstimationFilterMessageFormatResponse`. Supported by 3DM-GX5-15.
+
     The decimation is the base rate, as the get estimation filter data base rate command reports it,
-    divided by the wanted rate.
-    The list replaces the one before. If any descriptor is unknown the device refuses and changes
-    nothing.
-    Supported by 3DM-GX5-15.
+    divided by the wanted rate. The list replaces the one before. If any descriptor is unknown the
+    device refuses and changes nothing.
 
     - 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A)
     """
@@ -2110,8 +2658,10 @@ class EstimationFilterMessageFormat(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None = None
-    """Fields and decimations."""
+    """Fields and decimations. Required for `write`."""
 
     @classmethod
     def write(cls, descriptors: tuple[types.DescriptorRate, ...]) -> EstimationFilterMessageFormat:
@@ -2138,6 +2688,12 @@ class EstimationFilterMessageFormat(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return EstimationFilterMessageFormatResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EstimationFilterMessageFormat, int]:
         descriptors: tuple[types.DescriptorRate, ...] | None = None
@@ -2152,7 +2708,7 @@ class EstimationFilterMessageFormat(Command):
             v = _ESTIMATION_FILTER_MESSAGE_FORMAT_1.read(raw, at)
             at += 1
             num_descriptors = v[0]
-            n = codec.counted(raw, at, num_descriptors, 3)
+            n = codec.counted(raw, at, num_descriptors, 3, 83)
             descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
             done, end = 2, at
         except Truncated:
@@ -2182,6 +2738,8 @@ class GetEstimationFilterDataBaseRate(Command):
     """Get Estimation Filter Data Base Rate (0x0C,0x0B).
 
     Asks for the rate that the decimations of the estimation filter message format divide.
+
+    Also called `filter_get_base_rate`. Answered by `GetEstimationFilterDataBaseRateResponse`.
     Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B)
@@ -2211,9 +2769,12 @@ class NmeaMessageFormat(Command):
     """NMEA Message Format (0x0C,0x0C).
 
     NMEA sentences that the device streams.
-    A sentence may be listed several times with different talkers or sources.
-    A sentence is sent only while the device is not idle and the data of the source is valid.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `NmeaMessageFormatResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    A sentence may be listed several times with different talkers or sources. A sentence is sent
+    only while the device is not idle and the data of the source is valid.
 
     - 3dm-cv7-gnss-ins: NMEA Message Format (0x0C,0x0C)
     """
@@ -2227,8 +2788,10 @@ class NmeaMessageFormat(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
+    # On the wire: count. Number of sentences. The number of elements of `format_entries`. Required
+    # for `write`.
     format_entries: tuple[types.NmeaMessage, ...] | None = None
-    """Sentences to stream."""
+    """Sentences to stream. Required for `write`."""
 
     @classmethod
     def write(cls, format_entries: tuple[types.NmeaMessage, ...]) -> NmeaMessageFormat:
@@ -2255,6 +2818,12 @@ class NmeaMessageFormat(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return NmeaMessageFormatResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[NmeaMessageFormat, int]:
         format_entries: tuple[types.NmeaMessage, ...] | None = None
@@ -2269,7 +2838,7 @@ class NmeaMessageFormat(Command):
             v = _NMEA_MESSAGE_FORMAT_1.read(raw, at)
             at += 1
             count = v[0]
-            n = codec.counted(raw, at, count, 5)
+            n = codec.counted(raw, at, count, 5, 50)
             format_entries, at = codec.read_structures(types.NmeaMessage, raw, at, n)
             done, end = 2, at
         except Truncated:
@@ -2302,11 +2871,12 @@ class PollData(Command):
     """Poll Data (0x0C,0x0D).
 
     Asks for one data packet of the descriptor set with the fields listed, in their order.
-    An empty list polls the stored message format; without one the device refuses.
-    Descriptors that the device does not know are ignored.
-    The data comes in a packet of its own behind the reply, on the port of the command.
-    Shared descriptors (0xD0 and up) belong in front of the others.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Not acknowledged if `suppress_ack` is true. Supported by 3DM-CV7-GNSS/INS.
+
+    An empty list polls the stored message format; without one the device refuses. Descriptors that
+    the device does not know are ignored. The data comes in a packet of its own behind the reply, on
+    the port of the command. Shared descriptors (0xD0 and up) belong in front of the others.
 
     - 3dm-cv7-gnss-ins: Poll Data (0x0C,0x0D)
     """
@@ -2320,12 +2890,13 @@ class PollData(Command):
     """Data descriptor set. Range: 128 to 254."""
     suppress_ack: bool
     """Send no acknowledge."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
     descriptors: tuple[int, ...]
     """Field descriptors."""
 
     @property
     def answered(self) -> bool:
-        return not (self.suppress_ack == 1)
+        return self.suppress_ack != 1
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PollData, int]:
@@ -2334,7 +2905,7 @@ class PollData(Command):
         desc_set = v[0]
         suppress_ack = codec.truth(v[1])
         num_descriptors = v[2]
-        n = codec.counted(raw, at, num_descriptors, 1)
+        n = codec.counted(raw, at, num_descriptors, 1, 250)
         descriptors = codec.read_numbers("B", raw, at, n)
         at += n
         return cls(desc_set, suppress_ack, descriptors), at
@@ -2357,7 +2928,9 @@ class GetDataBaseRate(Command):
     """Get Data Base Rate (0x0C,0x0E).
 
     Asks for the rate that the decimations of a descriptor set divide.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `get_base_rate`. Answered by `GetDataBaseRateResponse`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E)
     """
@@ -2394,11 +2967,13 @@ class MessageFormat(Command):
     """Message Format (0x0C,0x0F).
 
     Fields of the data packets of a descriptor set, in order, with their decimations.
-    The decimation is the base rate, as the get data base rate command reports it, divided by the
-    wanted rate.
-    Shared descriptors (0xD0 and up) are listed under the set that they shall be sent with, in front
-    of the others.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MessageFormatResponse`.
     Supported by 3DM-CV7-GNSS/INS.
+
+    The decimation is the base rate, as the get data base rate command reports it, divided by the
+    wanted rate. Shared descriptors (0xD0 and up) are listed under the set that they shall be sent
+    with, in front of the others.
 
     - 3dm-cv7-gnss-ins: Message Format (0x0C,0x0F)
     """
@@ -2414,8 +2989,10 @@ class MessageFormat(Command):
     """What to do with the setting."""
     desc_set: int | None = None
     """Data descriptor set; 0 means all of them (save, load, default)."""
+    # On the wire: num_descriptors. Number of fields. The number of elements of `descriptors`.
+    # Required for `write`.
     descriptors: tuple[types.DescriptorRate, ...] | None = None
-    """Fields and decimations."""
+    """Fields and decimations. Required for `write`."""
 
     @classmethod
     def write(cls, desc_set: int, descriptors: tuple[types.DescriptorRate, ...]) -> MessageFormat:
@@ -2442,6 +3019,12 @@ class MessageFormat(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, desc_set=desc_set)
 
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MessageFormatResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MessageFormat, int]:
         desc_set: int | None = None
@@ -2463,7 +3046,7 @@ class MessageFormat(Command):
             v = _MESSAGE_FORMAT_2.read(raw, at)
             at += 1
             num_descriptors = v[0]
-            n = codec.counted(raw, at, num_descriptors, 3)
+            n = codec.counted(raw, at, num_descriptors, 3, 83)
             descriptors, at = codec.read_structures(types.DescriptorRate, raw, at, n)
             done, end = 3, at
         except Truncated:
@@ -2496,6 +3079,7 @@ class FactoryStreaming(Command):
     """Factory Streaming (0x0C,0x10).
 
     Sets all message formats to those that technical support wants to have recorded.
+
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Factory Streaming (0x0C,0x10)
@@ -2509,6 +3093,7 @@ class FactoryStreaming(Command):
     action: FactoryStreamingAction
     """What happens to the present formats."""
     reserved: int = 0
+    """Reserved: send 0."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[FactoryStreaming, int]:
@@ -2534,9 +3119,12 @@ class DataStreamControl(Command):
     """Data Stream Control (0x0C,0x11).
 
     Switches a data stream on or off.
+
+    Also called `datastream_control`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `DataStreamControlResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     5-series devices name the stream by a number of their own (legacy_data_stream), others by its
     descriptor set.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
     - 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11)
@@ -2548,19 +3136,17 @@ class DataStreamControl(Command):
     ROLE = "command"
     RESPONSES = (DataStreamControlResponse,)
     REQUIRED = {1: 2, 2: 1, 3: 1, 4: 1, 5: 1}
-    READINGS = {
-        "desc_set": (
-            "device",
-            {"3dm-gx5-15": LegacyDataStream},
-        ),
-    }
+    READINGS = {"desc_set": ("device", {"3dm-gx5-15": LegacyDataStream})}
 
     function: FunctionSelector
     """What to do with the setting."""
     desc_set: int | None = None
-    """Data descriptor set; 0 means all streams (save, load, default)."""
+    """Data descriptor set; 0 means all streams (save, load, default).
+
+    - On the 3DM-GX5-15: values of `LegacyDataStream`.
+    """
     enable: bool | None = None
-    """Whether the stream is sent. Factory default: True."""
+    """Whether the stream is sent. Default: true. Required for `write`."""
 
     @classmethod
     def write(cls, desc_set: int, enable: bool) -> DataStreamControl:
@@ -2586,6 +3172,12 @@ class DataStreamControl(Command):
     def default(cls, desc_set: int) -> DataStreamControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, desc_set=desc_set)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return DataStreamControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DataStreamControl, int]:
@@ -2626,6 +3218,128 @@ class DataStreamControl(Command):
         return codec.finished(out)
 
 
+_CONSTELLATION_SETTINGS_0 = codec.Block("B", "function")
+_CONSTELLATION_SETTINGS_1 = codec.Block("H", "max_channels")
+_CONSTELLATION_SETTINGS_2 = codec.Block("B", "config_count")
+_CONSTELLATION_SETTINGS_GROUPS = ((1, ("max_channels",), False), (3, ("settings",), False))
+
+
+@dataclass(slots=True)
+class ConstellationSettings(Command):
+    """Constellation Settings (0x0C,0x21).
+
+    Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `ConstellationSettingsResponse`. Uncertain: The factory default, as the SDK gives it, names GPS
+    and GLONASS alone as enabled but has channels for SBAS and QZSS too.
+
+    The device refuses entries whose reserved channels exceed 32 in all. No entry may have fewer
+    channels at most than it reserves. GLONASS and BeiDou exclude each other. If the antenna or its
+    filter is made for GPS alone, leave GLONASS and BeiDou off. SBAS and QZSS improve the accuracy
+    of GPS. SBAS does not make the device fit for safety-of-life use. Factory default: GPS and
+    GLONASS are enabled. Channels reserved and at most: GPS 8 and 16, GLONASS 8 and 14, SBAS 1 and
+    3, QZSS 0 and 3.
+
+    - mip-sdk-4: Constellation Settings (0x0C,0x21)
+    - 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x21
+    NAME = "3dm.constellation_settings"
+    ROLE = "command"
+    RESPONSES = (ConstellationSettingsResponse,)
+    REQUIRED = {1: 3, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    max_channels: int | None = None
+    """Tracking channels in use at most; no more than the response reports as available. Unit: 1.
+    Required for `write`.
+    """
+    # On the wire: config_count. Number of entries. The number of elements of `settings`. Range: 0
+    # to 41. Required for `write`.
+    settings: tuple[ConstellationSettingsEntry, ...] | None = None
+    """One entry for each constellation. Required for `write`."""
+
+    @classmethod
+    def write(
+        cls, max_channels: int, settings: tuple[ConstellationSettingsEntry, ...]
+    ) -> ConstellationSettings:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, max_channels=max_channels, settings=settings)
+
+    @classmethod
+    def read(cls) -> ConstellationSettings:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> ConstellationSettings:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> ConstellationSettings:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> ConstellationSettings:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ConstellationSettingsResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ConstellationSettings, int]:
+        max_channels: int | None = None
+        settings: tuple[ConstellationSettingsEntry, ...] | None = None
+        v = _CONSTELLATION_SETTINGS_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _CONSTELLATION_SETTINGS_1.read(raw, at)
+            at += 2
+            max_channels = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _CONSTELLATION_SETTINGS_2.read(raw, at)
+            at += 1
+            config_count = v[0]
+            n = codec.counted(raw, at, config_count, 6, 41)
+            settings, at = codec.read_structures(ConstellationSettingsEntry, raw, at, n)
+            done, end = 3, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, max_channels, settings), at
+
+    def _write(self) -> bytes:
+        out = _CONSTELLATION_SETTINGS_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _CONSTELLATION_SETTINGS_GROUPS)
+        if there >= 1:
+            out += _CONSTELLATION_SETTINGS_1.write(self.max_channels)
+        if there >= 3:
+            out += _CONSTELLATION_SETTINGS_2.write(codec.count("settings", self.settings, 41))
+            out += codec.write_structures(
+                "settings", codec.at_most("settings", self.settings, 41), ConstellationSettingsEntry
+            )
+        return codec.finished(out)
+
+
 _GNSS_SBAS_SETTINGS_0 = codec.Block("B", "function")
 _GNSS_SBAS_SETTINGS_1 = codec.Block("B", "enable_sbas")
 _GNSS_SBAS_SETTINGS_2 = codec.Block("H", "sbas_options")
@@ -2642,7 +3356,9 @@ class GnssSbasSettings(Command):
     """GNSS SBAS Settings (0x0C,0x22).
 
     How the GNSS receivers use satellite based augmentation.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GnssSbasSettingsResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: GNSS SBAS Settings (0x0C,0x22)
     """
@@ -2657,11 +3373,13 @@ class GnssSbasSettings(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable_sbas: int | None = None
-    """1 switches SBAS on, 0 off. Range: 0 to 1."""
+    """1 switches SBAS on, 0 off. Range: 0 to 1. Required for `write`."""
     sbas_options: SbasOptions | None = None
-    """What SBAS is used for."""
+    """What SBAS is used for. Required for `write`."""
+    # On the wire: num_included_prns. Number of satellites listed; 0 searches for all. The number of
+    # elements of `included_prns`. Required for `write`.
     included_prns: tuple[int, ...] | None = None
-    """PRN numbers of the SBAS satellites to search for."""
+    """PRN numbers of the SBAS satellites to search for. Required for `write`."""
 
     @classmethod
     def write(
@@ -2695,6 +3413,12 @@ class GnssSbasSettings(Command):
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
 
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssSbasSettingsResponse
+        return None
+
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GnssSbasSettings, int]:
         enable_sbas: int | None = None
@@ -2723,7 +3447,7 @@ class GnssSbasSettings(Command):
             v = _GNSS_SBAS_SETTINGS_3.read(raw, at)
             at += 1
             num_included_prns = v[0]
-            n = codec.counted(raw, at, num_included_prns, 2)
+            n = codec.counted(raw, at, num_included_prns, 2, 124)
             included_prns = codec.read_numbers("H", raw, at, n)
             at += n * 2
             done, end = 4, at
@@ -2751,6 +3475,217 @@ class GnssSbasSettings(Command):
         return codec.finished(out)
 
 
+_GNSS_ASSISTED_FIX_0 = codec.Block("B", "function")
+_GNSS_ASSISTED_FIX_1 = codec.Block("B", "option")
+_GNSS_ASSISTED_FIX_2 = codec.Block("B", "flags")
+_GNSS_ASSISTED_FIX_GROUPS = ((1, ("option",), False), (2, ("flags",), False))
+
+
+@dataclass(slots=True)
+class GnssAssistedFix(Command):
+    """GNSS Assisted Fix (0x0C,0x23).
+
+    Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`.
+
+    The last fix is kept in the flash memory and the FRAM of the receiver. With the time of GNSS
+    time assistance `GnssTimeAssistance` (0x0C,0x24) right after power-up, the first fix takes 1 s
+    at best. A change from enabled to none erases the flash memory of the receiver, which stands 100
+    000 erasures. It takes slightly more power.
+
+    - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x23
+    NAME = "3dm.gnss_assisted_fix"
+    ROLE = "command"
+    RESPONSES = (GnssAssistedFixResponse,)
+    REQUIRED = {1: 2, 2: 0, 3: 0, 4: 0, 5: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    option: AssistedFixOption | None = None
+    """Assisted fix. Default: `AssistedFixOption.NONE`. Required for `write`."""
+    flags: int | None = None
+    """Reserved: send 255. Required for `write`."""
+
+    @classmethod
+    def write(cls, option: AssistedFixOption) -> GnssAssistedFix:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, option=option, flags=255)
+
+    @classmethod
+    def read(cls) -> GnssAssistedFix:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @classmethod
+    def save(cls) -> GnssAssistedFix:
+        """Save the current setting to non-volatile memory."""
+        return cls(FunctionSelector.SAVE)
+
+    @classmethod
+    def load(cls) -> GnssAssistedFix:
+        """Load the saved setting."""
+        return cls(FunctionSelector.LOAD)
+
+    @classmethod
+    def default(cls) -> GnssAssistedFix:
+        """Load the factory default setting."""
+        return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssAssistedFixResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssAssistedFix, int]:
+        option: AssistedFixOption | None = None
+        flags: int | None = None
+        v = _GNSS_ASSISTED_FIX_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _GNSS_ASSISTED_FIX_1.read(raw, at)
+            at += 1
+            option = AssistedFixOption(v[0])
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _GNSS_ASSISTED_FIX_2.read(raw, at)
+            at += 1
+            flags = v[0]
+            done, end = 2, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, option, flags), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_ASSISTED_FIX_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _GNSS_ASSISTED_FIX_GROUPS)
+        if there >= 1:
+            out += _GNSS_ASSISTED_FIX_1.write(self.option)
+        if there >= 2:
+            out += _GNSS_ASSISTED_FIX_2.write(self.flags)
+        return codec.finished(out)
+
+
+_GNSS_TIME_ASSISTANCE_0 = codec.Block("B", "function")
+_GNSS_TIME_ASSISTANCE_1 = codec.Block("d", "tow")
+_GNSS_TIME_ASSISTANCE_2 = codec.Block("H", "week_number")
+_GNSS_TIME_ASSISTANCE_3 = codec.Block("f", "accuracy")
+_GNSS_TIME_ASSISTANCE_GROUPS = (
+    (1, ("tow",), False),
+    (2, ("week_number",), False),
+    (3, ("accuracy",), False),
+)
+
+
+@dataclass(slots=True)
+class GnssTimeAssistance(Command):
+    """GNSS Time Assistance (0x0C,0x24).
+
+    Tells the GNSS receiver the present GPS time.
+
+    Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`.
+
+    It is needed right after power-up if the assisted fix `GnssAssistedFix` (0x0C,0x23) was on at
+    power-off.
+
+    - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
+    """
+
+    SET = 0x0C
+    DESCRIPTOR = 0x24
+    NAME = "3dm.gnss_time_assistance"
+    ROLE = "command"
+    RESPONSES = (GnssTimeAssistanceResponse,)
+    REQUIRED = {1: 3, 2: 0}
+
+    function: FunctionSelector
+    """What to do with the setting."""
+    tow: float | None = None
+    """GPS time of week. Unit: s. Required for `write`."""
+    week_number: int | None = None
+    """GPS week number since 1980. Unit: week. Required for `write`."""
+    accuracy: float | None = None
+    """Accuracy of the time. Unit: s. Required for `write`."""
+
+    @classmethod
+    def write(cls, tow: float, week_number: int, accuracy: float) -> GnssTimeAssistance:
+        """Apply the new setting."""
+        return cls(FunctionSelector.WRITE, tow=tow, week_number=week_number, accuracy=accuracy)
+
+    @classmethod
+    def read(cls) -> GnssTimeAssistance:
+        """Send the current setting back in a response."""
+        return cls(FunctionSelector.READ)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GnssTimeAssistanceResponse
+        return None
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[GnssTimeAssistance, int]:
+        tow: float | None = None
+        week_number: int | None = None
+        accuracy: float | None = None
+        v = _GNSS_TIME_ASSISTANCE_0.read(raw, at)
+        at += 1
+        function = FunctionSelector(v[0])
+        required = cls.REQUIRED.get(function, 0)
+        done, end = 0, at
+        try:
+            if at == len(raw) and required < 1:
+                raise Truncated(1, 0)
+            v = _GNSS_TIME_ASSISTANCE_1.read(raw, at)
+            at += 8
+            tow = v[0]
+            done, end = 1, at
+            if at == len(raw) and required < 2:
+                raise Truncated(1, 0)
+            v = _GNSS_TIME_ASSISTANCE_2.read(raw, at)
+            at += 2
+            week_number = v[0]
+            done, end = 2, at
+            if at == len(raw) and required < 3:
+                raise Truncated(1, 0)
+            v = _GNSS_TIME_ASSISTANCE_3.read(raw, at)
+            at += 4
+            accuracy = v[0]
+            done, end = 3, at
+        except Truncated:
+            if done < required:
+                raise
+        at = end
+        return cls(function, tow, week_number, accuracy), at
+
+    def _write(self) -> bytes:
+        out = _GNSS_TIME_ASSISTANCE_0.write(self.function)
+        required = self.REQUIRED.get(self.function, 0)
+        there = codec.present(self, required, _GNSS_TIME_ASSISTANCE_GROUPS)
+        if there >= 1:
+            out += _GNSS_TIME_ASSISTANCE_1.write(self.tow)
+        if there >= 2:
+            out += _GNSS_TIME_ASSISTANCE_2.write(self.week_number)
+        if there >= 3:
+            out += _GNSS_TIME_ASSISTANCE_3.write(self.accuracy)
+        return codec.finished(out)
+
+
 _PPS_SOURCE_CONTROL_0 = codec.Block("B", "function")
 _PPS_SOURCE_CONTROL_1 = codec.Block("B", "source")
 _PPS_SOURCE_CONTROL_GROUPS = ((1, ("source",), False),)
@@ -2761,9 +3696,12 @@ class PpsSourceControl(Command):
     """PPS Source Control (0x0C,0x28).
 
     Where the device takes its pulse per second from.
-    The pins are configured apart from this by the GPIO configuration command.
-    The filter needs a valid pulse. disabled and generated are seldom what is wanted.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `pps_source`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `PpsSourceControlResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    The pins are configured apart from this by the GPIO configuration command. The filter needs a
+    valid pulse. disabled and generated are seldom what is wanted.
 
     - 3dm-cv7-gnss-ins: PPS Source Control (0x0C,0x28)
     """
@@ -2778,7 +3716,7 @@ class PpsSourceControl(Command):
     function: FunctionSelector
     """What to do with the setting."""
     source: PpsSource | None = None
-    """Source of the pulse. Factory default: receiver_1."""
+    """Source of the pulse. Default: `PpsSource.RECEIVER_1`. Required for `write`."""
 
     @classmethod
     def write(cls, source: PpsSource) -> PpsSourceControl:
@@ -2804,6 +3742,12 @@ class PpsSourceControl(Command):
     def default(cls) -> PpsSourceControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return PpsSourceControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PpsSourceControl, int]:
@@ -2843,7 +3787,9 @@ class GetSupportedEvents(Command):
     """Get Supported Events (0x0C,0x2A).
 
     Asks which types of event triggers or actions there are and how many of each.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `get_event_support`. Answered by `GetSupportedEventsResponse`. Supported by
+    3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A)
     """
@@ -2880,9 +3826,12 @@ class EventControl(Command):
     """Event Control (0x0C,0x2B).
 
     Enables, disables or tests an event trigger.
-    Triggers are disabled by default and after configuration.
-    A trigger of type none cannot be enabled.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `EventControlResponse`.
     Supported by 3DM-CV7-GNSS/INS.
+
+    Triggers are disabled by default and after configuration. A trigger of type none cannot be
+    enabled.
 
     - 3dm-cv7-gnss-ins: Event Control (0x0C,0x2B)
     """
@@ -2899,7 +3848,7 @@ class EventControl(Command):
     instance: int | None = None
     """Trigger instance; 0 means all configured triggers, except for read."""
     mode: types.EventTriggerMode | None = None
-    """New mode. Factory default: disabled."""
+    """New mode. Default: `types.EventTriggerMode.DISABLED`. Required for `write`."""
 
     @classmethod
     def write(cls, instance: int, mode: types.EventTriggerMode) -> EventControl:
@@ -2925,6 +3874,12 @@ class EventControl(Command):
     def default(cls, instance: int) -> EventControl:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return EventControlResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventControl, int]:
@@ -2973,7 +3928,8 @@ class GetEventTriggerStatus(Command):
     """Get Event Trigger Status (0x0C,0x2C).
 
     Asks for the type and the state of event triggers.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Answered by `GetEventTriggerStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Trigger Status (0x0C,0x2C)
     """
@@ -2984,6 +3940,8 @@ class GetEventTriggerStatus(Command):
     ROLE = "command"
     RESPONSES = (GetEventTriggerStatusResponse,)
 
+    # On the wire: requested_count. Number of triggers asked for; 0 asks for all slots. The number
+    # of elements of `requested_instances`.
     requested_instances: tuple[int, ...]
     """Trigger instances."""
 
@@ -2992,7 +3950,7 @@ class GetEventTriggerStatus(Command):
         v = _GET_EVENT_TRIGGER_STATUS_0.read(raw, at)
         at += 1
         requested_count = v[0]
-        n = codec.counted(raw, at, requested_count, 1)
+        n = codec.counted(raw, at, requested_count, 1, 252)
         requested_instances = codec.read_numbers("B", raw, at, n)
         at += n
         return cls(requested_instances), at
@@ -3017,7 +3975,8 @@ class GetEventActionStatus(Command):
     """Get Event Action Status (0x0C,0x2D).
 
     Asks for the type and the trigger of event actions.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Answered by `GetEventActionStatusResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Event Action Status (0x0C,0x2D)
     """
@@ -3028,6 +3987,8 @@ class GetEventActionStatus(Command):
     ROLE = "command"
     RESPONSES = (GetEventActionStatusResponse,)
 
+    # On the wire: requested_count. Number of actions asked for; 0 asks for all slots. The number of
+    # elements of `requested_instances`.
     requested_instances: tuple[int, ...]
     """Action instances."""
 
@@ -3036,7 +3997,7 @@ class GetEventActionStatus(Command):
         v = _GET_EVENT_ACTION_STATUS_0.read(raw, at)
         at += 1
         requested_count = v[0]
-        n = codec.counted(raw, at, requested_count, 1)
+        n = codec.counted(raw, at, requested_count, 1, 252)
         requested_instances = codec.read_numbers("B", raw, at, n)
         at += n
         return cls(requested_instances), at
@@ -3068,9 +4029,12 @@ class EventTriggerConfiguration(Command):
     """Event Trigger Configuration (0x0C,0x2E).
 
     Kind and condition of an event trigger.
-    The trigger is disabled afterwards; the event control command enables it.
-    A GPIO trigger needs its pin configured by the GPIO configuration command.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `event_trigger`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `EventTriggerConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    The trigger is disabled afterwards; the event control command enables it. A GPIO trigger needs
+    its pin configured by the GPIO configuration command.
 
     - 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E)
     """
@@ -3087,11 +4051,17 @@ class EventTriggerConfiguration(Command):
     instance: int | None = None
     """Trigger instance; 0 means all (save, load, default)."""
     type: types.EventTriggerType | None = None
-    """Kind of trigger. Factory default: none."""
+    """Kind of trigger. Default: `types.EventTriggerType.NONE`. Required for `write`."""
     parameters: (
         types.EventTriggerGpio | types.EventTriggerThreshold | types.EventTriggerCombination | None
     ) = None
-    """The condition."""
+    """The condition. Selected by `type`. Required for `write`.
+
+    - If `type` is `types.EventTriggerType.NONE`: `None`.
+    - If `type` is `types.EventTriggerType.GPIO`: `types.EventTriggerGpio`.
+    - If `type` is `types.EventTriggerType.THRESHOLD`: `types.EventTriggerThreshold`.
+    - If `type` is `types.EventTriggerType.COMBINATION`: `types.EventTriggerCombination`.
+    """
 
     @classmethod
     def write(
@@ -3125,6 +4095,12 @@ class EventTriggerConfiguration(Command):
     def default(cls, instance: int) -> EventTriggerConfiguration:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return EventTriggerConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventTriggerConfiguration, int]:
@@ -3212,9 +4188,12 @@ class EventActionConfiguration(Command):
     """Event Action Configuration (0x0C,0x2F).
 
     Trigger and effect of an event action.
-    A packet holds one descriptor set; for several sets use several actions with the same trigger.
-    A GPIO action needs its pin configured as an output with the gpio feature.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `event_action`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `EventActionConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    A packet holds one descriptor set; for several sets use several actions with the same trigger. A
+    GPIO action needs its pin configured as an output with the gpio feature.
 
     - 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F)
     """
@@ -3231,11 +4210,16 @@ class EventActionConfiguration(Command):
     instance: int | None = None
     """Action instance; 0 means all (save, load, default)."""
     trigger: int | None = None
-    """Trigger instance that the action follows."""
+    """Trigger instance that the action follows. Required for `write`."""
     type: types.EventActionType | None = None
-    """Kind of action. Factory default: none."""
+    """Kind of action. Default: `types.EventActionType.NONE`. Required for `write`."""
     parameters: types.EventActionGpio | types.EventActionMessage | None = None
-    """The effect."""
+    """The effect. Selected by `type`. Required for `write`.
+
+    - If `type` is `types.EventActionType.NONE`: `None`.
+    - If `type` is `types.EventActionType.GPIO`: `types.EventActionGpio`.
+    - If `type` is `types.EventActionType.MESSAGE`: `types.EventActionMessage`.
+    """
 
     @classmethod
     def write(
@@ -3273,6 +4257,12 @@ class EventActionConfiguration(Command):
     def default(cls, instance: int) -> EventActionConfiguration:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, instance=instance)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return EventActionConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[EventActionConfiguration, int]:
@@ -3349,8 +4339,11 @@ class DeviceStartUpSettings(Command):
     """Device Start Up Settings (0x0C,0x30).
 
     Saves, loads or resets all settings of the device at once.
+
+    Also called `device_settings`. Functions: `save`, `load` and `default`. The device may take 1 s
+    to answer. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     A save may disturb the data output for a short time.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30)
     - 3dm-cv7-gnss-ins: Device Start Up Settings (0x0C,0x30)
@@ -3409,17 +4402,18 @@ class SensorToVehicleFrameTransformationEuler(Command):
     """Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
 
     Mounting of the sensor in the vehicle as Euler angles.
+
+    Also called `sensor_2_vehicle_transform_euler`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `SensorToVehicleFrameTransformationEulerResponse`. Supported by
+    3DM-CV7-GNSS/INS.
+
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it.
-    The mounting is reached from the vehicle frame by turning about the sensor's own z, y and x axes
-    by yaw, pitch and roll.
-    A vector in the vehicle frame is Rz(yaw) Ry(pitch) Rx(roll) times the vector in the sensor
-    frame.
-    It applies to the sensor data, the complementary filter and the attitude, acceleration, rate and
-    gravity of the filter.
-    A change resets the low-pass filters, the complementary filter and the estimation filter.
-    On some older products the setting means the inverse rotation.
-    Supported by 3DM-CV7-GNSS/INS.
+    be another form of it. The mounting is reached from the vehicle frame by turning about the
+    sensor's own z, y and x axes by yaw, pitch and roll. A vector in the vehicle frame is Rz(yaw)
+    Ry(pitch) Rx(roll) times the vector in the sensor frame. It applies to the sensor data, the
+    complementary filter and the attitude, acceleration, rate and gravity of the filter. A change
+    resets the low-pass filters, the complementary filter and the estimation filter. On some older
+    products the setting means the inverse rotation.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -3434,11 +4428,11 @@ class SensorToVehicleFrameTransformationEuler(Command):
     function: FunctionSelector
     """What to do with the setting."""
     roll: float | None = None
-    """Rotation about the x axis. [rad]"""
+    """Rotation about the x axis. Unit: rad. Required for `write`."""
     pitch: float | None = None
-    """Rotation about the y axis. [rad]"""
+    """Rotation about the y axis. Unit: rad. Required for `write`."""
     yaw: float | None = None
-    """Rotation about the z axis. [rad]"""
+    """Rotation about the z axis. Unit: rad. Required for `write`."""
 
     @classmethod
     def write(
@@ -3466,6 +4460,12 @@ class SensorToVehicleFrameTransformationEuler(Command):
     def default(cls) -> SensorToVehicleFrameTransformationEuler:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleFrameTransformationEulerResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformationEuler, int]:
@@ -3516,7 +4516,7 @@ class SensorToVehicleFrameTransformationEuler(Command):
 
 
 _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_0 = codec.Block("B", "function")
-_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_1 = codec.Block("ffff", "q", "q", "q", "q")
+_SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_1 = codec.Block("ffff", *["q"] * 4)
 _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_QUATERNION_GROUPS = ((1, ("q",), False),)
 
 
@@ -3525,10 +4525,14 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
     """Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
 
     Mounting of the sensor in the vehicle as a quaternion.
+
+    Also called `sensor_2_vehicle_transform_quaternion`. Functions: `write`, `read`, `save`, `load`
+    and `default`. Answered by `SensorToVehicleFrameTransformationQuaternionResponse`. Supported by
+    3DM-CV7-GNSS/INS.
+
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it.
-    A change resets the low-pass filters, the complementary filter and the estimation filter.
-    Supported by 3DM-CV7-GNSS/INS.
+    be another form of it. A change resets the low-pass filters, the complementary filter and the
+    estimation filter.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -3543,7 +4547,9 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
     function: FunctionSelector
     """What to do with the setting."""
     q: types.Quatf | None = None
-    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. [1]"""
+    """Unit quaternion that transforms vectors from the sensor frame to the vehicle frame. Elements:
+    w, x, y, z. Unit: 1. Required for `write`.
+    """
 
     @classmethod
     def write(cls, q: types.Quatf) -> SensorToVehicleFrameTransformationQuaternion:
@@ -3569,6 +4575,12 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
     def default(cls) -> SensorToVehicleFrameTransformationQuaternion:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleFrameTransformationQuaternionResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleFrameTransformationQuaternion, int]:
@@ -3606,7 +4618,7 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
 
 _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_0 = codec.Block("B", "function")
 _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_1 = codec.Block(
-    "fffffffff", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm", "dcm"
+    "fffffffff", *["dcm"] * 9
 )
 _SENSOR_TO_VEHICLE_FRAME_TRANSFORMATION_DIRECTION_COSINE_MATRIX_GROUPS = ((1, ("dcm",), False),)
 
@@ -3616,11 +4628,15 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
     """Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
 
     Mounting of the sensor in the vehicle as a direction cosine matrix.
-    The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it.
-    A vector in the vehicle frame is this matrix times the vector in the sensor frame.
-    A change resets the low-pass filters, the complementary filter and the estimation filter.
+
+    Also called `sensor_2_vehicle_transform_dcm`. Functions: `write`, `read`, `save`, `load` and
+    `default`. Answered by `SensorToVehicleFrameTransformationDirectionCosineMatrixResponse`.
     Supported by 3DM-CV7-GNSS/INS.
+
+    The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
+    be another form of it. A vector in the vehicle frame is this matrix times the vector in the
+    sensor frame. A change resets the low-pass filters, the complementary filter and the estimation
+    filter.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -3635,7 +4651,9 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
     function: FunctionSelector
     """What to do with the setting."""
     dcm: types.Matrix3f | None = None
-    """The matrix in row-major order. [1]"""
+    """The matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+    1. Required for `write`.
+    """
 
     @classmethod
     def write(cls, dcm: types.Matrix3f) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
@@ -3661,6 +4679,12 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
     def default(cls) -> SensorToVehicleFrameTransformationDirectionCosineMatrix:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorToVehicleFrameTransformationDirectionCosineMatrixResponse
+        return None
 
     @classmethod
     def _read(
@@ -3699,7 +4723,7 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
 
 
 _ACCELEROMETER_BIAS_CONFIGURATION_0 = codec.Block("B", "function")
-_ACCELEROMETER_BIAS_CONFIGURATION_1 = codec.Block("fff", "bias", "bias", "bias")
+_ACCELEROMETER_BIAS_CONFIGURATION_1 = codec.Block("fff", *["bias"] * 3)
 _ACCELEROMETER_BIAS_CONFIGURATION_GROUPS = ((1, ("bias",), False),)
 
 
@@ -3708,8 +4732,11 @@ class AccelerometerBiasConfiguration(Command):
     """Accelerometer Bias Configuration (0x0C,0x37).
 
     Bias that is subtracted from the scaled acceleration.
-    For advanced use.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    For advanced use. Also called `accel_bias`. Functions: `write`, `read`, `save`, `load`,
+    `default` and `apply`. Answered by `AccelerometerBiasConfigurationResponse`. Supported by
+    3DM-CV7-GNSS/INS and 3DM-GX5-15. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and
+    `default` only.
 
     - 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37)
     - 3dm-cv7-gnss-ins: Accelerometer Bias Configuration (0x0C,0x37)
@@ -3725,7 +4752,9 @@ class AccelerometerBiasConfiguration(Command):
     function: FunctionSelector
     """What to do with the setting."""
     bias: types.Vector3f | None = None
-    """Accelerometer bias. [g] Frame: sensor."""
+    """Accelerometer bias. Elements: x, y, z. Unit: g. Frame: sensor. Required for `write` and
+    `apply`.
+    """
 
     @classmethod
     def write(cls, bias: types.Vector3f) -> AccelerometerBiasConfiguration:
@@ -3759,7 +4788,13 @@ class AccelerometerBiasConfiguration(Command):
 
     @property
     def answered(self) -> bool:
-        return not (self.function == 6)
+        return self.function != FunctionSelector.APPLY
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AccelerometerBiasConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AccelerometerBiasConfiguration, int]:
@@ -3792,7 +4827,7 @@ class AccelerometerBiasConfiguration(Command):
 
 
 _GYROSCOPE_BIAS_CONFIGURATION_0 = codec.Block("B", "function")
-_GYROSCOPE_BIAS_CONFIGURATION_1 = codec.Block("fff", "bias", "bias", "bias")
+_GYROSCOPE_BIAS_CONFIGURATION_1 = codec.Block("fff", *["bias"] * 3)
 _GYROSCOPE_BIAS_CONFIGURATION_GROUPS = ((1, ("bias",), False),)
 
 
@@ -3801,8 +4836,10 @@ class GyroscopeBiasConfiguration(Command):
     """Gyroscope Bias Configuration (0x0C,0x38).
 
     Bias that is subtracted from the scaled angular rate.
-    For advanced use.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    For advanced use. Also called `gyro_bias`. Functions: `write`, `read`, `save`, `load`, `default`
+    and `apply`. Answered by `GyroscopeBiasConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GX5-15. On the 3DM-CV7-GNSS/INS: `write`, `read`, `save`, `load` and `default` only.
 
     - 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38)
     - 3dm-cv7-gnss-ins: Gyroscope Bias Configuration (0x0C,0x38)
@@ -3818,7 +4855,9 @@ class GyroscopeBiasConfiguration(Command):
     function: FunctionSelector
     """What to do with the setting."""
     bias: types.Vector3f | None = None
-    """Gyroscope bias. [rad/s] Frame: sensor."""
+    """Gyroscope bias. Elements: x, y, z. Unit: rad/s. Frame: sensor. Required for `write` and
+    `apply`.
+    """
 
     @classmethod
     def write(cls, bias: types.Vector3f) -> GyroscopeBiasConfiguration:
@@ -3852,7 +4891,13 @@ class GyroscopeBiasConfiguration(Command):
 
     @property
     def answered(self) -> bool:
-        return not (self.function == 6)
+        return self.function != FunctionSelector.APPLY
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GyroscopeBiasConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GyroscopeBiasConfiguration, int]:
@@ -3892,11 +4937,13 @@ class CaptureGyroscopeBias(Command):
     """Capture Gyroscope Bias (0x0C,0x39).
 
     Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
-    The device must stand still, with as little vibration as possible, for the whole time.
-    The reply comes after the averaging time.
-    The bias is not saved; the gyroscope bias configuration command with save does it.
-    The 3DM-GX5-15 also initializes its orientation from the samples.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    Also called `capture_gyro_bias`. Answered by `GyroscopeBiasConfigurationResponse`. The device
+    may take 31 s to answer. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The device must stand still, with as little vibration as possible, for the whole time. The reply
+    comes after the averaging time. The bias is not saved; the gyroscope bias configuration command
+    with save does it. The 3DM-GX5-15 also initializes its orientation from the samples.
 
     - 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39)
     - 3dm-cv7-gnss-ins: Capture Gyroscope Bias (0x0C,0x39)
@@ -3910,7 +4957,7 @@ class CaptureGyroscopeBias(Command):
     TIMEOUT = 31.0
 
     averaging_time_ms: int
-    """Time to average over. [ms] Range: 1000 to 30000."""
+    """Time to average over. Unit: ms. Range: 1000 to 30000."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[CaptureGyroscopeBias, int]:
@@ -3925,7 +4972,7 @@ class CaptureGyroscopeBias(Command):
 
 
 _MAGNETOMETER_HARD_IRON_OFFSET_0 = codec.Block("B", "function")
-_MAGNETOMETER_HARD_IRON_OFFSET_1 = codec.Block("fff", "offset", "offset", "offset")
+_MAGNETOMETER_HARD_IRON_OFFSET_1 = codec.Block("fff", *["offset"] * 3)
 _MAGNETOMETER_HARD_IRON_OFFSET_GROUPS = ((1, ("offset",), False),)
 
 
@@ -3934,8 +4981,11 @@ class MagnetometerHardIronOffset(Command):
     """Magnetometer Hard Iron Offset (0x0C,0x3A).
 
     Offset that corrects the scaled magnetic field for hard iron.
+
+    Also called `mag_hard_iron_offset`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `MagnetometerHardIronOffsetResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The values come from a calibration of the device as it is installed.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A)
     """
@@ -3950,7 +5000,7 @@ class MagnetometerHardIronOffset(Command):
     function: FunctionSelector
     """What to do with the setting."""
     offset: types.Vector3f | None = None
-    """Hard iron offset. [gauss] Frame: sensor."""
+    """Hard iron offset. Elements: x, y, z. Unit: gauss. Frame: sensor. Required for `write`."""
 
     @classmethod
     def write(cls, offset: types.Vector3f) -> MagnetometerHardIronOffset:
@@ -3976,6 +5026,12 @@ class MagnetometerHardIronOffset(Command):
     def default(cls) -> MagnetometerHardIronOffset:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagnetometerHardIronOffsetResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerHardIronOffset, int]:
@@ -4008,18 +5064,7 @@ class MagnetometerHardIronOffset(Command):
 
 
 _MAGNETOMETER_SOFT_IRON_MATRIX_0 = codec.Block("B", "function")
-_MAGNETOMETER_SOFT_IRON_MATRIX_1 = codec.Block(
-    "fffffffff",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-    "offset",
-)
+_MAGNETOMETER_SOFT_IRON_MATRIX_1 = codec.Block("fffffffff", *["offset"] * 9)
 _MAGNETOMETER_SOFT_IRON_MATRIX_GROUPS = ((1, ("offset",), False),)
 
 
@@ -4028,8 +5073,11 @@ class MagnetometerSoftIronMatrix(Command):
     """Magnetometer Soft Iron Matrix (0x0C,0x3B).
 
     Matrix that corrects the scaled magnetic field for soft iron.
+
+    Also called `mag_soft_iron_matrix`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `MagnetometerSoftIronMatrixResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     The values come from a calibration of the device as it is installed.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B)
     """
@@ -4044,7 +5092,9 @@ class MagnetometerSoftIronMatrix(Command):
     function: FunctionSelector
     """What to do with the setting."""
     offset: types.Matrix3f | None = None
-    """Soft iron matrix in row-major order. [1] Frame: sensor."""
+    """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+    Unit: 1. Frame: sensor. Required for `write`.
+    """
 
     @classmethod
     def write(cls, offset: types.Matrix3f) -> MagnetometerSoftIronMatrix:
@@ -4070,6 +5120,12 @@ class MagnetometerSoftIronMatrix(Command):
     def default(cls) -> MagnetometerSoftIronMatrix:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return MagnetometerSoftIronMatrixResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerSoftIronMatrix, int]:
@@ -4111,7 +5167,9 @@ class ConingAndScullingEnable(Command):
     """Coning and Sculling Enable (0x0C,0x3E).
 
     Switches the compensation of coning and sculling on or off.
-    Supported by 3DM-GX5-15.
+
+    Also called `coning_sculling_enable`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `ConingAndScullingEnableResponse`. Supported by 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E)
     """
@@ -4126,7 +5184,7 @@ class ConingAndScullingEnable(Command):
     function: FunctionSelector
     """What to do with the setting."""
     enable: bool | None = None
-    """Whether the compensation is on. Factory default: True."""
+    """Whether the compensation is on. Default: true. Required for `write`."""
 
     @classmethod
     def write(cls, enable: bool) -> ConingAndScullingEnable:
@@ -4152,6 +5210,12 @@ class ConingAndScullingEnable(Command):
     def default(cls) -> ConingAndScullingEnable:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ConingAndScullingEnableResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ConingAndScullingEnable, int]:
@@ -4193,12 +5257,14 @@ class UartBaudRate(Command):
     """UART Baud Rate (0x0C,0x40).
 
     Baud rate of the main port.
-    The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later.
-    The 3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then nothing is
-    certain.
-    Set the device to idle first, send the command in a packet of its own and wait 250 ms
+
+    Also called `uart_baudrate`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `UartBaudRateResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
+    The 3DM-GX5-15 replies at the old rate and takes commands at the new one 250 ms later. The
+    3DM-CV7 applies the rate when the port is empty, after 250 ms at most; until then nothing is
+    certain. Set the device to idle first, send the command in a packet of its own and wait 250 ms
     afterwards.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.13 UART Baud Rate (0x0C, 0x40)
     - 3dm-cv7-gnss-ins: UART Baudrate (0x0C,0x40)
@@ -4214,7 +5280,10 @@ class UartBaudRate(Command):
     function: FunctionSelector
     """What to do with the setting."""
     baud: int | None = None
-    """Baud rate. [Bd] On 3dm-gx5-15: factory default 115200."""
+    """Baud rate. Unit: Bd. Required for `write`.
+
+    - On the 3DM-GX5-15: default 115200.
+    """
 
     @classmethod
     def write(cls, baud: int) -> UartBaudRate:
@@ -4240,6 +5309,12 @@ class UartBaudRate(Command):
     def default(cls) -> UartBaudRate:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return UartBaudRateResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[UartBaudRate, int]:
@@ -4289,13 +5364,14 @@ class GpioConfiguration(Command):
     """GPIO Configuration (0x0C,0x41).
 
     What a GPIO pin is used for.
-    Not every pin has every feature.
-    Configure the function behind an output before its pin, and the pin of an input before its
-    function.
-    A configuration that only one pin can have passes to the latest pin; the earlier pin is reset.
-    With NMEA input at most one pin may be a UART input; set it to unused before another one takes
-    over.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `gpio_config`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `GpioConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    Not every pin has every feature. Configure the function behind an output before its pin, and the
+    pin of an input before its function. A configuration that only one pin can have passes to the
+    latest pin; the earlier pin is reset. With NMEA input at most one pin may be a UART input; set
+    it to unused before another one takes over.
 
     - 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41)
     """
@@ -4317,7 +5393,7 @@ class GpioConfiguration(Command):
                 4: types.GpioTimestampBehavior,
                 5: types.GpioUartBehavior,
             },
-        ),
+        )
     }
 
     function: FunctionSelector
@@ -4325,11 +5401,19 @@ class GpioConfiguration(Command):
     pin: int | None = None
     """GPIO pin, counted from 1; 0 means all pins (save, load, default)."""
     feature: types.GpioFeature | None = None
-    """Use of the pin. Factory default: unused."""
+    """Use of the pin. Default: `types.GpioFeature.UNUSED`. Required for `write`."""
     behavior: int | None = None
-    """Role of the pin within the feature; 0 where the feature names none."""
+    """Role of the pin within the feature; 0 where the feature names none. Required for `write`.
+
+    - If `feature` is `types.GpioFeature.UNUSED`: values of `types.GpioUnusedBehavior`.
+    - If `feature` is `types.GpioFeature.GPIO`: values of `types.GpioBehavior`.
+    - If `feature` is `types.GpioFeature.PPS`: values of `types.GpioPpsBehavior`.
+    - If `feature` is `types.GpioFeature.ENCODER`: values of `types.GpioEncoderBehavior`.
+    - If `feature` is `types.GpioFeature.TIMESTAMP`: values of `types.GpioTimestampBehavior`.
+    - If `feature` is `types.GpioFeature.UART`: values of `types.GpioUartBehavior`.
+    """
     pin_mode: types.GpioPinMode | None = None
-    """Electrical options."""
+    """Electrical options. Required for `write`."""
 
     @classmethod
     def write(
@@ -4359,6 +5443,12 @@ class GpioConfiguration(Command):
     def default(cls, pin: int) -> GpioConfiguration:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, pin=pin)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GpioConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpioConfiguration, int]:
@@ -4428,12 +5518,13 @@ class GpioState(Command):
     """GPIO State (0x0C,0x42).
 
     Sets or reads the state of a GPIO pin.
-    What is read is the level of the pin itself.
-    Writing shows only on a pin that is configured as an output.
-    An event action of mode active_high or active_low on the pin overrides what is written.
-    Reading is sure to work only with the gpio feature.
-    The state at power-up is a matter of the GPIO configuration command.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Functions: `write` and `read`. Answered by `GpioStateResponse`. Supported by 3DM-CV7-GNSS/INS.
+
+    What is read is the level of the pin itself. Writing shows only on a pin that is configured as
+    an output. An event action of mode active_high or active_low on the pin overrides what is
+    written. Reading is sure to work only with the gpio feature. The state at power-up is a matter
+    of the GPIO configuration command.
 
     - 3dm-cv7-gnss-ins: GPIO State (0x0C,0x42)
     """
@@ -4448,9 +5539,9 @@ class GpioState(Command):
     function: FunctionSelector
     """What to do with the setting."""
     pin: int | None = None
-    """GPIO pin, counted from 1. Range: 1 to …."""
+    """GPIO pin, counted from 1. Range: at least 1."""
     state: bool | None = None
-    """True is high."""
+    """True is high. Required for `write`."""
 
     @classmethod
     def write(cls, pin: int, state: bool) -> GpioState:
@@ -4461,6 +5552,12 @@ class GpioState(Command):
     def read(cls, pin: int) -> GpioState:
         """Send the current setting back in a response."""
         return cls(FunctionSelector.READ, pin=pin)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return GpioStateResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GpioState, int]:
@@ -4517,7 +5614,9 @@ class OdometerConfiguration(Command):
     """Odometer Configuration (0x0C,0x43).
 
     Input from a wheel encoder.
-    Supported by 3DM-CV7-GNSS/INS.
+
+    Also called `odometer`. Functions: `write`, `read`, `save`, `load` and `default`. Answered by
+    `OdometerConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43)
     """
@@ -4532,13 +5631,14 @@ class OdometerConfiguration(Command):
     function: FunctionSelector
     """What to do with the setting."""
     mode: OdometerMode | None = None
-    """How the input works."""
+    """How the input works. Required for `write`."""
     scaling: float | None = None
-    """Pulses over the distance travelled; negative if the encoder turns backwards. [pulse/m]
-    Pulses on line A per turn of the wheel, divided by the circumference of the wheel.
+    """Pulses over the distance travelled; negative if the encoder turns backwards. Unit: pulse/m.
+    Required for `write`. Pulses on line A per turn of the wheel, divided by the circumference of
+    the wheel.
     """
     uncertainty: float | None = None
-    """Relative uncertainty of the scaling, 1 sigma. [1]"""
+    """Relative uncertainty of the scaling, 1 sigma. Unit: 1. Required for `write`."""
 
     @classmethod
     def write(cls, mode: OdometerMode, scaling: float, uncertainty: float) -> OdometerConfiguration:
@@ -4564,6 +5664,12 @@ class OdometerConfiguration(Command):
     def default(cls) -> OdometerConfiguration:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return OdometerConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[OdometerConfiguration, int]:
@@ -4633,11 +5739,13 @@ class AdvancedLowPassFilterSettings(Command):
     """Advanced Low-Pass Filter Settings (0x0C,0x50).
 
     Low-pass filter of one quantity of the sensor data.
+
+    Deprecated: use `LowPassAntiAliasingFilter` where the device has it. For advanced use. Also
+    called `imu_lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `AdvancedLowPassFilterSettingsResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+
     The filter has one pole. By default it is on and its cutoff is half the rate of the message
     format.
-    Deprecated: use 3dm.low_pass_anti_aliasing_filter where the device has it
-    For advanced use.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50)
     - 3dm-cv7-gnss-ins: Advanced Low-Pass Filter Settings (0x0C,0x50)
@@ -4654,19 +5762,24 @@ class AdvancedLowPassFilterSettings(Command):
     """What to do with the setting."""
     target_descriptor: int | None = None
     """Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
-    magnetic field 0x06 or pressure 0x17. On 3dm-cv7-gnss-ins: Field descriptor in the sensor
-    data set: scaled acceleration 0x04, angular rate 0x05, magnetic field 0x06 or pressure 0x17;
-    0 means all of them, except for read.
+    magnetic field 0x06 or pressure 0x17.
+
+    - On the 3DM-CV7-GNSS/INS: Field descriptor in the sensor data set: scaled acceleration 0x04,
+      angular rate 0x05, magnetic field 0x06 or pressure 0x17; 0 means all of them, except for read.
     """
     enable: bool | None = None
-    """Whether the quantity is filtered. Factory default: True."""
+    """Whether the quantity is filtered. Default: true. Required for `write`."""
     manual: bool | None = None
-    """True uses the frequency; false follows half the rate of the message format. Factory
-    default: False.
+    """True uses the frequency; false follows half the rate of the message format. Default: false.
+    Required for `write`.
     """
     frequency: int | None = None
-    """Cutoff (-3 dB). It has no meaning if manual is false. [Hz] On 3dm-gx5-15: at most 250."""
+    """Cutoff (-3 dB). It has no meaning if manual is false. Unit: Hz. Required for `write`.
+
+    - On the 3DM-GX5-15: range at most 250.
+    """
     reserved: int | None = None
+    """Reserved: send 0. Required for `write`."""
 
     @classmethod
     def write(
@@ -4701,6 +5814,12 @@ class AdvancedLowPassFilterSettings(Command):
     def default(cls, target_descriptor: int) -> AdvancedLowPassFilterSettings:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, target_descriptor=target_descriptor)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return AdvancedLowPassFilterSettingsResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AdvancedLowPassFilterSettings, int]:
@@ -4786,12 +5905,15 @@ class ComplementaryFilterConfiguration(Command):
     """Complementary Filter Configuration (0x0C,0x51).
 
     Corrections of the complementary filter, which makes attitudes apart from the estimation filter.
-    Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
-    The heading follows the magnetometer, if the device has one.
-    The device refuses time constants out of range.
-    The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for
+
+    Also called `complementary_filter`. Functions: `write`, `read`, `save`, `load` and `default`.
+    Answered by `ComplementaryFilterConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS and
+    3DM-GX5-15.
+
+    Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero. The
+    heading follows the magnetometer, if the device has one. The device refuses time constants out
+    of range. The estimation filter gives better attitudes; the 3DM-GX5-15 keeps this filter for
     compatibility.
-    Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
     - 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51)
     - 3dm-cv7-gnss-ins: Complementary Filter Configuration (0x0C,0x51)
@@ -4807,19 +5929,23 @@ class ComplementaryFilterConfiguration(Command):
     function: FunctionSelector
     """What to do with the setting."""
     pitch_roll_enable: bool | None = None
-    """Corrects pitch and roll (up, in terms of the 5-series). On 3dm-gx5-15: factory default
-    true.
+    """Corrects pitch and roll (up, in terms of the 5-series). Required for `write`.
+
+    - On the 3DM-GX5-15: default true.
     """
     heading_enable: bool | None = None
-    """Corrects the heading (north, in terms of the 5-series). On 3dm-gx5-15: factory default
-    true.
+    """Corrects the heading (north, in terms of the 5-series). Required for `write`.
+
+    - On the 3DM-GX5-15: default true.
     """
     pitch_roll_time_constant: float | None = None
-    """Time constant of the correction of pitch and roll. [s] Range: 1 to 1000. Factory default:
-    10.
+    """Time constant of the correction of pitch and roll. Unit: s. Range: 1 to 1000. Default: 10.
+    Required for `write`.
     """
     heading_time_constant: float | None = None
-    """Time constant of the correction of the heading. [s] Range: 1 to 1000. Factory default: 10."""
+    """Time constant of the correction of the heading. Unit: s. Range: 1 to 1000. Default: 10.
+    Required for `write`.
+    """
 
     @classmethod
     def write(
@@ -4857,6 +5983,12 @@ class ComplementaryFilterConfiguration(Command):
     def default(cls) -> ComplementaryFilterConfiguration:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return ComplementaryFilterConfigurationResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[ComplementaryFilterConfiguration, int]:
@@ -4932,9 +6064,12 @@ class SensorRange(Command):
     """Sensor Range (0x0C,0x52).
 
     Measuring range of a sensor.
+
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `SensorRangeResponse`.
+    Supported by 3DM-CV7-GNSS/INS.
+
     The get calibrated sensor ranges command lists the settings. The device may refuse others or
     measure wrongly.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
@@ -4951,7 +6086,7 @@ class SensorRange(Command):
     sensor: SensorRangeType | None = None
     """The sensor."""
     setting: int | None = None
-    """Number of the range."""
+    """Number of the range. Required for `write`."""
 
     @classmethod
     def write(cls, sensor: SensorRangeType, setting: int) -> SensorRange:
@@ -4977,6 +6112,12 @@ class SensorRange(Command):
     def default(cls, sensor: SensorRangeType) -> SensorRange:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, sensor=sensor)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return SensorRangeResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorRange, int]:
@@ -5025,6 +6166,8 @@ class GetCalibratedSensorRanges(Command):
     """Get Calibrated Sensor Ranges (0x0C,0x53).
 
     Asks for the ranges that a sensor supports.
+
+    Also called `calibrated_sensor_ranges`. Answered by `GetCalibratedSensorRangesResponse`.
     Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Get Calibrated Sensor Ranges (0x0C,0x53)
@@ -5071,8 +6214,11 @@ class LowPassAntiAliasingFilter(Command):
     """Low-Pass Anti-Aliasing Filter (0x0C,0x54).
 
     Low-pass filter of a data field.
+
+    Also called `lowpass_filter`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
+    by `LowPassAntiAliasingFilterResponse`. Supported by 3DM-CV7-GNSS/INS.
+
     Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all sets.
-    Supported by 3DM-CV7-GNSS/INS.
 
     - 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54)
     """
@@ -5091,11 +6237,15 @@ class LowPassAntiAliasingFilter(Command):
     field_desc: int | None = None
     """Field descriptor; 0 if the set is 0."""
     enable: bool | None = None
-    """Whether the field is filtered."""
+    """Whether the field is filtered. Required for `write`."""
     manual: bool | None = None
-    """True uses the frequency; false follows half the rate of the field in the message format."""
+    """True uses the frequency; false follows half the rate of the field in the message format.
+    Required for `write`.
+    """
     frequency: float | None = None
-    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. [Hz]"""
+    """Cutoff; a write ignores it if manual is false, a read gives the cutoff in use. Unit: Hz.
+    Required for `write`.
+    """
 
     @classmethod
     def write(
@@ -5130,6 +6280,12 @@ class LowPassAntiAliasingFilter(Command):
     def default(cls, desc_set: int, field_desc: int) -> LowPassAntiAliasingFilter:
         """Load the factory default setting."""
         return cls(FunctionSelector.DEFAULT, desc_set=desc_set, field_desc=field_desc)
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.function == FunctionSelector.READ:
+            return LowPassAntiAliasingFilterResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[LowPassAntiAliasingFilter, int]:
@@ -5206,9 +6362,11 @@ class DeviceStatus(Command):
     """Device Status (0x0C,0x64).
 
     Asks for the state of the device, in one of two layouts.
-    The layouts hold for this model number only; other models answer with layouts of their own.
-    For advanced use.
+
+    For advanced use. Answered by `DeviceStatusBasicResponse` or `DeviceStatusDiagnosticResponse`.
     Supported by 3DM-GX5-15.
+
+    The layouts hold for this model number only; other models answer with layouts of their own.
 
     - 3dm-gx5-15: 4.2.16 Device Status (0x0C, 0x64)
     """
@@ -5219,12 +6377,21 @@ class DeviceStatus(Command):
     ROLE = "command"
     RESPONSES = (DeviceStatusBasicResponse, DeviceStatusDiagnosticResponse)
 
+    # On the wire: model_number. Model number of the 3DM-GX5-15. Always 6254.
     status_selector: DeviceStatusSelector
     """Layout of the answer."""
 
     @classmethod
     def matches(cls, data: bytes) -> bool:
-        return data[0:2] == b"\x18\x6e"
+        return data[0:2] == b"\x18n"
+
+    @property
+    def expected(self) -> ResponseClass | None:
+        if self.status_selector == 1:
+            return DeviceStatusBasicResponse
+        if self.status_selector == 2:
+            return DeviceStatusDiagnosticResponse
+        return None
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[DeviceStatus, int]:
@@ -5243,8 +6410,10 @@ class DeviceStatus(Command):
 
 
 ImuMessageFormatResponse.COMMANDS = (ImuMessageFormat,)
+GnssMessageFormatResponse.COMMANDS = (GnssMessageFormat,)
 EstimationFilterMessageFormatResponse.COMMANDS = (EstimationFilterMessageFormat,)
 GetImuDataBaseRateResponse.COMMANDS = (GetImuDataBaseRate,)
+GetGnssDataBaseRateResponse.COMMANDS = (GetGnssDataBaseRate,)
 DataStreamControlResponse.COMMANDS = (DataStreamControl,)
 UartBaudRateResponse.COMMANDS = (UartBaudRate,)
 GetEstimationFilterDataBaseRateResponse.COMMANDS = (GetEstimationFilterDataBaseRate,)
@@ -5260,7 +6429,10 @@ GyroscopeBiasConfigurationResponse.COMMANDS = (GyroscopeBiasConfiguration, Captu
 MagnetometerHardIronOffsetResponse.COMMANDS = (MagnetometerHardIronOffset,)
 MagnetometerSoftIronMatrixResponse.COMMANDS = (MagnetometerSoftIronMatrix,)
 ConingAndScullingEnableResponse.COMMANDS = (ConingAndScullingEnable,)
+ConstellationSettingsResponse.COMMANDS = (ConstellationSettings,)
 GnssSbasSettingsResponse.COMMANDS = (GnssSbasSettings,)
+GnssAssistedFixResponse.COMMANDS = (GnssAssistedFix,)
+GnssTimeAssistanceResponse.COMMANDS = (GnssTimeAssistance,)
 PpsSourceControlResponse.COMMANDS = (PpsSourceControl,)
 SensorToVehicleFrameTransformationEulerResponse.COMMANDS = (
     SensorToVehicleFrameTransformationEuler,
@@ -5284,14 +6456,16 @@ SensorRangeResponse.COMMANDS = (SensorRange,)
 GetCalibratedSensorRangesResponse.COMMANDS = (GetCalibratedSensorRanges,)
 LowPassAntiAliasingFilterResponse.COMMANDS = (LowPassAntiAliasingFilter,)
 
-
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (PollImuData,),
+    0x02: (PollGnssData,),
     0x03: (PollEstimationFilterData,),
     0x04: (PollNmeaData,),
     0x06: (GetImuDataBaseRate,),
+    0x07: (GetGnssDataBaseRate,),
     0x08: (ImuMessageFormat,),
+    0x09: (GnssMessageFormat,),
     0x0A: (EstimationFilterMessageFormat,),
     0x0B: (GetEstimationFilterDataBaseRate,),
     0x0C: (NmeaMessageFormat,),
@@ -5300,7 +6474,10 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x0F: (MessageFormat,),
     0x10: (FactoryStreaming,),
     0x11: (DataStreamControl,),
+    0x21: (ConstellationSettings,),
     0x22: (GnssSbasSettings,),
+    0x23: (GnssAssistedFix,),
+    0x24: (GnssTimeAssistance,),
     0x28: (PpsSourceControl,),
     0x2A: (GetSupportedEvents,),
     0x2B: (EventControl,),
@@ -5329,8 +6506,10 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x54: (LowPassAntiAliasingFilter,),
     0x64: (DeviceStatus,),
     0x80: (ImuMessageFormatResponse,),
+    0x81: (GnssMessageFormatResponse,),
     0x82: (EstimationFilterMessageFormatResponse,),
     0x83: (GetImuDataBaseRateResponse,),
+    0x84: (GetGnssDataBaseRateResponse,),
     0x85: (DataStreamControlResponse,),
     0x87: (UartBaudRateResponse,),
     0x8A: (GetEstimationFilterDataBaseRateResponse,),
@@ -5345,7 +6524,10 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x9C: (MagnetometerHardIronOffsetResponse,),
     0x9D: (MagnetometerSoftIronMatrixResponse,),
     0x9E: (ConingAndScullingEnableResponse,),
+    0xA0: (ConstellationSettingsResponse,),
     0xA1: (GnssSbasSettingsResponse,),
+    0xA2: (GnssAssistedFixResponse,),
+    0xA3: (GnssTimeAssistanceResponse,),
     0xA8: (PpsSourceControlResponse,),
     0xB1: (SensorToVehicleFrameTransformationEulerResponse,),
     0xB2: (SensorToVehicleFrameTransformationQuaternionResponse,),

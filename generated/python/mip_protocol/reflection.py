@@ -5,9 +5,6 @@ Importing this module imports all descriptor sets.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any
-
 from . import (
     aiding,
     base,
@@ -17,35 +14,21 @@ from . import (
     gnss_1,
     gnss_2,
     gnss_corrections,
+    gnss_data,
     gnss_external,
+    gnss_external_2,
     mip_3dm,
     protocol,
+    rtk,
     sensor,
     shared,
     system,
     system_data,
     types,
 )
+from .parameter import Parameter
 
-
-@dataclass(frozen=True)
-class Parameter:
-    """One value on the wire, in wire order. `name` is that of the specification."""
-
-    name: str
-    attribute: str
-    kind: str  # scalar, constant, counter, bits, text, array, struct or switch
-    scalar: str = ""  # u8 … s64, float, double, bool, char; bits: a bitfield in `size` bytes
-    size: int = 0
-    elements: tuple[str, ...] = ()  # of a vector
-    length: int | str | None = None  # a number, the counter's name, or "rest"
-    constant: int | None = None
-    counts: str = ""  # attribute of the array that a counter counts
-    type: Any = None  # enumeration, bitfield or structure
-    tag: str = ""  # attribute that selects a union's member
-    cases: dict[int, Parameter | None] = field(default_factory=dict)
-    units: tuple[str, ...] = ()
-
+__all__ = ["PARAMETERS", "Parameter"]
 
 #: Fields and structures -> their parameters.
 PARAMETERS: dict[type, tuple[Parameter, ...]] = {
@@ -159,6 +142,25 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("descriptor", "descriptor", "scalar", scalar="u8"),
         Parameter("reserved", "reserved", "scalar", scalar="u16"),
     ),
+    mip_3dm.ConstellationSettingsEntry: (
+        Parameter(
+            "constellation_id",
+            "constellation_id",
+            "scalar",
+            scalar="u8",
+            type=mip_3dm.ConstellationId,
+        ),
+        Parameter("enable", "enable", "scalar", scalar="u8"),
+        Parameter("reserved_channels", "reserved_channels", "scalar", scalar="u8", units=("1",)),
+        Parameter("max_channels", "max_channels", "scalar", scalar="u8", units=("1",)),
+        Parameter(
+            "option_flags",
+            "option_flags",
+            "scalar",
+            scalar="u16",
+            type=mip_3dm.ConstellationOptions,
+        ),
+    ),
     mip_3dm.SupportedEventInfo: (
         Parameter("type", "type", "scalar", scalar="u8"),
         Parameter("count", "count", "scalar", scalar="u8", units=("1",)),
@@ -184,6 +186,15 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "descriptors", "descriptors", "array", length="num_descriptors", type=mip_3dm.PollEntry
         ),
     ),
+    mip_3dm.PollGnssData: (
+        Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
+        Parameter(
+            "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
+        ),
+        Parameter(
+            "descriptors", "descriptors", "array", length="num_descriptors", type=mip_3dm.PollEntry
+        ),
+    ),
     mip_3dm.PollEstimationFilterData: (
         Parameter("suppress_ack", "suppress_ack", "scalar", scalar="bool"),
         Parameter(
@@ -201,7 +212,21 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     mip_3dm.GetImuDataBaseRate: (),
+    mip_3dm.GetGnssDataBaseRate: (),
     mip_3dm.ImuMessageFormat: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter(
+            "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
+        ),
+        Parameter(
+            "descriptors",
+            "descriptors",
+            "array",
+            length="num_descriptors",
+            type=types.DescriptorRate,
+        ),
+    ),
+    mip_3dm.GnssMessageFormat: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
@@ -267,6 +292,18 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("desc_set", "desc_set", "scalar", scalar="u8"),
         Parameter("enable", "enable", "scalar", scalar="bool"),
     ),
+    mip_3dm.ConstellationSettings: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("max_channels", "max_channels", "scalar", scalar="u16", units=("1",)),
+        Parameter("config_count", "config_count", "counter", scalar="u8", counts="settings"),
+        Parameter(
+            "settings",
+            "settings",
+            "array",
+            length="config_count",
+            type=mip_3dm.ConstellationSettingsEntry,
+        ),
+    ),
     mip_3dm.GnssSbasSettings: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("enable_sbas", "enable_sbas", "scalar", scalar="u8"),
@@ -277,6 +314,17 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter(
             "included_prns", "included_prns", "array", scalar="u16", length="num_included_prns"
         ),
+    ),
+    mip_3dm.GnssAssistedFix: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("option", "option", "scalar", scalar="u8", type=mip_3dm.AssistedFixOption),
+        Parameter("flags", "flags", "scalar", scalar="u8"),
+    ),
+    mip_3dm.GnssTimeAssistance: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter("accuracy", "accuracy", "scalar", scalar="float", units=("s",)),
     ),
     mip_3dm.PpsSourceControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -499,6 +547,18 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             type=types.DescriptorRate,
         ),
     ),
+    mip_3dm.GnssMessageFormatResponse: (
+        Parameter(
+            "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
+        ),
+        Parameter(
+            "descriptors",
+            "descriptors",
+            "array",
+            length="num_descriptors",
+            type=types.DescriptorRate,
+        ),
+    ),
     mip_3dm.EstimationFilterMessageFormatResponse: (
         Parameter(
             "num_descriptors", "num_descriptors", "counter", scalar="u8", counts="descriptors"
@@ -512,6 +572,9 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     mip_3dm.GetImuDataBaseRateResponse: (
+        Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
+    ),
+    mip_3dm.GetGnssDataBaseRateResponse: (
         Parameter("rate", "rate", "scalar", scalar="u16", units=("Hz",)),
     ),
     mip_3dm.DataStreamControlResponse: (
@@ -641,6 +704,20 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     mip_3dm.ConingAndScullingEnableResponse: (
         Parameter("enable", "enable", "scalar", scalar="bool"),
     ),
+    mip_3dm.ConstellationSettingsResponse: (
+        Parameter(
+            "max_channels_available", "max_channels_available", "scalar", scalar="u16", units=("1",)
+        ),
+        Parameter("max_channels_use", "max_channels_use", "scalar", scalar="u16", units=("1",)),
+        Parameter("config_count", "config_count", "counter", scalar="u8", counts="settings"),
+        Parameter(
+            "settings",
+            "settings",
+            "array",
+            length="config_count",
+            type=mip_3dm.ConstellationSettingsEntry,
+        ),
+    ),
     mip_3dm.GnssSbasSettingsResponse: (
         Parameter("enable_sbas", "enable_sbas", "scalar", scalar="u8"),
         Parameter("sbas_options", "sbas_options", "scalar", scalar="u16", type=mip_3dm.SbasOptions),
@@ -650,6 +727,15 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter(
             "included_prns", "included_prns", "array", scalar="u16", length="num_included_prns"
         ),
+    ),
+    mip_3dm.GnssAssistedFixResponse: (
+        Parameter("option", "option", "scalar", scalar="u8", type=mip_3dm.AssistedFixOption),
+        Parameter("flags", "flags", "scalar", scalar="u8"),
+    ),
+    mip_3dm.GnssTimeAssistanceResponse: (
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter("accuracy", "accuracy", "scalar", scalar="float", units=("s",)),
     ),
     mip_3dm.PpsSourceControlResponse: (
         Parameter("source", "source", "scalar", scalar="u8", type=mip_3dm.PpsSource),
@@ -771,11 +857,21 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
     ),
     filter.RunNavigationFilter: (),
+    filter.VehicleDynamicsMode: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("mode", "mode", "scalar", scalar="u8", type=filter.DynamicsMode),
+    ),
     filter.SensorToVehicleFrameTransformation: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
         Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
         Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",)),
+    ),
+    filter.SensorToVehicleOffset: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter(
+            "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
+        ),
     ),
     filter.GnssAntennaOffsetControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -790,6 +886,37 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     filter.GnssAidingSourceControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("source", "source", "scalar", scalar="u8", type=filter.GnssAidingSource),
+    ),
+    filter.ExternalGnssUpdate: (
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter("latitude", "latitude", "scalar", scalar="double", units=("deg",)),
+        Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",)),
+        Parameter("height", "height", "scalar", scalar="double", units=("m",)),
+        Parameter(
+            "velocity",
+            "velocity",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m/s",),
+        ),
+        Parameter(
+            "position_uncertainty",
+            "position_uncertainty",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m",),
+        ),
+        Parameter(
+            "velocity_uncertainty",
+            "velocity_uncertainty",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m/s",),
+        ),
     ),
     filter.ExternalHeadingUpdate: (
         Parameter("heading", "heading", "scalar", scalar="float", units=("rad",)),
@@ -836,6 +963,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
         ),
     ),
+    filter.AutoZupt: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("enable", "enable", "scalar", scalar="u8"),
+        Parameter("threshold", "threshold", "scalar", scalar="float", units=("m/s",)),
+    ),
     filter.ExternalHeadingUpdateWithTime: (
         Parameter("gps_time", "gps_time", "scalar", scalar="double", units=("s",)),
         Parameter("gps_week", "gps_week", "scalar", scalar="u16", units=("week",)),
@@ -854,6 +986,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("axes", "axes", "scalar", scalar="u8", type=filter.TareAxes),
     ),
+    filter.CommandedZupt: (),
     filter.CommandedZeroAngularRateUpdate: (),
     filter.SetReferencePosition: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -862,19 +995,49 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("longitude", "longitude", "scalar", scalar="double", units=("deg",)),
         Parameter("altitude", "altitude", "scalar", scalar="double", units=("m",)),
     ),
+    filter.MagCaptureAutoCal: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+    ),
     filter.GravityNoiseStandardDeviation: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("g",)
         ),
     ),
+    filter.PressureAltitudeNoise: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("noise", "noise", "scalar", scalar="float", units=("m",)),
+    ),
+    filter.HardIronOffsetNoise: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter(
+            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
+        ),
+    ),
+    filter.SoftIronMatrixNoise: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter(
+            "noise",
+            "noise",
+            "array",
+            scalar="float",
+            elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
+            units=("1",),
+        ),
+    ),
     filter.EnableDisableMeasurements: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("control", "control", "scalar", scalar="u16", type=filter.MeasurementFlags),
     ),
+    filter.MagNoise: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter(
+            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
+        ),
+    ),
     filter.MagneticFieldDeclinationSourceControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("source", "source", "scalar", scalar="u8", type=filter.DeclinationSource),
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
         Parameter("declination", "declination", "scalar", scalar="float", units=("rad",)),
     ),
     filter.GravityMagnitudeErrorAdaptiveMeasurement: (
@@ -907,9 +1070,86 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("m/s^2",)
         ),
     ),
+    filter.MagMagnitudeErrorAdaptiveMeasurement: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter(
+            "adaptive_measurement",
+            "adaptive_measurement",
+            "scalar",
+            scalar="u8",
+            type=filter.AdaptiveMeasurementSelector,
+        ),
+        Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
+        Parameter("low_limit", "low_limit", "scalar", scalar="float", units=("gauss",)),
+        Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("gauss",)),
+        Parameter(
+            "low_limit_uncertainty",
+            "low_limit_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("gauss",),
+        ),
+        Parameter(
+            "high_limit_uncertainty",
+            "high_limit_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("gauss",),
+        ),
+        Parameter(
+            "minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("gauss",)
+        ),
+    ),
+    filter.MagDipAngleErrorAdaptiveMeasurement: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("enable", "enable", "scalar", scalar="bool"),
+        Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
+        Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("rad",)),
+        Parameter(
+            "high_limit_uncertainty",
+            "high_limit_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+        ),
+        Parameter(
+            "minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("rad",)
+        ),
+    ),
+    filter.AltitudeAiding: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("selector", "selector", "scalar", scalar="u8", type=filter.AltitudeAidingSource),
+    ),
     filter.PitchRollAidingControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("aiding", "aiding", "scalar", scalar="u8", type=filter.PitchRollAidingSource),
+    ),
+    filter.InclinationSource: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
+        Parameter("inclination", "inclination", "scalar", scalar="float", units=("rad",)),
+    ),
+    filter.MagFieldMagnitudeSource: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
+        Parameter("magnitude", "magnitude", "scalar", scalar="float", units=("gauss",)),
+    ),
+    filter.SensorToVehicleRotationDcm: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter(
+            "dcm",
+            "dcm",
+            "array",
+            scalar="float",
+            elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
+            units=("1",),
+        ),
+    ),
+    filter.SensorToVehicleRotationQuaternion: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter(
+            "quat", "quat", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)
+        ),
     ),
     filter.AidingMeasurementControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -917,6 +1157,30 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "aiding_source", "aiding_source", "scalar", scalar="u16", type=filter.AidingSource
         ),
         Parameter("enable", "enable", "scalar", scalar="bool"),
+    ),
+    filter.KinematicConstraint: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter(
+            "accel_constraint",
+            "accel_constraint",
+            "scalar",
+            scalar="u8",
+            type=filter.AccelConstraint,
+        ),
+        Parameter(
+            "velocity_constraint",
+            "velocity_constraint",
+            "scalar",
+            scalar="u8",
+            type=filter.VelocityConstraint,
+        ),
+        Parameter(
+            "angular_constraint",
+            "angular_constraint",
+            "scalar",
+            scalar="u8",
+            type=filter.AngularConstraint,
+        ),
     ),
     filter.NavigationFilterInitialization: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -1010,6 +1274,14 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("m",),
         ),
     ),
+    filter.SpeedMeasurement: (
+        Parameter("source", "source", "scalar", scalar="u8"),
+        Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
+        Parameter("speed", "speed", "scalar", scalar="float", units=("m/s",)),
+        Parameter(
+            "speed_uncertainty", "speed_uncertainty", "scalar", scalar="float", units=("m/s",)
+        ),
+    ),
     filter.MeasurementSpeedLeverArm: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("source", "source", "scalar", scalar="u8"),
@@ -1022,6 +1294,10 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("m",),
         ),
     ),
+    filter.VerticalGyroConstraintControl: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("enable", "enable", "scalar", scalar="u8"),
+    ),
     filter.WheeledVehicleConstraintControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("enable", "enable", "scalar", scalar="u8"),
@@ -1031,10 +1307,18 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("max_offset", "max_offset", "scalar", scalar="float", units=("m",)),
     ),
+    filter.VehicleDynamicsModeResponse: (
+        Parameter("mode", "mode", "scalar", scalar="u8", type=filter.DynamicsMode),
+    ),
     filter.SensorToVehicleFrameTransformationResponse: (
         Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
         Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
         Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",)),
+    ),
+    filter.SensorToVehicleOffsetResponse: (
+        Parameter(
+            "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
+        ),
     ),
     filter.GnssAntennaOffsetControlResponse: (
         Parameter(
@@ -1079,6 +1363,10 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("rad/s",)
         ),
     ),
+    filter.AutoZuptResponse: (
+        Parameter("enable", "enable", "scalar", scalar="u8"),
+        Parameter("threshold", "threshold", "scalar", scalar="float", units=("m/s",)),
+    ),
     filter.ZeroAngularRateUpdateControlResponse: (
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("threshold", "threshold", "scalar", scalar="float", units=("rad/s",)),
@@ -1094,11 +1382,37 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("g",)
         ),
     ),
+    filter.PressureAltitudeNoiseResponse: (
+        Parameter("noise", "noise", "scalar", scalar="float", units=("m",)),
+    ),
+    filter.HardIronOffsetNoiseResponse: (
+        Parameter(
+            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
+        ),
+    ),
+    filter.SoftIronMatrixNoiseResponse: (
+        Parameter(
+            "noise",
+            "noise",
+            "array",
+            scalar="float",
+            elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
+            units=("1",),
+        ),
+    ),
+    filter.TareOrientationResponse: (
+        Parameter("axes", "axes", "scalar", scalar="u8", type=filter.TareAxes),
+    ),
     filter.EnableDisableMeasurementsResponse: (
         Parameter("control", "control", "scalar", scalar="u16", type=filter.MeasurementFlags),
     ),
+    filter.MagNoiseResponse: (
+        Parameter(
+            "noise", "noise", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
+        ),
+    ),
     filter.MagneticFieldDeclinationSourceControlResponse: (
-        Parameter("source", "source", "scalar", scalar="u8", type=filter.DeclinationSource),
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
         Parameter("declination", "declination", "scalar", scalar="float", units=("rad",)),
     ),
     filter.GravityMagnitudeErrorAdaptiveMeasurementResponse: (
@@ -1130,14 +1444,107 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("m/s^2",)
         ),
     ),
+    filter.MagMagnitudeErrorAdaptiveMeasurementResponse: (
+        Parameter(
+            "adaptive_measurement",
+            "adaptive_measurement",
+            "scalar",
+            scalar="u8",
+            type=filter.AdaptiveMeasurementSelector,
+        ),
+        Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
+        Parameter("low_limit", "low_limit", "scalar", scalar="float", units=("gauss",)),
+        Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("gauss",)),
+        Parameter(
+            "low_limit_uncertainty",
+            "low_limit_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("gauss",),
+        ),
+        Parameter(
+            "high_limit_uncertainty",
+            "high_limit_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("gauss",),
+        ),
+        Parameter(
+            "minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("gauss",)
+        ),
+    ),
+    filter.MagDipAngleErrorAdaptiveMeasurementResponse: (
+        Parameter("enable", "enable", "scalar", scalar="bool"),
+        Parameter("frequency", "frequency", "scalar", scalar="float", units=("Hz",)),
+        Parameter("high_limit", "high_limit", "scalar", scalar="float", units=("rad",)),
+        Parameter(
+            "high_limit_uncertainty",
+            "high_limit_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("rad",),
+        ),
+        Parameter(
+            "minimum_uncertainty", "minimum_uncertainty", "scalar", scalar="float", units=("rad",)
+        ),
+    ),
+    filter.AltitudeAidingResponse: (
+        Parameter("selector", "selector", "scalar", scalar="u8", type=filter.AltitudeAidingSource),
+    ),
     filter.PitchRollAidingControlResponse: (
         Parameter("aiding", "aiding", "scalar", scalar="u8", type=filter.PitchRollAidingSource),
+    ),
+    filter.InclinationSourceResponse: (
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
+        Parameter("inclination", "inclination", "scalar", scalar="float", units=("rad",)),
+    ),
+    filter.MagFieldMagnitudeSourceResponse: (
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
+        Parameter("magnitude", "magnitude", "scalar", scalar="float", units=("gauss",)),
+    ),
+    filter.SensorToVehicleRotationDcmResponse: (
+        Parameter(
+            "dcm",
+            "dcm",
+            "array",
+            scalar="float",
+            elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
+            units=("1",),
+        ),
+    ),
+    filter.SensorToVehicleRotationQuaternionResponse: (
+        Parameter(
+            "quat", "quat", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)
+        ),
     ),
     filter.AidingMeasurementControlResponse: (
         Parameter(
             "aiding_source", "aiding_source", "scalar", scalar="u16", type=filter.AidingSource
         ),
         Parameter("enable", "enable", "scalar", scalar="bool"),
+    ),
+    filter.KinematicConstraintResponse: (
+        Parameter(
+            "accel_constraint",
+            "accel_constraint",
+            "scalar",
+            scalar="u8",
+            type=filter.AccelConstraint,
+        ),
+        Parameter(
+            "velocity_constraint",
+            "velocity_constraint",
+            "scalar",
+            scalar="u8",
+            type=filter.VelocityConstraint,
+        ),
+        Parameter(
+            "angular_constraint",
+            "angular_constraint",
+            "scalar",
+            scalar="u8",
+            type=filter.AngularConstraint,
+        ),
     ),
     filter.NavigationFilterInitializationResponse: (
         Parameter("wait_for_run_command", "wait_for_run_command", "scalar", scalar="u8"),
@@ -1237,6 +1644,9 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             units=("m",),
         ),
     ),
+    filter.VerticalGyroConstraintControlResponse: (
+        Parameter("enable", "enable", "scalar", scalar="u8"),
+    ),
     filter.WheeledVehicleConstraintControlResponse: (
         Parameter("enable", "enable", "scalar", scalar="u8"),
     ),
@@ -1261,6 +1671,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
         Parameter("beidou_enable", "beidou_enable", "scalar", scalar="u8", type=gnss.BeidouSignals),
         Parameter("reserved", "reserved", "array", scalar="u8", length=4),
+    ),
+    gnss.RtkDongleConfiguration: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("enable", "enable", "scalar", scalar="u8"),
+        Parameter("reserved", "reserved", "array", scalar="u8", length=3),
     ),
     gnss.SpartnConfiguration: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -1294,6 +1709,10 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("beidou_enable", "beidou_enable", "scalar", scalar="u8", type=gnss.BeidouSignals),
         Parameter("reserved", "reserved", "array", scalar="u8", length=4),
     ),
+    gnss.RtkDongleConfigurationResponse: (
+        Parameter("enable", "enable", "scalar", scalar="u8"),
+        Parameter("reserved", "reserved", "array", scalar="u8", length=3),
+    ),
     gnss.SpartnConfigurationResponse: (
         Parameter("enable", "enable", "scalar", scalar="u8"),
         Parameter("type", "type", "scalar", scalar="u8", type=gnss.SpartnConnection),
@@ -1303,6 +1722,57 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("next_key_tow", "next_key_tow", "scalar", scalar="u32", units=("s",)),
         Parameter("next_key_week", "next_key_week", "scalar", scalar="u16", units=("week",)),
         Parameter("next_key", "next_key", "array", scalar="u8", length=32),
+    ),
+    rtk.GetStatusFlags: (),
+    rtk.GetImei: (),
+    rtk.GetImsi: (),
+    rtk.GetIccid: (),
+    rtk.GetRssi: (),
+    rtk.ConnectedDeviceType: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("device_type", "device_type", "scalar", scalar="u8", type=rtk.ConnectedDevice),
+    ),
+    rtk.GetActivationCode: (),
+    rtk.GetModemFirmwareVersion: (),
+    rtk.ServiceStatus: (
+        Parameter("reserved1", "reserved1", "scalar", scalar="u32"),
+        Parameter("reserved2", "reserved2", "scalar", scalar="u32"),
+    ),
+    rtk.EraseStorage: (Parameter("media", "media", "scalar", scalar="u8", type=rtk.StorageMedium),),
+    rtk.LedControl: (
+        Parameter("primary_color", "primary_color", "array", scalar="u8", length=3),
+        Parameter("alternate_color", "alternate_color", "array", scalar="u8", length=3),
+        Parameter("action", "action", "scalar", scalar="u8", type=rtk.LedAction),
+        Parameter("period", "period", "scalar", scalar="u32"),
+    ),
+    rtk.ModemHardReset: (),
+    rtk.GetStatusFlagsResponse: (
+        Parameter("flags", "flags", "scalar", scalar="u32", type=types.RtkStatusFlags),
+    ),
+    rtk.GetImeiResponse: (Parameter("imei", "imei", "text", scalar="char", length=32),),
+    rtk.GetImsiResponse: (Parameter("imsi", "imsi", "text", scalar="char", length=32),),
+    rtk.GetIccidResponse: (Parameter("iccid", "iccid", "text", scalar="char", length=32),),
+    rtk.GetRssiResponse: (
+        Parameter("valid", "valid", "scalar", scalar="bool"),
+        Parameter("rssi", "rssi", "scalar", scalar="s32"),
+        Parameter("signal_quality", "signal_quality", "scalar", scalar="s32"),
+    ),
+    rtk.ConnectedDeviceTypeResponse: (
+        Parameter("device_type", "device_type", "scalar", scalar="u8", type=rtk.ConnectedDevice),
+    ),
+    rtk.GetActivationCodeResponse: (
+        Parameter("activation_code", "activation_code", "text", scalar="char", length=32),
+    ),
+    rtk.GetModemFirmwareVersionResponse: (
+        Parameter(
+            "modem_firmware_version", "modem_firmware_version", "text", scalar="char", length=32
+        ),
+    ),
+    rtk.ServiceStatusResponse: (
+        Parameter("flags", "flags", "scalar", scalar="u8", type=rtk.ServiceFlags),
+        Parameter("received_bytes", "received_bytes", "scalar", scalar="u32", units=("byte",)),
+        Parameter("last_bytes", "last_bytes", "scalar", scalar="u32", units=("byte",)),
+        Parameter("last_bytes_time", "last_bytes_time", "scalar", scalar="u64"),
     ),
     aiding.MeasurementTime: (
         Parameter("timebase", "timebase", "scalar", scalar="u8", type=aiding.Timebase),
@@ -1528,12 +1998,67 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     aiding.EchoControlResponse: (
         Parameter("mode", "mode", "scalar", scalar="u8", type=aiding.AidingEchoMode),
     ),
+    system.InterfaceControl: (
+        Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
+        Parameter("port", "port", "scalar", scalar="u8", type=system.CommsInterface),
+        Parameter(
+            "protocols_incoming",
+            "protocols_incoming",
+            "scalar",
+            scalar="u32",
+            type=system.CommsProtocols,
+        ),
+        Parameter(
+            "protocols_outgoing",
+            "protocols_outgoing",
+            "scalar",
+            scalar="u32",
+            type=system.CommsProtocols,
+        ),
+    ),
     system.CommunicationMode: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter("mode", "mode", "scalar", scalar="u8", type=system.ProtocolMode),
     ),
+    system.InterfaceControlResponse: (
+        Parameter("port", "port", "scalar", scalar="u8", type=system.CommsInterface),
+        Parameter(
+            "protocols_incoming",
+            "protocols_incoming",
+            "scalar",
+            scalar="u32",
+            type=system.CommsProtocols,
+        ),
+        Parameter(
+            "protocols_outgoing",
+            "protocols_outgoing",
+            "scalar",
+            scalar="u32",
+            type=system.CommsProtocols,
+        ),
+    ),
     system.CommunicationModeResponse: (
         Parameter("mode", "mode", "scalar", scalar="u8", type=system.ProtocolMode),
+    ),
+    sensor.RawAccel: (
+        Parameter(
+            "raw_accel",
+            "raw_accel",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("1",),
+        ),
+    ),
+    sensor.RawGyro: (
+        Parameter(
+            "raw_gyro", "raw_gyro", "array", scalar="float", elements=("x", "y", "z"), units=("1",)
+        ),
+    ),
+    sensor.RawMag: (
+        Parameter(
+            "raw_mag", "raw_mag", "array", scalar="float", elements=("x", "y", "z"), units=("1",)
+        ),
     ),
     sensor.ScaledAccel: (
         Parameter(
@@ -1598,10 +2123,30 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     sensor.ComplementaryFilterQuaternion: (
         Parameter("q", "q", "array", scalar="float", elements=("w", "x", "y", "z"), units=("1",)),
     ),
+    sensor.CompOrientationUpdateMatrix: (
+        Parameter(
+            "m",
+            "m",
+            "array",
+            scalar="float",
+            elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
+            units=("1",),
+        ),
+    ),
     sensor.ComplementaryFilterEulerAngles: (
         Parameter("roll", "roll", "scalar", scalar="float", units=("rad",)),
         Parameter("pitch", "pitch", "scalar", scalar="float", units=("rad",)),
         Parameter("yaw", "yaw", "scalar", scalar="float", units=("rad",)),
+    ),
+    sensor.OrientationRawTemp: (
+        Parameter("raw_temp", "raw_temp", "array", scalar="u16", length=4, units=("1",)),
+    ),
+    sensor.InternalTimestamp: (
+        Parameter("counts", "counts", "scalar", scalar="u32", units=("1",)),
+    ),
+    sensor.PpsTimestamp: (
+        Parameter("seconds", "seconds", "scalar", scalar="u32", units=("s",)),
+        Parameter("useconds", "useconds", "scalar", scalar="u32", units=("us",)),
     ),
     sensor.ComplementaryFilterStabilizedNorthVector: (
         Parameter(
@@ -1634,6 +2179,9 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("min_temp", "min_temp", "scalar", scalar="float", units=("degC",)),
         Parameter("max_temp", "max_temp", "scalar", scalar="float", units=("degC",)),
         Parameter("mean_temp", "mean_temp", "scalar", scalar="float", units=("degC",)),
+    ),
+    sensor.RawPressure: (
+        Parameter("raw_pressure", "raw_pressure", "scalar", scalar="float", units=("1",)),
     ),
     sensor.ScaledPressure: (
         Parameter("scaled_pressure", "scaled_pressure", "scalar", scalar="float", units=("mbar",)),
@@ -1830,6 +2378,79 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
+    filter_data.GyroScaleFactor: (
+        Parameter(
+            "scale_factor",
+            "scale_factor",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("1",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.AccelScaleFactor: (
+        Parameter(
+            "scale_factor",
+            "scale_factor",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("1",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.GyroScaleFactorUncertainty: (
+        Parameter(
+            "scale_factor_uncertainty",
+            "scale_factor_uncertainty",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("1",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.AccelScaleFactorUncertainty: (
+        Parameter(
+            "scale_factor_uncertainty",
+            "scale_factor_uncertainty",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("1",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.MagBias: (
+        Parameter(
+            "bias", "bias", "array", scalar="float", elements=("x", "y", "z"), units=("gauss",)
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.MagBiasUncertainty: (
+        Parameter(
+            "bias_uncertainty",
+            "bias_uncertainty",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("gauss",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
     filter_data.CompensatedAcceleration: (
         Parameter(
             "accel", "accel", "array", scalar="float", elements=("x", "y", "z"), units=("m/s^2",)
@@ -1838,8 +2459,158 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
     ),
+    filter_data.StandardAtmosphere: (
+        Parameter(
+            "geometric_altitude", "geometric_altitude", "scalar", scalar="float", units=("m",)
+        ),
+        Parameter(
+            "geopotential_altitude", "geopotential_altitude", "scalar", scalar="float", units=("m",)
+        ),
+        Parameter(
+            "standard_temperature",
+            "standard_temperature",
+            "scalar",
+            scalar="float",
+            units=("degC",),
+        ),
+        Parameter(
+            "standard_pressure", "standard_pressure", "scalar", scalar="float", units=("mbar",)
+        ),
+        Parameter(
+            "standard_density", "standard_density", "scalar", scalar="float", units=("kg/m^3",)
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
     filter_data.PressureAltitude: (
         Parameter("pressure_altitude", "pressure_altitude", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.DensityAltitude: (
+        Parameter("density_altitude", "density_altitude", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.MagOffset: (
+        Parameter(
+            "hard_iron",
+            "hard_iron",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("gauss",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.MagMatrix: (
+        Parameter(
+            "soft_iron",
+            "soft_iron",
+            "array",
+            scalar="float",
+            elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
+            units=("1",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.MagOffsetUncertainty: (
+        Parameter(
+            "hard_iron_uncertainty",
+            "hard_iron_uncertainty",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("gauss",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.MagMatrixUncertainty: (
+        Parameter(
+            "soft_iron_uncertainty",
+            "soft_iron_uncertainty",
+            "array",
+            scalar="float",
+            elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
+            units=("1",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.MagCovarianceMatrix: (
+        Parameter(
+            "covariance",
+            "covariance",
+            "array",
+            scalar="float",
+            elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.MagResidualVector: (
+        Parameter(
+            "residual",
+            "residual",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("gauss",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.AntennaOffsetCorrection: (
+        Parameter(
+            "offset", "offset", "array", scalar="float", elements=("x", "y", "z"), units=("m",)
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.AntennaOffsetCorrectionUncertainty: (
+        Parameter(
+            "offset_uncertainty",
+            "offset_uncertainty",
+            "array",
+            scalar="float",
+            elements=("x", "y", "z"),
+            units=("m",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.ClockCorrection: (
+        Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
+        Parameter("bias", "bias", "scalar", scalar="float", units=("s",)),
+        Parameter("bias_drift", "bias_drift", "scalar", scalar="float", units=("s/s",)),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
+        ),
+    ),
+    filter_data.ClockCorrectionUncertainty: (
+        Parameter("receiver_id", "receiver_id", "scalar", scalar="u8"),
+        Parameter("bias_uncertainty", "bias_uncertainty", "scalar", scalar="float", units=("s",)),
+        Parameter(
+            "bias_drift_uncertainty",
+            "bias_drift_uncertainty",
+            "scalar",
+            scalar="float",
+            units=("s/s",),
+        ),
         Parameter(
             "valid_flags", "valid_flags", "scalar", scalar="u16", type=filter_data.ValidFlags
         ),
@@ -1937,6 +2708,16 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("time_of_week", "time_of_week", "scalar", scalar="float", units=("s",)),
         Parameter("status", "status", "scalar", scalar="u16", type=filter_data.GnssAidingStatus),
         Parameter("reserved", "reserved", "array", scalar="u8", length=8),
+    ),
+    filter_data.GnssAttitudeAidingStatus: (
+        Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
+        Parameter("status", "status", "scalar", scalar="u16", type=filter_data.GnssAidingStatus),
+        Parameter("reserved", "reserved", "array", scalar="u8", length=8),
+    ),
+    filter_data.HeadingAidingStatus: (
+        Parameter("tow", "tow", "scalar", scalar="float", units=("s",)),
+        Parameter("type", "type", "scalar", scalar="u8", type=filter_data.HeadingAidingType),
+        Parameter("reserved", "reserved", "array", scalar="float", length=2),
     ),
     filter_data.AidingMeasurementSummary: (
         Parameter("time_of_week", "time_of_week", "scalar", scalar="float", units=("s",)),
@@ -2089,11 +2870,30 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.GpsTimeFlags),
     ),
+    gnss_1.ClockInfo: (
+        Parameter("bias", "bias", "scalar", scalar="double", units=("s",)),
+        Parameter("drift", "drift", "scalar", scalar="double", units=("s/s",)),
+        Parameter(
+            "accuracy_estimate", "accuracy_estimate", "scalar", scalar="double", units=("s",)
+        ),
+        Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.ClockInfoFlags),
+    ),
     gnss_1.FixInfo: (
         Parameter("fix_type", "fix_type", "scalar", scalar="u8", type=types.GnssFixType),
         Parameter("num_sv", "num_sv", "scalar", scalar="u8", units=("1",)),
         Parameter("fix_flags", "fix_flags", "scalar", scalar="u16", type=gnss_1.FixFlags),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.FixInfoFlags),
+    ),
+    gnss_1.SvInfo: (
+        Parameter("channel", "channel", "scalar", scalar="u8"),
+        Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
+        Parameter(
+            "carrier_noise_ratio", "carrier_noise_ratio", "scalar", scalar="u16", units=("dB-Hz",)
+        ),
+        Parameter("azimuth", "azimuth", "scalar", scalar="s16", units=("deg",)),
+        Parameter("elevation", "elevation", "scalar", scalar="s16", units=("deg",)),
+        Parameter("sv_flags", "sv_flags", "scalar", scalar="u16", type=gnss_1.SvFlags),
+        Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.SvInfoFlags),
     ),
     gnss_1.GnssHardwareStatus: (
         Parameter(
@@ -2111,6 +2911,28 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
             "scalar",
             scalar="u16",
             type=gnss_1.GnssHardwareStatusFlags,
+        ),
+    ),
+    gnss_1.DgpsInfo: (
+        Parameter("age", "age", "scalar", scalar="float", units=("s",)),
+        Parameter("base_station_id", "base_station_id", "scalar", scalar="s16"),
+        Parameter("base_station_status", "base_station_status", "scalar", scalar="s16"),
+        Parameter("num_channels", "num_channels", "scalar", scalar="u16", units=("1",)),
+        Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.DgpsInfoFlags),
+    ),
+    gnss_1.DgpsChannel: (
+        Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
+        Parameter("age", "age", "scalar", scalar="float", units=("s",)),
+        Parameter("range_correction", "range_correction", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "range_rate_correction",
+            "range_rate_correction",
+            "scalar",
+            scalar="float",
+            units=("m/s",),
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.DgpsChannelFlags
         ),
     ),
     gnss_1.ClockInfo2: (
@@ -2149,6 +2971,39 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("sbas_status", "sbas_status", "scalar", scalar="u8", type=gnss_1.SbasStatus),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.SbasInfoFlags),
     ),
+    gnss_1.SbasCorrection: (
+        Parameter("index", "index", "scalar", scalar="u8"),
+        Parameter("count", "count", "scalar", scalar="u8"),
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter("gnss_id", "gnss_id", "scalar", scalar="u8", type=types.GnssConstellation),
+        Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
+        Parameter("udrei", "udrei", "scalar", scalar="u8"),
+        Parameter(
+            "pseudorange_correction",
+            "pseudorange_correction",
+            "scalar",
+            scalar="float",
+            units=("m",),
+        ),
+        Parameter("iono_correction", "iono_correction", "scalar", scalar="float", units=("m",)),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.SbasCorrectionFlags
+        ),
+    ),
+    gnss_1.RfErrorDetection: (
+        Parameter("rf_band", "rf_band", "scalar", scalar="u8", type=gnss_1.RfBand),
+        Parameter(
+            "jamming_state", "jamming_state", "scalar", scalar="u8", type=gnss_1.JammingState
+        ),
+        Parameter(
+            "spoofing_state", "spoofing_state", "scalar", scalar="u8", type=gnss_1.SpoofingState
+        ),
+        Parameter("reserved", "reserved", "array", scalar="u8", length=4),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.RfErrorDetectionFlags
+        ),
+    ),
     gnss_1.SatelliteStatus: (
         Parameter("index", "index", "scalar", scalar="u8"),
         Parameter("count", "count", "scalar", scalar="u8"),
@@ -2183,6 +3038,67 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("doppler_uncert", "doppler_uncert", "scalar", scalar="float", units=("Hz",)),
         Parameter("lock_time", "lock_time", "scalar", scalar="float", units=("s",)),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.RawFlags),
+    ),
+    gnss_1.BaseStationInfo: (
+        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter(
+            "ecef_pos", "ecef_pos", "array", scalar="double", elements=("x", "y", "z"), units=("m",)
+        ),
+        Parameter("height", "height", "scalar", scalar="float", units=("m",)),
+        Parameter("station_id", "station_id", "scalar", scalar="u16"),
+        Parameter(
+            "indicators", "indicators", "scalar", scalar="u16", type=gnss_1.BaseStationIndicators
+        ),
+        Parameter(
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.BaseStationInfoFlags
+        ),
+    ),
+    gnss_1.RtkCorrectionsStatus: (
+        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter(
+            "epoch_status", "epoch_status", "scalar", scalar="u16", type=gnss_1.RtkEpochStatus
+        ),
+        Parameter(
+            "dongle_status", "dongle_status", "scalar", scalar="u32", type=types.RtkStatusFlags
+        ),
+        Parameter(
+            "gps_correction_latency",
+            "gps_correction_latency",
+            "scalar",
+            scalar="float",
+            units=("s",),
+        ),
+        Parameter(
+            "glonass_correction_latency",
+            "glonass_correction_latency",
+            "scalar",
+            scalar="float",
+            units=("s",),
+        ),
+        Parameter(
+            "galileo_correction_latency",
+            "galileo_correction_latency",
+            "scalar",
+            scalar="float",
+            units=("s",),
+        ),
+        Parameter(
+            "beidou_correction_latency",
+            "beidou_correction_latency",
+            "scalar",
+            scalar="float",
+            units=("s",),
+        ),
+        Parameter("reserved", "reserved", "array", scalar="u32", length=4),
+        Parameter(
+            "valid_flags",
+            "valid_flags",
+            "scalar",
+            scalar="u16",
+            type=gnss_1.RtkCorrectionsStatusFlags,
+        ),
     ),
     gnss_1.GpsEphemeris: (
         Parameter("index", "index", "scalar", scalar="u8"),
@@ -2357,75 +3273,40 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("c_rs", "c_rs", "scalar", scalar="double", units=("m",)),
         Parameter("valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.EphemerisFlags),
     ),
-    gnss_corrections.BaseStationInfo: (
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+    gnss_1.GpsIonoCorrection: (
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter("alpha", "alpha", "array", scalar="double", length=4),
+        Parameter("beta", "beta", "array", scalar="double", length=4),
         Parameter(
-            "ecef_pos", "ecef_pos", "array", scalar="double", elements=("x", "y", "z"), units=("m",)
-        ),
-        Parameter("height", "height", "scalar", scalar="float", units=("m",)),
-        Parameter("station_id", "station_id", "scalar", scalar="u16"),
-        Parameter(
-            "indicators",
-            "indicators",
-            "scalar",
-            scalar="u16",
-            type=gnss_corrections.BaseStationIndicators,
-        ),
-        Parameter(
-            "valid_flags",
-            "valid_flags",
-            "scalar",
-            scalar="u16",
-            type=gnss_corrections.BaseStationInfoFlags,
+            "valid_flags", "valid_flags", "scalar", scalar="u16", type=gnss_1.GpsIonoCorrectionFlags
         ),
     ),
-    gnss_corrections.RtkCorrectionsStatus: (
-        Parameter("time_of_week", "time_of_week", "scalar", scalar="double", units=("s",)),
+    gnss_1.GalileoIonoCorrection: (
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
-        Parameter(
-            "epoch_status",
-            "epoch_status",
-            "scalar",
-            scalar="u16",
-            type=gnss_corrections.RtkEpochStatus,
-        ),
-        Parameter("dongle_status", "dongle_status", "scalar", scalar="u32"),
-        Parameter(
-            "gps_correction_latency",
-            "gps_correction_latency",
-            "scalar",
-            scalar="float",
-            units=("s",),
-        ),
-        Parameter(
-            "glonass_correction_latency",
-            "glonass_correction_latency",
-            "scalar",
-            scalar="float",
-            units=("s",),
-        ),
-        Parameter(
-            "galileo_correction_latency",
-            "galileo_correction_latency",
-            "scalar",
-            scalar="float",
-            units=("s",),
-        ),
-        Parameter(
-            "beidou_correction_latency",
-            "beidou_correction_latency",
-            "scalar",
-            scalar="float",
-            units=("s",),
-        ),
-        Parameter("reserved", "reserved", "array", scalar="u32", length=4),
+        Parameter("alpha", "alpha", "array", scalar="double", length=3),
+        Parameter("disturbance_flags", "disturbance_flags", "scalar", scalar="u8"),
         Parameter(
             "valid_flags",
             "valid_flags",
             "scalar",
             scalar="u16",
-            type=gnss_corrections.RtkCorrectionsStatusFlags,
+            type=gnss_1.GalileoIonoCorrectionFlags,
+        ),
+    ),
+    gnss_1.BeidouIonoCorrection: (
+        Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
+        Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
+        Parameter("alpha", "alpha", "array", scalar="double", length=4),
+        Parameter("beta", "beta", "array", scalar="double", length=4),
+        Parameter("alpha_correction", "alpha_correction", "array", scalar="double", length=9),
+        Parameter(
+            "valid_flags",
+            "valid_flags",
+            "scalar",
+            scalar="u16",
+            type=gnss_1.BeidouIonoCorrectionFlags,
         ),
     ),
     system_data.BuiltInTest: (Parameter("result", "result", "array", scalar="u8", length=16),),
@@ -2436,7 +3317,13 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     system_data.GpioState: (
         Parameter("states", "states", "scalar", scalar="u8", type=system_data.GpioPinStates),
     ),
+    system_data.GpioAnalogValue: (
+        Parameter("gpio_id", "gpio_id", "scalar", scalar="u8"),
+        Parameter("value", "value", "scalar", scalar="float", units=("V",)),
+    ),
     shared.EventSource: (Parameter("trigger_id", "trigger_id", "scalar", scalar="u8"),),
+    shared.Ticks: (Parameter("ticks", "ticks", "scalar", scalar="u32", units=("1",)),),
+    shared.DeltaTicks: (Parameter("ticks", "ticks", "scalar", scalar="u32", units=("1",)),),
     shared.GpsTimestamp: (
         Parameter("tow", "tow", "scalar", scalar="double", units=("s",)),
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
@@ -2465,6 +3352,35 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
 }
 
+PARAMETERS[gnss_data.GnssLlhPosition] = PARAMETERS[gnss_1.GnssLlhPosition]
+PARAMETERS[gnss_data.GnssEcefPosition] = PARAMETERS[gnss_1.GnssEcefPosition]
+PARAMETERS[gnss_data.NedVelocity] = PARAMETERS[gnss_1.NedVelocity]
+PARAMETERS[gnss_data.GnssEcefVelocity] = PARAMETERS[gnss_1.GnssEcefVelocity]
+PARAMETERS[gnss_data.Dop] = PARAMETERS[gnss_1.Dop]
+PARAMETERS[gnss_data.UtcTime] = PARAMETERS[gnss_1.UtcTime]
+PARAMETERS[gnss_data.GpsTime] = PARAMETERS[gnss_1.GpsTime]
+PARAMETERS[gnss_data.ClockInfo] = PARAMETERS[gnss_1.ClockInfo]
+PARAMETERS[gnss_data.FixInfo] = PARAMETERS[gnss_1.FixInfo]
+PARAMETERS[gnss_data.SvInfo] = PARAMETERS[gnss_1.SvInfo]
+PARAMETERS[gnss_data.GnssHardwareStatus] = PARAMETERS[gnss_1.GnssHardwareStatus]
+PARAMETERS[gnss_data.DgpsInfo] = PARAMETERS[gnss_1.DgpsInfo]
+PARAMETERS[gnss_data.DgpsChannel] = PARAMETERS[gnss_1.DgpsChannel]
+PARAMETERS[gnss_data.ClockInfo2] = PARAMETERS[gnss_1.ClockInfo2]
+PARAMETERS[gnss_data.GpsLeapSeconds] = PARAMETERS[gnss_1.GpsLeapSeconds]
+PARAMETERS[gnss_data.SbasInfo] = PARAMETERS[gnss_1.SbasInfo]
+PARAMETERS[gnss_data.SbasCorrection] = PARAMETERS[gnss_1.SbasCorrection]
+PARAMETERS[gnss_data.RfErrorDetection] = PARAMETERS[gnss_1.RfErrorDetection]
+PARAMETERS[gnss_data.SatelliteStatus] = PARAMETERS[gnss_1.SatelliteStatus]
+PARAMETERS[gnss_data.Raw] = PARAMETERS[gnss_1.Raw]
+PARAMETERS[gnss_data.BaseStationInfo] = PARAMETERS[gnss_1.BaseStationInfo]
+PARAMETERS[gnss_data.RtkCorrectionsStatus] = PARAMETERS[gnss_1.RtkCorrectionsStatus]
+PARAMETERS[gnss_data.GpsEphemeris] = PARAMETERS[gnss_1.GpsEphemeris]
+PARAMETERS[gnss_data.GlonassEphemeris] = PARAMETERS[gnss_1.GlonassEphemeris]
+PARAMETERS[gnss_data.GalileoEphemeris] = PARAMETERS[gnss_1.GalileoEphemeris]
+PARAMETERS[gnss_data.BeidouEphemeris] = PARAMETERS[gnss_1.BeidouEphemeris]
+PARAMETERS[gnss_data.GpsIonoCorrection] = PARAMETERS[gnss_1.GpsIonoCorrection]
+PARAMETERS[gnss_data.GalileoIonoCorrection] = PARAMETERS[gnss_1.GalileoIonoCorrection]
+PARAMETERS[gnss_data.BeidouIonoCorrection] = PARAMETERS[gnss_1.BeidouIonoCorrection]
 PARAMETERS[gnss_2.GnssLlhPosition] = PARAMETERS[gnss_1.GnssLlhPosition]
 PARAMETERS[gnss_2.GnssEcefPosition] = PARAMETERS[gnss_1.GnssEcefPosition]
 PARAMETERS[gnss_2.NedVelocity] = PARAMETERS[gnss_1.NedVelocity]
@@ -2472,19 +3388,112 @@ PARAMETERS[gnss_2.GnssEcefVelocity] = PARAMETERS[gnss_1.GnssEcefVelocity]
 PARAMETERS[gnss_2.Dop] = PARAMETERS[gnss_1.Dop]
 PARAMETERS[gnss_2.UtcTime] = PARAMETERS[gnss_1.UtcTime]
 PARAMETERS[gnss_2.GpsTime] = PARAMETERS[gnss_1.GpsTime]
+PARAMETERS[gnss_2.ClockInfo] = PARAMETERS[gnss_1.ClockInfo]
 PARAMETERS[gnss_2.FixInfo] = PARAMETERS[gnss_1.FixInfo]
+PARAMETERS[gnss_2.SvInfo] = PARAMETERS[gnss_1.SvInfo]
 PARAMETERS[gnss_2.GnssHardwareStatus] = PARAMETERS[gnss_1.GnssHardwareStatus]
+PARAMETERS[gnss_2.DgpsInfo] = PARAMETERS[gnss_1.DgpsInfo]
+PARAMETERS[gnss_2.DgpsChannel] = PARAMETERS[gnss_1.DgpsChannel]
 PARAMETERS[gnss_2.ClockInfo2] = PARAMETERS[gnss_1.ClockInfo2]
 PARAMETERS[gnss_2.GpsLeapSeconds] = PARAMETERS[gnss_1.GpsLeapSeconds]
 PARAMETERS[gnss_2.SbasInfo] = PARAMETERS[gnss_1.SbasInfo]
+PARAMETERS[gnss_2.SbasCorrection] = PARAMETERS[gnss_1.SbasCorrection]
+PARAMETERS[gnss_2.RfErrorDetection] = PARAMETERS[gnss_1.RfErrorDetection]
 PARAMETERS[gnss_2.SatelliteStatus] = PARAMETERS[gnss_1.SatelliteStatus]
 PARAMETERS[gnss_2.Raw] = PARAMETERS[gnss_1.Raw]
+PARAMETERS[gnss_2.BaseStationInfo] = PARAMETERS[gnss_1.BaseStationInfo]
+PARAMETERS[gnss_2.RtkCorrectionsStatus] = PARAMETERS[gnss_1.RtkCorrectionsStatus]
 PARAMETERS[gnss_2.GpsEphemeris] = PARAMETERS[gnss_1.GpsEphemeris]
 PARAMETERS[gnss_2.GlonassEphemeris] = PARAMETERS[gnss_1.GlonassEphemeris]
 PARAMETERS[gnss_2.GalileoEphemeris] = PARAMETERS[gnss_1.GalileoEphemeris]
 PARAMETERS[gnss_2.BeidouEphemeris] = PARAMETERS[gnss_1.BeidouEphemeris]
+PARAMETERS[gnss_2.GpsIonoCorrection] = PARAMETERS[gnss_1.GpsIonoCorrection]
+PARAMETERS[gnss_2.GalileoIonoCorrection] = PARAMETERS[gnss_1.GalileoIonoCorrection]
+PARAMETERS[gnss_2.BeidouIonoCorrection] = PARAMETERS[gnss_1.BeidouIonoCorrection]
+PARAMETERS[gnss_corrections.GnssLlhPosition] = PARAMETERS[gnss_1.GnssLlhPosition]
+PARAMETERS[gnss_corrections.GnssEcefPosition] = PARAMETERS[gnss_1.GnssEcefPosition]
+PARAMETERS[gnss_corrections.NedVelocity] = PARAMETERS[gnss_1.NedVelocity]
+PARAMETERS[gnss_corrections.GnssEcefVelocity] = PARAMETERS[gnss_1.GnssEcefVelocity]
+PARAMETERS[gnss_corrections.Dop] = PARAMETERS[gnss_1.Dop]
+PARAMETERS[gnss_corrections.UtcTime] = PARAMETERS[gnss_1.UtcTime]
+PARAMETERS[gnss_corrections.GpsTime] = PARAMETERS[gnss_1.GpsTime]
+PARAMETERS[gnss_corrections.ClockInfo] = PARAMETERS[gnss_1.ClockInfo]
+PARAMETERS[gnss_corrections.FixInfo] = PARAMETERS[gnss_1.FixInfo]
+PARAMETERS[gnss_corrections.SvInfo] = PARAMETERS[gnss_1.SvInfo]
+PARAMETERS[gnss_corrections.GnssHardwareStatus] = PARAMETERS[gnss_1.GnssHardwareStatus]
+PARAMETERS[gnss_corrections.DgpsInfo] = PARAMETERS[gnss_1.DgpsInfo]
+PARAMETERS[gnss_corrections.DgpsChannel] = PARAMETERS[gnss_1.DgpsChannel]
+PARAMETERS[gnss_corrections.ClockInfo2] = PARAMETERS[gnss_1.ClockInfo2]
+PARAMETERS[gnss_corrections.GpsLeapSeconds] = PARAMETERS[gnss_1.GpsLeapSeconds]
+PARAMETERS[gnss_corrections.SbasInfo] = PARAMETERS[gnss_1.SbasInfo]
+PARAMETERS[gnss_corrections.SbasCorrection] = PARAMETERS[gnss_1.SbasCorrection]
+PARAMETERS[gnss_corrections.RfErrorDetection] = PARAMETERS[gnss_1.RfErrorDetection]
+PARAMETERS[gnss_corrections.SatelliteStatus] = PARAMETERS[gnss_1.SatelliteStatus]
+PARAMETERS[gnss_corrections.Raw] = PARAMETERS[gnss_1.Raw]
+PARAMETERS[gnss_corrections.BaseStationInfo] = PARAMETERS[gnss_1.BaseStationInfo]
+PARAMETERS[gnss_corrections.RtkCorrectionsStatus] = PARAMETERS[gnss_1.RtkCorrectionsStatus]
+PARAMETERS[gnss_corrections.GpsEphemeris] = PARAMETERS[gnss_1.GpsEphemeris]
+PARAMETERS[gnss_corrections.GlonassEphemeris] = PARAMETERS[gnss_1.GlonassEphemeris]
+PARAMETERS[gnss_corrections.GalileoEphemeris] = PARAMETERS[gnss_1.GalileoEphemeris]
+PARAMETERS[gnss_corrections.BeidouEphemeris] = PARAMETERS[gnss_1.BeidouEphemeris]
+PARAMETERS[gnss_corrections.GpsIonoCorrection] = PARAMETERS[gnss_1.GpsIonoCorrection]
+PARAMETERS[gnss_corrections.GalileoIonoCorrection] = PARAMETERS[gnss_1.GalileoIonoCorrection]
+PARAMETERS[gnss_corrections.BeidouIonoCorrection] = PARAMETERS[gnss_1.BeidouIonoCorrection]
 PARAMETERS[gnss_external.GnssLlhPosition] = PARAMETERS[gnss_1.GnssLlhPosition]
+PARAMETERS[gnss_external.GnssEcefPosition] = PARAMETERS[gnss_1.GnssEcefPosition]
 PARAMETERS[gnss_external.NedVelocity] = PARAMETERS[gnss_1.NedVelocity]
+PARAMETERS[gnss_external.GnssEcefVelocity] = PARAMETERS[gnss_1.GnssEcefVelocity]
+PARAMETERS[gnss_external.Dop] = PARAMETERS[gnss_1.Dop]
 PARAMETERS[gnss_external.UtcTime] = PARAMETERS[gnss_1.UtcTime]
+PARAMETERS[gnss_external.GpsTime] = PARAMETERS[gnss_1.GpsTime]
+PARAMETERS[gnss_external.ClockInfo] = PARAMETERS[gnss_1.ClockInfo]
 PARAMETERS[gnss_external.FixInfo] = PARAMETERS[gnss_1.FixInfo]
+PARAMETERS[gnss_external.SvInfo] = PARAMETERS[gnss_1.SvInfo]
+PARAMETERS[gnss_external.GnssHardwareStatus] = PARAMETERS[gnss_1.GnssHardwareStatus]
+PARAMETERS[gnss_external.DgpsInfo] = PARAMETERS[gnss_1.DgpsInfo]
+PARAMETERS[gnss_external.DgpsChannel] = PARAMETERS[gnss_1.DgpsChannel]
+PARAMETERS[gnss_external.ClockInfo2] = PARAMETERS[gnss_1.ClockInfo2]
+PARAMETERS[gnss_external.GpsLeapSeconds] = PARAMETERS[gnss_1.GpsLeapSeconds]
+PARAMETERS[gnss_external.SbasInfo] = PARAMETERS[gnss_1.SbasInfo]
+PARAMETERS[gnss_external.SbasCorrection] = PARAMETERS[gnss_1.SbasCorrection]
+PARAMETERS[gnss_external.RfErrorDetection] = PARAMETERS[gnss_1.RfErrorDetection]
 PARAMETERS[gnss_external.SatelliteStatus] = PARAMETERS[gnss_1.SatelliteStatus]
+PARAMETERS[gnss_external.Raw] = PARAMETERS[gnss_1.Raw]
+PARAMETERS[gnss_external.BaseStationInfo] = PARAMETERS[gnss_1.BaseStationInfo]
+PARAMETERS[gnss_external.RtkCorrectionsStatus] = PARAMETERS[gnss_1.RtkCorrectionsStatus]
+PARAMETERS[gnss_external.GpsEphemeris] = PARAMETERS[gnss_1.GpsEphemeris]
+PARAMETERS[gnss_external.GlonassEphemeris] = PARAMETERS[gnss_1.GlonassEphemeris]
+PARAMETERS[gnss_external.GalileoEphemeris] = PARAMETERS[gnss_1.GalileoEphemeris]
+PARAMETERS[gnss_external.BeidouEphemeris] = PARAMETERS[gnss_1.BeidouEphemeris]
+PARAMETERS[gnss_external.GpsIonoCorrection] = PARAMETERS[gnss_1.GpsIonoCorrection]
+PARAMETERS[gnss_external.GalileoIonoCorrection] = PARAMETERS[gnss_1.GalileoIonoCorrection]
+PARAMETERS[gnss_external.BeidouIonoCorrection] = PARAMETERS[gnss_1.BeidouIonoCorrection]
+PARAMETERS[gnss_external_2.GnssLlhPosition] = PARAMETERS[gnss_1.GnssLlhPosition]
+PARAMETERS[gnss_external_2.GnssEcefPosition] = PARAMETERS[gnss_1.GnssEcefPosition]
+PARAMETERS[gnss_external_2.NedVelocity] = PARAMETERS[gnss_1.NedVelocity]
+PARAMETERS[gnss_external_2.GnssEcefVelocity] = PARAMETERS[gnss_1.GnssEcefVelocity]
+PARAMETERS[gnss_external_2.Dop] = PARAMETERS[gnss_1.Dop]
+PARAMETERS[gnss_external_2.UtcTime] = PARAMETERS[gnss_1.UtcTime]
+PARAMETERS[gnss_external_2.GpsTime] = PARAMETERS[gnss_1.GpsTime]
+PARAMETERS[gnss_external_2.ClockInfo] = PARAMETERS[gnss_1.ClockInfo]
+PARAMETERS[gnss_external_2.FixInfo] = PARAMETERS[gnss_1.FixInfo]
+PARAMETERS[gnss_external_2.SvInfo] = PARAMETERS[gnss_1.SvInfo]
+PARAMETERS[gnss_external_2.GnssHardwareStatus] = PARAMETERS[gnss_1.GnssHardwareStatus]
+PARAMETERS[gnss_external_2.DgpsInfo] = PARAMETERS[gnss_1.DgpsInfo]
+PARAMETERS[gnss_external_2.DgpsChannel] = PARAMETERS[gnss_1.DgpsChannel]
+PARAMETERS[gnss_external_2.ClockInfo2] = PARAMETERS[gnss_1.ClockInfo2]
+PARAMETERS[gnss_external_2.GpsLeapSeconds] = PARAMETERS[gnss_1.GpsLeapSeconds]
+PARAMETERS[gnss_external_2.SbasInfo] = PARAMETERS[gnss_1.SbasInfo]
+PARAMETERS[gnss_external_2.SbasCorrection] = PARAMETERS[gnss_1.SbasCorrection]
+PARAMETERS[gnss_external_2.RfErrorDetection] = PARAMETERS[gnss_1.RfErrorDetection]
+PARAMETERS[gnss_external_2.SatelliteStatus] = PARAMETERS[gnss_1.SatelliteStatus]
+PARAMETERS[gnss_external_2.Raw] = PARAMETERS[gnss_1.Raw]
+PARAMETERS[gnss_external_2.BaseStationInfo] = PARAMETERS[gnss_1.BaseStationInfo]
+PARAMETERS[gnss_external_2.RtkCorrectionsStatus] = PARAMETERS[gnss_1.RtkCorrectionsStatus]
+PARAMETERS[gnss_external_2.GpsEphemeris] = PARAMETERS[gnss_1.GpsEphemeris]
+PARAMETERS[gnss_external_2.GlonassEphemeris] = PARAMETERS[gnss_1.GlonassEphemeris]
+PARAMETERS[gnss_external_2.GalileoEphemeris] = PARAMETERS[gnss_1.GalileoEphemeris]
+PARAMETERS[gnss_external_2.BeidouEphemeris] = PARAMETERS[gnss_1.BeidouEphemeris]
+PARAMETERS[gnss_external_2.GpsIonoCorrection] = PARAMETERS[gnss_1.GpsIonoCorrection]
+PARAMETERS[gnss_external_2.GalileoIonoCorrection] = PARAMETERS[gnss_1.GalileoIonoCorrection]
+PARAMETERS[gnss_external_2.BeidouIonoCorrection] = PARAMETERS[gnss_1.BeidouIonoCorrection]

@@ -343,8 +343,11 @@ impl Field for FrameConfiguration {
 impl Command for FrameConfiguration {
     type Response = FrameConfigurationResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<FrameConfigurationResponse>)
     }
 }
 
@@ -439,8 +442,11 @@ impl Field for EchoControl {
 impl Command for EchoControl {
     type Response = EchoControlResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<EchoControlResponse>)
     }
 }
 

@@ -229,8 +229,8 @@ impl Field for GetDeviceInformation {
 impl Command for GetDeviceInformation {
     type Response = GetDeviceInformationResponse;
 
-    fn expects_response(&self) -> bool {
-        true
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        Some(crate::field::check::<GetDeviceInformationResponse>)
     }
 }
 
@@ -280,8 +280,8 @@ impl Field for GetDeviceDescriptors {
 impl Command for GetDeviceDescriptors {
     type Response = GetDeviceDescriptorsResponse;
 
-    fn expects_response(&self) -> bool {
-        true
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        Some(crate::field::check::<GetDeviceDescriptorsResponse>)
     }
 }
 
@@ -336,8 +336,8 @@ impl Command for BuiltInTest {
     type Response = BuiltInTestResponse;
     const TIMEOUT_MS: Option<u32> = Some(10000);
 
-    fn expects_response(&self) -> bool {
-        true
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        Some(crate::field::check::<BuiltInTestResponse>)
     }
 }
 
@@ -433,8 +433,8 @@ impl Field for GetDeviceDescriptorsExtended {
 impl Command for GetDeviceDescriptorsExtended {
     type Response = GetDeviceDescriptorsExtendedResponse;
 
-    fn expects_response(&self) -> bool {
-        true
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        Some(crate::field::check::<GetDeviceDescriptorsExtendedResponse>)
     }
 }
 
@@ -486,8 +486,8 @@ impl Field for ContinuousBuiltInTest {
 impl Command for ContinuousBuiltInTest {
     type Response = ContinuousBuiltInTestResponse;
 
-    fn expects_response(&self) -> bool {
-        true
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        Some(crate::field::check::<ContinuousBuiltInTestResponse>)
     }
 }
 
@@ -590,8 +590,11 @@ impl Field for CommPortSpeed {
 impl Command for CommPortSpeed {
     type Response = CommPortSpeedResponse;
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        Some(crate::field::check::<CommPortSpeedResponse>)
     }
 }
 
@@ -700,8 +703,17 @@ impl Command for GpsTimeUpdate {
         !matches!(self.function, types::FunctionSelector::APPLY)
     }
 
-    fn expects_response(&self) -> bool {
-        matches!(self.function, types::FunctionSelector::READ)
+    fn response_check(&self) -> Option<crate::ResponseCheck> {
+        if !matches!(self.function, types::FunctionSelector::READ) {
+            return None;
+        }
+        if self.field_id == Some(GpsTimeField::WEEK_NUMBER) {
+            return Some(crate::field::check::<GpsTimeUpdateWeekNumberResponse>);
+        }
+        if self.field_id == Some(GpsTimeField::TIME_OF_WEEK) {
+            return Some(crate::field::check::<GpsTimeUpdateTimeOfWeekResponse>);
+        }
+        None
     }
 }
 

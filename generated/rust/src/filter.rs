@@ -10,6 +10,22 @@ use crate::{Command, DecodeError, EncodeError, Field, Reader, ResponseOf, Wire, 
 /// The number of the descriptor set.
 pub const SET: u8 = 0x0D;
 
+open_enum! {
+    /// Kind of vehicle that the filter is tuned for.
+    ///
+    /// - Manual mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+    DynamicsMode: u8 {
+        /// Carried by hand.
+        PORTABLE = 1, "portable";
+        /// Ground vehicle.
+        AUTOMOTIVE = 2, "automotive";
+        /// Aircraft.
+        AIRBORNE = 3, "airborne";
+        /// Aircraft under high acceleration.
+        AIRBORNE_HIGH_G = 4, "airborne_high_g";
+    }
+}
+
 bitfield! {
     /// States that the filter estimates.
     EstimatedStates: u16 {
@@ -81,19 +97,19 @@ bitfield! {
 }
 
 open_enum! {
-    /// Where the declination of the magnetic field comes from.
-    DeclinationSource: u8 {
+    /// Where the declination, the inclination or the magnitude of the magnetic field comes from.
+    MagParameterSource: u8 {
         /// No source.
         NONE = 1, "none";
         /// The World Magnetic Model, at the estimated position.
         WMM = 2, "wmm";
-        /// The angle that the command gives.
+        /// The value that the command gives.
         MANUAL = 3, "manual";
     }
 }
 
 open_enum! {
-    /// How measurements of the gravity direction are weighted.
+    /// How measurements are weighted whose magnitude is not as expected.
     AdaptiveMeasurementSelector: u8 {
         /// No adaptation.
         DISABLED = 0, "disabled";
@@ -101,6 +117,18 @@ open_enum! {
         FIXED = 1, "fixed";
         /// Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later.
         AUTO = 2, "auto";
+    }
+}
+
+open_enum! {
+    /// What aids the altitude.
+    ///
+    /// - Manual mip-sdk-4: Altitude Aiding (0x0D,0x47)
+    AltitudeAidingSource: u8 {
+        /// No aiding.
+        NONE = 0, "none";
+        /// The pressure sensor.
+        PRESSURE = 1, "pressure";
     }
 }
 
@@ -137,6 +165,44 @@ open_enum! {
         BODY_FRAME_VEL = 8, "body_frame_vel";
         /// All sources, for save, load and default.
         ALL = 65535, "all";
+    }
+}
+
+open_enum! {
+    /// What the filter assumes about the acceleration.
+    ///
+    /// - Manual mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    AccelConstraint: u8 {
+        /// Nothing.
+        NONE = 0, "none";
+        /// It is zero.
+        ZERO_ACCEL = 1, "zero_accel";
+    }
+}
+
+open_enum! {
+    /// What the filter assumes about the velocity.
+    ///
+    /// - Manual mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    VelocityConstraint: u8 {
+        /// Nothing.
+        NONE = 0, "none";
+        /// It is zero.
+        ZERO_VELOCITY = 1, "zero_velocity";
+        /// It is that of a wheeled vehicle.
+        WHEELED_VEHICLE = 2, "wheeled_vehicle";
+    }
+}
+
+open_enum! {
+    /// What the filter assumes about the angular rate.
+    ///
+    /// - Manual mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+    AngularConstraint: u8 {
+        /// Nothing.
+        NONE = 0, "none";
+        /// It is zero.
+        ZERO_ANGULAR_RATE = 1, "zero_angular_rate";
     }
 }
 
@@ -424,6 +490,98 @@ impl Command for RunNavigationFilter {
     type Response = ();
 }
 
+/// Vehicle dynamics mode (0x0D,0x10).
+///
+/// Kind of vehicle that the filter is tuned for.
+///
+/// Functions: write, read, save, load, default. Response: [`VehicleDynamicsModeResponse`].
+///
+/// - Manual mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct VehicleDynamicsMode {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// Kind of vehicle.
+    pub mode: Option<DynamicsMode>,
+}
+
+impl VehicleDynamicsMode {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(mode: DynamicsMode) -> Self {
+        Self { function: types::FunctionSelector::WRITE, mode: Some(mode) }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self { function: types::FunctionSelector::READ, mode: None }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self { function: types::FunctionSelector::SAVE, mode: None }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self { function: types::FunctionSelector::LOAD, mode: None }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self { function: types::FunctionSelector::DEFAULT, mode: None }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 1,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for VehicleDynamicsMode {
+    const SIZE: usize = 2;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let mode = reader.group(required >= 1, Reader::read)?;
+        Ok(Self { function, mode })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.mode)?;
+        Ok(())
+    }
+}
+
+impl Field for VehicleDynamicsMode {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x10;
+    const NAME: &'static str = "filter.vehicle_dynamics_mode";
+}
+
+impl Command for VehicleDynamicsMode {
+    type Response = VehicleDynamicsModeResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<VehicleDynamicsMode> for VehicleDynamicsModeResponse {}
+
 /// Sensor to vehicle frame transformation (0x0D,0x11).
 ///
 /// Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
@@ -540,6 +698,104 @@ impl Command for SensorToVehicleFrameTransformation {
 }
 
 impl ResponseOf<SensorToVehicleFrameTransformation> for SensorToVehicleFrameTransformationResponse {}
+
+/// Sensor to vehicle offset (0x0D,0x12).
+///
+/// Origin of the vehicle frame, as seen from the sensor.
+///
+/// - It shifts the estimated position (0x82,0x01) and nothing else.
+/// - The shift is constant. It does not follow the attitude, as a lever arm would.
+/// - The magnitude of the vector is limited to 10 m.
+///
+/// Functions: write, read, save, load, default. Response: [`SensorToVehicleOffsetResponse`].
+///
+/// - Manual mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SensorToVehicleOffset {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// From the sensor to the origin of the vehicle frame.
+    ///
+    /// Unit: m; frame: sensor; range: -10 to 10.
+    pub offset: Option<types::Vector3f>,
+}
+
+impl SensorToVehicleOffset {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(offset: impl Into<types::Vector3f>) -> Self {
+        Self { function: types::FunctionSelector::WRITE, offset: Some(offset.into()) }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self { function: types::FunctionSelector::READ, offset: None }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self { function: types::FunctionSelector::SAVE, offset: None }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self { function: types::FunctionSelector::LOAD, offset: None }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self { function: types::FunctionSelector::DEFAULT, offset: None }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 1,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for SensorToVehicleOffset {
+    const SIZE: usize = 13;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let offset = reader.group(required >= 1, Reader::read)?;
+        Ok(Self { function, offset })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.offset)?;
+        Ok(())
+    }
+}
+
+impl Field for SensorToVehicleOffset {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x12;
+    const NAME: &'static str = "filter.sensor_to_vehicle_offset";
+}
+
+impl Command for SensorToVehicleOffset {
+    type Response = SensorToVehicleOffsetResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<SensorToVehicleOffset> for SensorToVehicleOffsetResponse {}
 
 /// GNSS antenna offset (0x0D,0x13).
 ///
@@ -830,6 +1086,125 @@ impl Command for GnssAidingSourceControl {
 
 impl ResponseOf<GnssAidingSourceControl> for GnssAidingSourceControlResponse {}
 
+/// External GNSS update (0x0D,0x16).
+///
+/// Gives the filter one position and velocity of a GNSS receiver that the user provides.
+///
+/// - Refused unless the GNSS aiding source (0x0D,0x15) is the external one.
+/// - The highest rate depends on the device.
+/// - Manual mip-sdk-4: External Gnss Update (0x0D,0x16)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ExternalGnssUpdate {
+    /// GPS time of week.
+    ///
+    /// Unit: s.
+    pub tow: f64,
+    /// GPS week, counted without rollover.
+    ///
+    /// Unit: week.
+    pub week_number: u16,
+    /// Latitude.
+    ///
+    /// Unit: deg; frame: llh.
+    pub latitude: f64,
+    /// Longitude.
+    ///
+    /// Unit: deg; frame: llh.
+    pub longitude: f64,
+    /// Height above the ellipsoid.
+    ///
+    /// Unit: m; frame: llh.
+    pub height: f64,
+    /// Velocity.
+    ///
+    /// Unit: m/s; frame: ned.
+    pub velocity: types::Vector3f,
+    /// Standard deviation of the position.
+    ///
+    /// Unit: m; frame: ned.
+    pub position_uncertainty: types::Vector3f,
+    /// Standard deviation of the velocity.
+    ///
+    /// Unit: m/s; frame: ned.
+    pub velocity_uncertainty: types::Vector3f,
+}
+
+impl ExternalGnssUpdate {
+    /// The command with its parameters.
+    #[must_use]
+    #[allow(clippy::too_many_arguments)]
+    pub fn new(
+        tow: f64,
+        week_number: u16,
+        latitude: f64,
+        longitude: f64,
+        height: f64,
+        velocity: impl Into<types::Vector3f>,
+        position_uncertainty: impl Into<types::Vector3f>,
+        velocity_uncertainty: impl Into<types::Vector3f>,
+    ) -> Self {
+        Self {
+            tow,
+            week_number,
+            latitude,
+            longitude,
+            height,
+            velocity: velocity.into(),
+            position_uncertainty: position_uncertainty.into(),
+            velocity_uncertainty: velocity_uncertainty.into(),
+        }
+    }
+}
+
+impl Wire for ExternalGnssUpdate {
+    const SIZE: usize = 70;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let tow = reader.read()?;
+        let week_number = reader.read()?;
+        let latitude = reader.read()?;
+        let longitude = reader.read()?;
+        let height = reader.read()?;
+        let velocity = reader.read()?;
+        let position_uncertainty = reader.read()?;
+        let velocity_uncertainty = reader.read()?;
+        Ok(Self {
+            tow,
+            week_number,
+            latitude,
+            longitude,
+            height,
+            velocity,
+            position_uncertainty,
+            velocity_uncertainty,
+        })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.tow)?;
+        writer.write(&self.week_number)?;
+        writer.write(&self.latitude)?;
+        writer.write(&self.longitude)?;
+        writer.write(&self.height)?;
+        writer.write(&self.velocity)?;
+        writer.write(&self.position_uncertainty)?;
+        writer.write(&self.velocity_uncertainty)?;
+        Ok(())
+    }
+}
+
+impl Field for ExternalGnssUpdate {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x16;
+    const NAME: &'static str = "filter.external_gnss_update";
+}
+
+impl Command for ExternalGnssUpdate {
+    type Response = ();
+}
+
 /// External heading update (0x0D,0x17).
 ///
 /// Gives the filter one measurement of the heading of the sensor frame in the NED frame.
@@ -852,7 +1227,7 @@ pub struct ExternalHeadingUpdate {
     ///
     /// Unit: rad; frame: ned; range: -3.141592653589793 to 3.141592653589793.
     pub heading: f32,
-    /// Standard deviation; it must be greater than 0, other values are refused.
+    /// Standard deviation; the device refuses a value out of bounds.
     ///
     /// Unit: rad.
     pub heading_uncertainty: f32,
@@ -1090,7 +1465,7 @@ impl ResponseOf<AutoInitializationControl> for AutoInitializationControlResponse
 ///
 /// Standard deviation of the accelerometer noise that the filter assumes (process noise).
 ///
-/// - Every value must be greater than 0. The factory values suit most laboratory conditions.
+/// - The factory values suit most laboratory conditions.
 ///
 /// Functions: write, read, save, load, default. Response:
 /// [`AccelerometerNoiseStandardDeviationResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
@@ -1191,7 +1566,7 @@ impl ResponseOf<AccelerometerNoiseStandardDeviation>
 ///
 /// Standard deviation of the gyroscope noise that the filter assumes (process noise).
 ///
-/// - Every value must be greater than 0. The factory values suit most laboratory conditions.
+/// - The factory values suit most laboratory conditions.
 ///
 /// Functions: write, read, save, load, default. Response:
 /// [`GyroscopeNoiseStandardDeviationResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
@@ -1288,8 +1663,6 @@ impl ResponseOf<GyroscopeNoiseStandardDeviation> for GyroscopeNoiseStandardDevia
 /// Accelerometer bias model (0x0D,0x1C).
 ///
 /// Parameters of the model by which the accelerometer bias drifts.
-///
-/// - Every noise value must be greater than 0.
 ///
 /// Functions: write, read, save, load, default. Response:
 /// [`AccelerometerBiasModelParametersResponse`]. Supported by 3DM-CV7-GNSS/INS.
@@ -1396,8 +1769,6 @@ impl ResponseOf<AccelerometerBiasModelParameters> for AccelerometerBiasModelPara
 ///
 /// Parameters of the model by which the gyroscope bias drifts.
 ///
-/// - Every noise value must be greater than 0.
-///
 /// Functions: write, read, save, load, default. Response: [`GyroscopeBiasModelParametersResponse`].
 /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 ///
@@ -1500,6 +1871,114 @@ impl Command for GyroscopeBiasModelParameters {
 
 impl ResponseOf<GyroscopeBiasModelParameters> for GyroscopeBiasModelParametersResponse {}
 
+/// Automatic zero velocity update (0x0D,0x1E).
+///
+/// Lets the filter take the device as standing still while its GNSS speed is small.
+///
+/// - The update applies while the magnitude of the GNSS velocity vector is at or below the
+///   threshold.
+/// - The device refuses a negative threshold.
+///
+/// Functions: write, read, save, load, default. Response: [`AutoZuptResponse`].
+///
+/// - Manual mip-sdk-4: Auto Zupt (0x0D,0x1E)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct AutoZupt {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// 0 disables, 1 enables.
+    ///
+    /// Range: 0 to 1.
+    pub enable: Option<u8>,
+    /// Largest speed that is taken as zero.
+    ///
+    /// Unit: m/s; range: at least 0.
+    pub threshold: Option<f32>,
+}
+
+impl AutoZupt {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(enable: u8, threshold: f32) -> Self {
+        Self {
+            function: types::FunctionSelector::WRITE,
+            enable: Some(enable),
+            threshold: Some(threshold),
+        }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self { function: types::FunctionSelector::READ, enable: None, threshold: None }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self { function: types::FunctionSelector::SAVE, enable: None, threshold: None }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self { function: types::FunctionSelector::LOAD, enable: None, threshold: None }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self { function: types::FunctionSelector::DEFAULT, enable: None, threshold: None }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 2,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for AutoZupt {
+    const SIZE: usize = 6;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let enable = reader.group(required >= 1, Reader::read)?;
+        let threshold = reader.group(required >= 2, Reader::read)?;
+        Ok(Self { function, enable, threshold })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.enable)?;
+        writer.some(required >= 2, &self.threshold)?;
+        Ok(())
+    }
+}
+
+impl Field for AutoZupt {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x1E;
+    const NAME: &'static str = "filter.auto_zupt";
+}
+
+impl Command for AutoZupt {
+    type Response = AutoZuptResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<AutoZupt> for AutoZuptResponse {}
+
 /// External heading update with time (0x0D,0x1F).
 ///
 /// Gives the filter one measurement of the heading of the sensor frame with its GPS time.
@@ -1532,7 +2011,7 @@ pub struct ExternalHeadingUpdateWithTime {
     ///
     /// Unit: rad; frame: ned; range: -3.141592653589793 to 3.141592653589793.
     pub heading: f32,
-    /// Standard deviation; it must be greater than 0, other values are refused.
+    /// Standard deviation; the device refuses a value out of bounds.
     ///
     /// Unit: rad.
     pub heading_uncertainty: f32,
@@ -1701,9 +2180,11 @@ impl ResponseOf<ZeroAngularRateUpdateControl> for ZeroAngularRateUpdateControlRe
 ///
 /// - Refused while the filter has no valid attitude.
 ///
-/// Functions: write, save, load, default. Supported by 3DM-GX5-15.
+/// Functions: write, read, save, load, default. Response: [`TareOrientationResponse`]. Supported by
+/// 3DM-GX5-15.
 ///
 /// - Manual 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
+/// - Manual mip-sdk-4: Tare Orientation (0x0D,0x21)
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -1719,6 +2200,12 @@ impl TareOrientation {
     #[must_use]
     pub fn write(axes: TareAxes) -> Self {
         Self { function: types::FunctionSelector::WRITE, axes: Some(axes) }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self { function: types::FunctionSelector::READ, axes: None }
     }
 
     /// Save the current setting to non-volatile memory.
@@ -1774,6 +2261,53 @@ impl Field for TareOrientation {
 }
 
 impl Command for TareOrientation {
+    type Response = TareOrientationResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<TareOrientation> for TareOrientationResponse {}
+
+/// Commanded zero velocity update (0x0D,0x22).
+///
+/// Tells the filter once that the device stands still.
+///
+/// - The highest rate depends on the device.
+/// - Manual mip-sdk-4: Commanded Zupt (0x0D,0x22)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct CommandedZupt;
+
+impl CommandedZupt {
+    /// The command with its parameters.
+    #[must_use]
+    pub fn new() -> Self {
+        Self
+    }
+}
+
+impl Wire for CommandedZupt {
+    const SIZE: usize = 0;
+
+    fn decode_from(_: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        Ok(Self)
+    }
+
+    fn encode_to(&self, _: &mut Writer<'_>) -> Result<(), EncodeError> {
+        Ok(())
+    }
+}
+
+impl Field for CommandedZupt {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x22;
+    const NAME: &'static str = "filter.commanded_zupt";
+}
+
+impl Command for CommandedZupt {
     type Response = ();
 }
 
@@ -1964,11 +2498,68 @@ impl Command for SetReferencePosition {
 
 impl ResponseOf<SetReferencePosition> for SetReferencePositionResponse {}
 
+/// Capture automatic magnetometer calibration (0x0D,0x27).
+///
+/// Makes the automatic magnetometer calibration part of the fixed one.
+///
+/// - A write combines the automatic calibration with the hard iron offset (0x0C,0x3A) and the soft
+///   iron matrix (0x0C,0x3B), and resets it.
+/// - A save does the same as the save of both of these commands.
+///
+/// Functions: write, save.
+///
+/// - Manual mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MagCaptureAutoCal {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+}
+
+impl MagCaptureAutoCal {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write() -> Self {
+        Self { function: types::FunctionSelector::WRITE }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self { function: types::FunctionSelector::SAVE }
+    }
+}
+
+impl Wire for MagCaptureAutoCal {
+    const SIZE: usize = 1;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        Ok(Self { function })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.function)?;
+        Ok(())
+    }
+}
+
+impl Field for MagCaptureAutoCal {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x27;
+    const NAME: &'static str = "filter.mag_capture_auto_cal";
+}
+
+impl Command for MagCaptureAutoCal {
+    type Response = ();
+}
+
 /// Gravity noise (0x0D,0x28).
 ///
 /// Standard deviation of the gravity noise that the filter assumes (process noise).
 ///
-/// - Every value must be greater than 0. The factory values suit most laboratory conditions.
+/// - The factory values suit most laboratory conditions.
 ///
 /// Functions: write, read, save, load, default. Response:
 /// [`GravityNoiseStandardDeviationResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
@@ -2061,6 +2652,291 @@ impl Command for GravityNoiseStandardDeviation {
 }
 
 impl ResponseOf<GravityNoiseStandardDeviation> for GravityNoiseStandardDeviationResponse {}
+
+/// Pressure altitude noise (0x0D,0x29).
+///
+/// Standard deviation of the noise of the pressure altitude model that the filter assumes.
+///
+/// - A small value follows the pressure faster, and takes weather and draughts for changes of
+///   height.
+///
+/// Functions: write, read, save, load, default. Response: [`PressureAltitudeNoiseResponse`].
+///
+/// - Manual mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct PressureAltitudeNoise {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// Standard deviation.
+    ///
+    /// Unit: m.
+    pub noise: Option<f32>,
+}
+
+impl PressureAltitudeNoise {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(noise: f32) -> Self {
+        Self { function: types::FunctionSelector::WRITE, noise: Some(noise) }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self { function: types::FunctionSelector::READ, noise: None }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self { function: types::FunctionSelector::SAVE, noise: None }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self { function: types::FunctionSelector::LOAD, noise: None }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self { function: types::FunctionSelector::DEFAULT, noise: None }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 1,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for PressureAltitudeNoise {
+    const SIZE: usize = 5;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let noise = reader.group(required >= 1, Reader::read)?;
+        Ok(Self { function, noise })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.noise)?;
+        Ok(())
+    }
+}
+
+impl Field for PressureAltitudeNoise {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x29;
+    const NAME: &'static str = "filter.pressure_altitude_noise";
+}
+
+impl Command for PressureAltitudeNoise {
+    type Response = PressureAltitudeNoiseResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<PressureAltitudeNoise> for PressureAltitudeNoiseResponse {}
+
+/// Hard iron offset noise (0x0D,0x2B).
+///
+/// Standard deviation of the noise of the estimated hard iron offset (process noise).
+///
+/// Functions: write, read, save, load, default. Response: [`HardIronOffsetNoiseResponse`].
+///
+/// - Manual mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct HardIronOffsetNoise {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// Standard deviation per axis.
+    ///
+    /// Unit: gauss.
+    pub noise: Option<types::Vector3f>,
+}
+
+impl HardIronOffsetNoise {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(noise: impl Into<types::Vector3f>) -> Self {
+        Self { function: types::FunctionSelector::WRITE, noise: Some(noise.into()) }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self { function: types::FunctionSelector::READ, noise: None }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self { function: types::FunctionSelector::SAVE, noise: None }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self { function: types::FunctionSelector::LOAD, noise: None }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self { function: types::FunctionSelector::DEFAULT, noise: None }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 1,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for HardIronOffsetNoise {
+    const SIZE: usize = 13;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let noise = reader.group(required >= 1, Reader::read)?;
+        Ok(Self { function, noise })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.noise)?;
+        Ok(())
+    }
+}
+
+impl Field for HardIronOffsetNoise {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x2B;
+    const NAME: &'static str = "filter.hard_iron_offset_noise";
+}
+
+impl Command for HardIronOffsetNoise {
+    type Response = HardIronOffsetNoiseResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<HardIronOffsetNoise> for HardIronOffsetNoiseResponse {}
+
+/// Soft iron matrix noise (0x0D,0x2C).
+///
+/// Standard deviation of the noise of the estimated soft iron matrix (process noise).
+///
+/// Functions: write, read, save, load, default. Response: [`SoftIronMatrixNoiseResponse`].
+///
+/// - Manual mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SoftIronMatrixNoise {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// Standard deviation per element.
+    ///
+    /// Unit: 1.
+    pub noise: Option<types::Matrix3f>,
+}
+
+impl SoftIronMatrixNoise {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(noise: impl Into<types::Matrix3f>) -> Self {
+        Self { function: types::FunctionSelector::WRITE, noise: Some(noise.into()) }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self { function: types::FunctionSelector::READ, noise: None }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self { function: types::FunctionSelector::SAVE, noise: None }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self { function: types::FunctionSelector::LOAD, noise: None }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self { function: types::FunctionSelector::DEFAULT, noise: None }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 1,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for SoftIronMatrixNoise {
+    const SIZE: usize = 37;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let noise = reader.group(required >= 1, Reader::read)?;
+        Ok(Self { function, noise })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.noise)?;
+        Ok(())
+    }
+}
+
+impl Field for SoftIronMatrixNoise {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x2C;
+    const NAME: &'static str = "filter.soft_iron_matrix_noise";
+}
+
+impl Command for SoftIronMatrixNoise {
+    type Response = SoftIronMatrixNoiseResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<SoftIronMatrixNoise> for SoftIronMatrixNoiseResponse {}
 
 /// Enable or disable measurements (0x0D,0x41).
 ///
@@ -2155,6 +3031,100 @@ impl Command for EnableDisableMeasurements {
 
 impl ResponseOf<EnableDisableMeasurements> for EnableDisableMeasurementsResponse {}
 
+/// Magnetometer noise (0x0D,0x42).
+///
+/// Standard deviation of the magnetometer noise that the filter assumes.
+///
+/// Functions: write, read, save, load, default. Response: [`MagNoiseResponse`].
+///
+/// - Manual mip-sdk-4: Mag Noise (0x0D,0x42)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MagNoise {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// Standard deviation per axis.
+    ///
+    /// Unit: gauss.
+    pub noise: Option<types::Vector3f>,
+}
+
+impl MagNoise {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(noise: impl Into<types::Vector3f>) -> Self {
+        Self { function: types::FunctionSelector::WRITE, noise: Some(noise.into()) }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self { function: types::FunctionSelector::READ, noise: None }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self { function: types::FunctionSelector::SAVE, noise: None }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self { function: types::FunctionSelector::LOAD, noise: None }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self { function: types::FunctionSelector::DEFAULT, noise: None }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 1,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for MagNoise {
+    const SIZE: usize = 13;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let noise = reader.group(required >= 1, Reader::read)?;
+        Ok(Self { function, noise })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.noise)?;
+        Ok(())
+    }
+}
+
+impl Field for MagNoise {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x42;
+    const NAME: &'static str = "filter.mag_noise";
+}
+
+impl Command for MagNoise {
+    type Response = MagNoiseResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<MagNoise> for MagNoiseResponse {}
+
 /// Magnetic declination source (0x0D,0x43).
 ///
 /// Source of the local declination of the magnetic field.
@@ -2172,7 +3142,7 @@ pub struct MagneticFieldDeclinationSourceControl {
     /// What to do with the setting.
     pub function: types::FunctionSelector,
     /// Source of the declination.
-    pub source: Option<DeclinationSource>,
+    pub source: Option<MagParameterSource>,
     /// Declination; used only if `source` is manual.
     ///
     /// Unit: rad.
@@ -2182,7 +3152,7 @@ pub struct MagneticFieldDeclinationSourceControl {
 impl MagneticFieldDeclinationSourceControl {
     /// Apply the new setting.
     #[must_use]
-    pub fn write(source: DeclinationSource, declination: f32) -> Self {
+    pub fn write(source: MagParameterSource, declination: f32) -> Self {
         Self {
             function: types::FunctionSelector::WRITE,
             source: Some(source),
@@ -2497,6 +3467,472 @@ impl ResponseOf<GravityMagnitudeErrorAdaptiveMeasurement>
 {
 }
 
+/// Magnetometer magnitude error adaptive measurement (0x0D,0x45).
+///
+/// How far the filter trusts a magnetic field whose magnitude is not as expected.
+///
+/// - The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
+///   limits.
+/// - High limits suit high dynamics but let disturbances of the field through; low limits can spoil
+///   the heading.
+///
+/// Functions: write, read, save, load, default. Response:
+/// [`MagMagnitudeErrorAdaptiveMeasurementResponse`].
+///
+/// - Manual mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MagMagnitudeErrorAdaptiveMeasurement {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// Kind of adaptation.
+    pub adaptive_measurement: Option<AdaptiveMeasurementSelector>,
+    /// Cut-off frequency of the low-pass filter.
+    ///
+    /// Unit: Hz.
+    pub frequency: Option<f32>,
+    /// Lower limit of the error.
+    ///
+    /// Unit: gauss.
+    pub low_limit: Option<f32>,
+    /// Upper limit of the error.
+    ///
+    /// Unit: gauss.
+    pub high_limit: Option<f32>,
+    /// Standard deviation at the lower limit.
+    ///
+    /// Unit: gauss.
+    pub low_limit_uncertainty: Option<f32>,
+    /// Standard deviation at the upper limit.
+    ///
+    /// Unit: gauss.
+    pub high_limit_uncertainty: Option<f32>,
+    /// Smallest standard deviation.
+    ///
+    /// Unit: gauss.
+    pub minimum_uncertainty: Option<f32>,
+}
+
+impl MagMagnitudeErrorAdaptiveMeasurement {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(
+        adaptive_measurement: AdaptiveMeasurementSelector,
+        frequency: f32,
+        low_limit: f32,
+        high_limit: f32,
+        low_limit_uncertainty: f32,
+        high_limit_uncertainty: f32,
+        minimum_uncertainty: f32,
+    ) -> Self {
+        Self {
+            function: types::FunctionSelector::WRITE,
+            adaptive_measurement: Some(adaptive_measurement),
+            frequency: Some(frequency),
+            low_limit: Some(low_limit),
+            high_limit: Some(high_limit),
+            low_limit_uncertainty: Some(low_limit_uncertainty),
+            high_limit_uncertainty: Some(high_limit_uncertainty),
+            minimum_uncertainty: Some(minimum_uncertainty),
+        }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self {
+            function: types::FunctionSelector::READ,
+            adaptive_measurement: None,
+            frequency: None,
+            low_limit: None,
+            high_limit: None,
+            low_limit_uncertainty: None,
+            high_limit_uncertainty: None,
+            minimum_uncertainty: None,
+        }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self {
+            function: types::FunctionSelector::SAVE,
+            adaptive_measurement: None,
+            frequency: None,
+            low_limit: None,
+            high_limit: None,
+            low_limit_uncertainty: None,
+            high_limit_uncertainty: None,
+            minimum_uncertainty: None,
+        }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self {
+            function: types::FunctionSelector::LOAD,
+            adaptive_measurement: None,
+            frequency: None,
+            low_limit: None,
+            high_limit: None,
+            low_limit_uncertainty: None,
+            high_limit_uncertainty: None,
+            minimum_uncertainty: None,
+        }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self {
+            function: types::FunctionSelector::DEFAULT,
+            adaptive_measurement: None,
+            frequency: None,
+            low_limit: None,
+            high_limit: None,
+            low_limit_uncertainty: None,
+            high_limit_uncertainty: None,
+            minimum_uncertainty: None,
+        }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 7,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for MagMagnitudeErrorAdaptiveMeasurement {
+    const SIZE: usize = 26;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let adaptive_measurement = reader.group(required >= 1, Reader::read)?;
+        let frequency = reader.group(required >= 2, Reader::read)?;
+        let low_limit = reader.group(required >= 3, Reader::read)?;
+        let high_limit = reader.group(required >= 4, Reader::read)?;
+        let low_limit_uncertainty = reader.group(required >= 5, Reader::read)?;
+        let high_limit_uncertainty = reader.group(required >= 6, Reader::read)?;
+        let minimum_uncertainty = reader.group(required >= 7, Reader::read)?;
+        Ok(Self {
+            function,
+            adaptive_measurement,
+            frequency,
+            low_limit,
+            high_limit,
+            low_limit_uncertainty,
+            high_limit_uncertainty,
+            minimum_uncertainty,
+        })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.adaptive_measurement)?;
+        writer.some(required >= 2, &self.frequency)?;
+        writer.some(required >= 3, &self.low_limit)?;
+        writer.some(required >= 4, &self.high_limit)?;
+        writer.some(required >= 5, &self.low_limit_uncertainty)?;
+        writer.some(required >= 6, &self.high_limit_uncertainty)?;
+        writer.some(required >= 7, &self.minimum_uncertainty)?;
+        Ok(())
+    }
+}
+
+impl Field for MagMagnitudeErrorAdaptiveMeasurement {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x45;
+    const NAME: &'static str = "filter.mag_magnitude_error_adaptive_measurement";
+}
+
+impl Command for MagMagnitudeErrorAdaptiveMeasurement {
+    type Response = MagMagnitudeErrorAdaptiveMeasurementResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<MagMagnitudeErrorAdaptiveMeasurement>
+    for MagMagnitudeErrorAdaptiveMeasurementResponse
+{
+}
+
+/// Magnetometer dip angle error adaptive measurement (0x0D,0x46).
+///
+/// How far the filter trusts a magnetic field whose dip angle is not as expected.
+///
+/// - It has no effect while (0x0D,0x44) or (0x0D,0x45) is set to `auto`.
+/// - High limits suit high dynamics but let disturbances of the field through; low limits can spoil
+///   the heading.
+///
+/// Functions: write, read, save, load, default. Response:
+/// [`MagDipAngleErrorAdaptiveMeasurementResponse`].
+///
+/// - Manual mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MagDipAngleErrorAdaptiveMeasurement {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// Whether the adaptation is on.
+    pub enable: Option<crate::Bool>,
+    /// Cut-off frequency of the low-pass filter.
+    ///
+    /// Unit: Hz.
+    pub frequency: Option<f32>,
+    /// Upper limit of the error.
+    ///
+    /// Unit: rad.
+    pub high_limit: Option<f32>,
+    /// Standard deviation at the upper limit.
+    ///
+    /// Unit: rad.
+    pub high_limit_uncertainty: Option<f32>,
+    /// Smallest standard deviation.
+    ///
+    /// Unit: rad.
+    pub minimum_uncertainty: Option<f32>,
+}
+
+impl MagDipAngleErrorAdaptiveMeasurement {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(
+        enable: bool,
+        frequency: f32,
+        high_limit: f32,
+        high_limit_uncertainty: f32,
+        minimum_uncertainty: f32,
+    ) -> Self {
+        Self {
+            function: types::FunctionSelector::WRITE,
+            enable: Some(enable.into()),
+            frequency: Some(frequency),
+            high_limit: Some(high_limit),
+            high_limit_uncertainty: Some(high_limit_uncertainty),
+            minimum_uncertainty: Some(minimum_uncertainty),
+        }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self {
+            function: types::FunctionSelector::READ,
+            enable: None,
+            frequency: None,
+            high_limit: None,
+            high_limit_uncertainty: None,
+            minimum_uncertainty: None,
+        }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self {
+            function: types::FunctionSelector::SAVE,
+            enable: None,
+            frequency: None,
+            high_limit: None,
+            high_limit_uncertainty: None,
+            minimum_uncertainty: None,
+        }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self {
+            function: types::FunctionSelector::LOAD,
+            enable: None,
+            frequency: None,
+            high_limit: None,
+            high_limit_uncertainty: None,
+            minimum_uncertainty: None,
+        }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self {
+            function: types::FunctionSelector::DEFAULT,
+            enable: None,
+            frequency: None,
+            high_limit: None,
+            high_limit_uncertainty: None,
+            minimum_uncertainty: None,
+        }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 5,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for MagDipAngleErrorAdaptiveMeasurement {
+    const SIZE: usize = 18;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let enable = reader.group(required >= 1, Reader::read)?;
+        let frequency = reader.group(required >= 2, Reader::read)?;
+        let high_limit = reader.group(required >= 3, Reader::read)?;
+        let high_limit_uncertainty = reader.group(required >= 4, Reader::read)?;
+        let minimum_uncertainty = reader.group(required >= 5, Reader::read)?;
+        Ok(Self {
+            function,
+            enable,
+            frequency,
+            high_limit,
+            high_limit_uncertainty,
+            minimum_uncertainty,
+        })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.enable)?;
+        writer.some(required >= 2, &self.frequency)?;
+        writer.some(required >= 3, &self.high_limit)?;
+        writer.some(required >= 4, &self.high_limit_uncertainty)?;
+        writer.some(required >= 5, &self.minimum_uncertainty)?;
+        Ok(())
+    }
+}
+
+impl Field for MagDipAngleErrorAdaptiveMeasurement {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x46;
+    const NAME: &'static str = "filter.mag_dip_angle_error_adaptive_measurement";
+}
+
+impl Command for MagDipAngleErrorAdaptiveMeasurement {
+    type Response = MagDipAngleErrorAdaptiveMeasurementResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<MagDipAngleErrorAdaptiveMeasurement>
+    for MagDipAngleErrorAdaptiveMeasurementResponse
+{
+}
+
+/// Altitude aiding (0x0D,0x47).
+///
+/// What aids the altitude beside GNSS.
+///
+/// - GNSS stays the main source of altitude; the aid improves it and bridges outages.
+/// - Weather and place shift the pressure altitude, at times by more than 40 m.
+///
+/// Functions: write, read, save, load, default. Response: [`AltitudeAidingResponse`].
+///
+/// - Manual mip-sdk-4: Altitude Aiding (0x0D,0x47)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct AltitudeAiding {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// Source of the aiding.
+    pub selector: Option<AltitudeAidingSource>,
+}
+
+impl AltitudeAiding {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(selector: AltitudeAidingSource) -> Self {
+        Self { function: types::FunctionSelector::WRITE, selector: Some(selector) }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self { function: types::FunctionSelector::READ, selector: None }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self { function: types::FunctionSelector::SAVE, selector: None }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self { function: types::FunctionSelector::LOAD, selector: None }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self { function: types::FunctionSelector::DEFAULT, selector: None }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 1,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for AltitudeAiding {
+    const SIZE: usize = 2;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let selector = reader.group(required >= 1, Reader::read)?;
+        Ok(Self { function, selector })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.selector)?;
+        Ok(())
+    }
+}
+
+impl Field for AltitudeAiding {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x47;
+    const NAME: &'static str = "filter.altitude_aiding";
+}
+
+impl Command for AltitudeAiding {
+    type Response = AltitudeAidingResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<AltitudeAiding> for AltitudeAidingResponse {}
+
 /// Pitch and roll aiding (0x0D,0x4B).
 ///
 /// What aids pitch and roll while the motion is gentle.
@@ -2589,6 +4025,419 @@ impl Command for PitchRollAidingControl {
 }
 
 impl ResponseOf<PitchRollAidingControl> for PitchRollAidingControlResponse {}
+
+/// Magnetic inclination source (0x0D,0x4C).
+///
+/// Source of the local inclination (dip angle) of the magnetic field.
+///
+/// - Without a good inclination source, keep automatic magnetometer calibration off.
+///
+/// Functions: write, read, save, load, default. Response: [`InclinationSourceResponse`].
+///
+/// - Manual mip-sdk-4: Inclination Source (0x0D,0x4C)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct InclinationSource {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// Source of the inclination.
+    pub source: Option<MagParameterSource>,
+    /// Inclination; used only if `source` is manual.
+    ///
+    /// Unit: rad.
+    pub inclination: Option<f32>,
+}
+
+impl InclinationSource {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(source: MagParameterSource, inclination: f32) -> Self {
+        Self {
+            function: types::FunctionSelector::WRITE,
+            source: Some(source),
+            inclination: Some(inclination),
+        }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self { function: types::FunctionSelector::READ, source: None, inclination: None }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self { function: types::FunctionSelector::SAVE, source: None, inclination: None }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self { function: types::FunctionSelector::LOAD, source: None, inclination: None }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self { function: types::FunctionSelector::DEFAULT, source: None, inclination: None }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 2,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for InclinationSource {
+    const SIZE: usize = 6;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let source = reader.group(required >= 1, Reader::read)?;
+        let inclination = reader.group(required >= 2, Reader::read)?;
+        Ok(Self { function, source, inclination })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.source)?;
+        writer.some(required >= 2, &self.inclination)?;
+        Ok(())
+    }
+}
+
+impl Field for InclinationSource {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x4C;
+    const NAME: &'static str = "filter.inclination_source";
+}
+
+impl Command for InclinationSource {
+    type Response = InclinationSourceResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<InclinationSource> for InclinationSourceResponse {}
+
+/// Magnetic field magnitude source (0x0D,0x4D).
+///
+/// Source of the local magnitude of the magnetic field.
+///
+/// - Without a good magnitude source, keep automatic magnetometer calibration off.
+/// - The adaptive measurement (0x0D,0x45) relies on it too.
+///
+/// Functions: write, read, save, load, default. Response: [`MagFieldMagnitudeSourceResponse`].
+///
+/// - Manual mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MagFieldMagnitudeSource {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// Source of the magnitude.
+    pub source: Option<MagParameterSource>,
+    /// Magnitude; used only if `source` is manual.
+    ///
+    /// Unit: gauss.
+    pub magnitude: Option<f32>,
+}
+
+impl MagFieldMagnitudeSource {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(source: MagParameterSource, magnitude: f32) -> Self {
+        Self {
+            function: types::FunctionSelector::WRITE,
+            source: Some(source),
+            magnitude: Some(magnitude),
+        }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self { function: types::FunctionSelector::READ, source: None, magnitude: None }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self { function: types::FunctionSelector::SAVE, source: None, magnitude: None }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self { function: types::FunctionSelector::LOAD, source: None, magnitude: None }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self { function: types::FunctionSelector::DEFAULT, source: None, magnitude: None }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 2,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for MagFieldMagnitudeSource {
+    const SIZE: usize = 6;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let source = reader.group(required >= 1, Reader::read)?;
+        let magnitude = reader.group(required >= 2, Reader::read)?;
+        Ok(Self { function, source, magnitude })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.source)?;
+        writer.some(required >= 2, &self.magnitude)?;
+        Ok(())
+    }
+}
+
+impl Field for MagFieldMagnitudeSource {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x4D;
+    const NAME: &'static str = "filter.mag_field_magnitude_source";
+}
+
+impl Command for MagFieldMagnitudeSource {
+    type Response = MagFieldMagnitudeSourceResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<MagFieldMagnitudeSource> for MagFieldMagnitudeSourceResponse {}
+
+/// Sensor to vehicle rotation, matrix (0x0D,0x4E).
+///
+/// Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
+///
+/// - It is the inverse of the matrix that (0x0C,0x33) takes.
+/// - It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+///   velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
+///   filter.
+/// - The device refuses a matrix that is not orthonormal to 0.001.
+/// - The device keeps a quaternion, so the elements read back may differ a little from those
+///   written.
+///
+/// Functions: write, read, save, load, default. Response: [`SensorToVehicleRotationDcmResponse`].
+///
+/// - Manual mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SensorToVehicleRotationDcm {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// Rotation matrix in row-major order.
+    ///
+    /// Unit: 1.
+    pub dcm: Option<types::Matrix3f>,
+}
+
+impl SensorToVehicleRotationDcm {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(dcm: impl Into<types::Matrix3f>) -> Self {
+        Self { function: types::FunctionSelector::WRITE, dcm: Some(dcm.into()) }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self { function: types::FunctionSelector::READ, dcm: None }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self { function: types::FunctionSelector::SAVE, dcm: None }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self { function: types::FunctionSelector::LOAD, dcm: None }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self { function: types::FunctionSelector::DEFAULT, dcm: None }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 1,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for SensorToVehicleRotationDcm {
+    const SIZE: usize = 37;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let dcm = reader.group(required >= 1, Reader::read)?;
+        Ok(Self { function, dcm })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.dcm)?;
+        Ok(())
+    }
+}
+
+impl Field for SensorToVehicleRotationDcm {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x4E;
+    const NAME: &'static str = "filter.sensor_to_vehicle_rotation_dcm";
+}
+
+impl Command for SensorToVehicleRotationDcm {
+    type Response = SensorToVehicleRotationDcmResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<SensorToVehicleRotationDcm> for SensorToVehicleRotationDcmResponse {}
+
+/// Sensor to vehicle rotation, quaternion (0x0D,0x4F).
+///
+/// Rotation from the sensor frame to the vehicle frame as a quaternion.
+///
+/// - It is the inverse of the quaternion that (0x0C,0x32) takes.
+/// - It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+///   velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
+///   filter.
+/// - The device refuses a quaternion whose length is not 1 to 0.001.
+/// - The device normalizes it, so the elements read back may differ a little from those written.
+///
+/// Functions: write, read, save, load, default. Response:
+/// [`SensorToVehicleRotationQuaternionResponse`].
+///
+/// - Manual mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SensorToVehicleRotationQuaternion {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// Unit quaternion, scalar part first.
+    ///
+    /// Unit: 1.
+    pub quat: Option<types::Quatf>,
+}
+
+impl SensorToVehicleRotationQuaternion {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(quat: impl Into<types::Quatf>) -> Self {
+        Self { function: types::FunctionSelector::WRITE, quat: Some(quat.into()) }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self { function: types::FunctionSelector::READ, quat: None }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self { function: types::FunctionSelector::SAVE, quat: None }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self { function: types::FunctionSelector::LOAD, quat: None }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self { function: types::FunctionSelector::DEFAULT, quat: None }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 1,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for SensorToVehicleRotationQuaternion {
+    const SIZE: usize = 17;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let quat = reader.group(required >= 1, Reader::read)?;
+        Ok(Self { function, quat })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.quat)?;
+        Ok(())
+    }
+}
+
+impl Field for SensorToVehicleRotationQuaternion {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x4F;
+    const NAME: &'static str = "filter.sensor_to_vehicle_rotation_quaternion";
+}
+
+impl Command for SensorToVehicleRotationQuaternion {
+    type Response = SensorToVehicleRotationQuaternionResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<SensorToVehicleRotationQuaternion> for SensorToVehicleRotationQuaternionResponse {}
 
 /// Aiding measurement control (0x0D,0x50).
 ///
@@ -2707,6 +4556,141 @@ impl Command for AidingMeasurementControl {
 }
 
 impl ResponseOf<AidingMeasurementControl> for AidingMeasurementControlResponse {}
+
+/// Kinematic constraint (0x0D,0x51).
+///
+/// Assumptions about the motion that the filter uses as measurements.
+///
+/// Functions: write, read, save, load, default. Response: [`KinematicConstraintResponse`].
+///
+/// - Manual mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct KinematicConstraint {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// Assumption about the acceleration.
+    ///
+    /// Default: none.
+    pub accel_constraint: Option<AccelConstraint>,
+    /// Assumption about the velocity.
+    ///
+    /// Default: none.
+    pub velocity_constraint: Option<VelocityConstraint>,
+    /// Assumption about the angular rate.
+    ///
+    /// Default: none.
+    pub angular_constraint: Option<AngularConstraint>,
+}
+
+impl KinematicConstraint {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(
+        accel_constraint: AccelConstraint,
+        velocity_constraint: VelocityConstraint,
+        angular_constraint: AngularConstraint,
+    ) -> Self {
+        Self {
+            function: types::FunctionSelector::WRITE,
+            accel_constraint: Some(accel_constraint),
+            velocity_constraint: Some(velocity_constraint),
+            angular_constraint: Some(angular_constraint),
+        }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self {
+            function: types::FunctionSelector::READ,
+            accel_constraint: None,
+            velocity_constraint: None,
+            angular_constraint: None,
+        }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self {
+            function: types::FunctionSelector::SAVE,
+            accel_constraint: None,
+            velocity_constraint: None,
+            angular_constraint: None,
+        }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self {
+            function: types::FunctionSelector::LOAD,
+            accel_constraint: None,
+            velocity_constraint: None,
+            angular_constraint: None,
+        }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self {
+            function: types::FunctionSelector::DEFAULT,
+            accel_constraint: None,
+            velocity_constraint: None,
+            angular_constraint: None,
+        }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 3,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for KinematicConstraint {
+    const SIZE: usize = 4;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let accel_constraint = reader.group(required >= 1, Reader::read)?;
+        let velocity_constraint = reader.group(required >= 2, Reader::read)?;
+        let angular_constraint = reader.group(required >= 3, Reader::read)?;
+        Ok(Self { function, accel_constraint, velocity_constraint, angular_constraint })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.accel_constraint)?;
+        writer.some(required >= 2, &self.velocity_constraint)?;
+        writer.some(required >= 3, &self.angular_constraint)?;
+        Ok(())
+    }
+}
+
+impl Field for KinematicConstraint {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x51;
+    const NAME: &'static str = "filter.kinematic_constraint";
+}
+
+impl Command for KinematicConstraint {
+    type Response = KinematicConstraintResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<KinematicConstraint> for KinematicConstraintResponse {}
 
 /// Navigation filter initialization (0x0D,0x52).
 ///
@@ -3420,6 +5404,84 @@ impl Command for ReferencePointLeverArm {
 
 impl ResponseOf<ReferencePointLeverArm> for ReferencePointLeverArmResponse {}
 
+/// Speed measurement (0x0D,0x60).
+///
+/// Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
+///
+/// - It must not be used together with the odometer of the device.
+/// - Single precision resolves the time of week to 0.0625 s at the end of the week.
+/// - Manual mip-sdk-4: Speed Measurement (0x0D,0x60)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SpeedMeasurement {
+    /// Send 1.
+    ///
+    /// Send 1.
+    pub source: u8,
+    /// GPS time of week of the measurement.
+    ///
+    /// Unit: s.
+    pub tow: f32,
+    /// Speed, negative in reverse.
+    ///
+    /// Unit: m/s; frame: vehicle.
+    pub speed: f32,
+    /// Standard deviation of the speed.
+    ///
+    /// Unit: m/s.
+    pub speed_uncertainty: f32,
+}
+
+impl core::default::Default for SpeedMeasurement {
+    fn default() -> Self {
+        Self {
+            source: 1,
+            tow: core::default::Default::default(),
+            speed: core::default::Default::default(),
+            speed_uncertainty: core::default::Default::default(),
+        }
+    }
+}
+
+impl SpeedMeasurement {
+    /// The command with its parameters.
+    #[must_use]
+    pub fn new(tow: f32, speed: f32, speed_uncertainty: f32) -> Self {
+        Self { source: 1, tow, speed, speed_uncertainty }
+    }
+}
+
+impl Wire for SpeedMeasurement {
+    const SIZE: usize = 13;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let source = reader.read()?;
+        let tow = reader.read()?;
+        let speed = reader.read()?;
+        let speed_uncertainty = reader.read()?;
+        Ok(Self { source, tow, speed, speed_uncertainty })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.source)?;
+        writer.write(&self.tow)?;
+        writer.write(&self.speed)?;
+        writer.write(&self.speed_uncertainty)?;
+        Ok(())
+    }
+}
+
+impl Field for SpeedMeasurement {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x60;
+    const NAME: &'static str = "filter.speed_measurement";
+}
+
+impl Command for SpeedMeasurement {
+    type Response = ();
+}
+
 /// Speed measurement lever arm (0x0D,0x61).
 ///
 /// Position of the point whose speed is measured, such as the wheel that an odometer is on.
@@ -3527,6 +5589,103 @@ impl Command for MeasurementSpeedLeverArm {
 }
 
 impl ResponseOf<MeasurementSpeedLeverArm> for MeasurementSpeedLeverArmResponse {}
+
+/// Vertical gyro constraint (0x0D,0x62).
+///
+/// Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
+///
+/// - It takes the linear acceleration as zero.
+///
+/// Functions: write, read, save, load, default. Response:
+/// [`VerticalGyroConstraintControlResponse`].
+///
+/// - Manual mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct VerticalGyroConstraintControl {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// 0 disables, 1 enables.
+    ///
+    /// Range: 0 to 1.
+    pub enable: Option<u8>,
+}
+
+impl VerticalGyroConstraintControl {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(enable: u8) -> Self {
+        Self { function: types::FunctionSelector::WRITE, enable: Some(enable) }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self { function: types::FunctionSelector::READ, enable: None }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self { function: types::FunctionSelector::SAVE, enable: None }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self { function: types::FunctionSelector::LOAD, enable: None }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self { function: types::FunctionSelector::DEFAULT, enable: None }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 1,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for VerticalGyroConstraintControl {
+    const SIZE: usize = 2;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let enable = reader.group(required >= 1, Reader::read)?;
+        Ok(Self { function, enable })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.enable)?;
+        Ok(())
+    }
+}
+
+impl Field for VerticalGyroConstraintControl {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x62;
+    const NAME: &'static str = "filter.vertical_gyro_constraint_control";
+}
+
+impl Command for VerticalGyroConstraintControl {
+    type Response = VerticalGyroConstraintControlResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<VerticalGyroConstraintControl> for VerticalGyroConstraintControlResponse {}
 
 /// Wheeled vehicle constraint (0x0D,0x63).
 ///
@@ -3735,6 +5894,41 @@ impl ResponseOf<GnssAntennaOffsetCalibrationControl>
 {
 }
 
+/// Vehicle dynamics mode response (0x0D,0x80).
+///
+/// Answers Vehicle dynamics mode (0x0D,0x10).
+///
+/// Command: [`VehicleDynamicsMode`].
+///
+/// - Manual mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct VehicleDynamicsModeResponse {
+    /// Kind of vehicle.
+    pub mode: DynamicsMode,
+}
+
+impl Wire for VehicleDynamicsModeResponse {
+    const SIZE: usize = 1;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let mode = reader.read()?;
+        Ok(Self { mode })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.mode)?;
+        Ok(())
+    }
+}
+
+impl Field for VehicleDynamicsModeResponse {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x80;
+    const NAME: &'static str = "filter.vehicle_dynamics_mode_response";
+}
+
 /// Sensor to vehicle frame transformation response (0x0D,0x81).
 ///
 /// Answers Sensor to vehicle frame transformation (0x0D,0x11).
@@ -3782,6 +5976,43 @@ impl Field for SensorToVehicleFrameTransformationResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0x81;
     const NAME: &'static str = "filter.sensor_to_vehicle_frame_transformation_response";
+}
+
+/// Sensor to vehicle offset response (0x0D,0x82).
+///
+/// Answers Sensor to vehicle offset (0x0D,0x12).
+///
+/// Command: [`SensorToVehicleOffset`].
+///
+/// - Manual mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SensorToVehicleOffsetResponse {
+    /// From the sensor to the origin of the vehicle frame.
+    ///
+    /// Unit: m; frame: sensor; range: -10 to 10.
+    pub offset: types::Vector3f,
+}
+
+impl Wire for SensorToVehicleOffsetResponse {
+    const SIZE: usize = 12;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let offset = reader.read()?;
+        Ok(Self { offset })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.offset)?;
+        Ok(())
+    }
+}
+
+impl Field for SensorToVehicleOffsetResponse {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x82;
+    const NAME: &'static str = "filter.sensor_to_vehicle_offset_response";
 }
 
 /// GNSS antenna offset response (0x0D,0x83).
@@ -4126,6 +6357,49 @@ impl Field for GyroscopeBiasModelParametersResponse {
     const NAME: &'static str = "filter.gyroscope_bias_model_parameters_response";
 }
 
+/// Automatic zero velocity update response (0x0D,0x8D).
+///
+/// Answers Automatic zero velocity update (0x0D,0x1E).
+///
+/// Command: [`AutoZupt`].
+///
+/// - Manual mip-sdk-4: Auto Zupt (0x0D,0x1E)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct AutoZuptResponse {
+    /// 0 disables, 1 enables.
+    ///
+    /// Range: 0 to 1.
+    pub enable: u8,
+    /// Largest speed that is taken as zero.
+    ///
+    /// Unit: m/s; range: at least 0.
+    pub threshold: f32,
+}
+
+impl Wire for AutoZuptResponse {
+    const SIZE: usize = 5;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let enable = reader.read()?;
+        let threshold = reader.read()?;
+        Ok(Self { enable, threshold })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.enable)?;
+        writer.write(&self.threshold)?;
+        Ok(())
+    }
+}
+
+impl Field for AutoZuptResponse {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x8D;
+    const NAME: &'static str = "filter.auto_zupt_response";
+}
+
 /// Zero angular rate update response (0x0D,0x8E).
 ///
 /// Answers Zero angular rate update (0x0D,0x20).
@@ -4263,6 +6537,153 @@ impl Field for GravityNoiseStandardDeviationResponse {
     const NAME: &'static str = "filter.gravity_noise_standard_deviation_response";
 }
 
+/// Pressure altitude noise response (0x0D,0x94).
+///
+/// Answers Pressure altitude noise (0x0D,0x29).
+///
+/// Command: [`PressureAltitudeNoise`].
+///
+/// - Manual mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct PressureAltitudeNoiseResponse {
+    /// Standard deviation.
+    ///
+    /// Unit: m.
+    pub noise: f32,
+}
+
+impl Wire for PressureAltitudeNoiseResponse {
+    const SIZE: usize = 4;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let noise = reader.read()?;
+        Ok(Self { noise })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.noise)?;
+        Ok(())
+    }
+}
+
+impl Field for PressureAltitudeNoiseResponse {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x94;
+    const NAME: &'static str = "filter.pressure_altitude_noise_response";
+}
+
+/// Hard iron offset noise response (0x0D,0x96).
+///
+/// Answers Hard iron offset noise (0x0D,0x2B).
+///
+/// Command: [`HardIronOffsetNoise`].
+///
+/// - Manual mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct HardIronOffsetNoiseResponse {
+    /// Standard deviation per axis.
+    ///
+    /// Unit: gauss.
+    pub noise: types::Vector3f,
+}
+
+impl Wire for HardIronOffsetNoiseResponse {
+    const SIZE: usize = 12;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let noise = reader.read()?;
+        Ok(Self { noise })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.noise)?;
+        Ok(())
+    }
+}
+
+impl Field for HardIronOffsetNoiseResponse {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x96;
+    const NAME: &'static str = "filter.hard_iron_offset_noise_response";
+}
+
+/// Soft iron matrix noise response (0x0D,0x97).
+///
+/// Answers Soft iron matrix noise (0x0D,0x2C).
+///
+/// Command: [`SoftIronMatrixNoise`].
+///
+/// - Manual mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SoftIronMatrixNoiseResponse {
+    /// Standard deviation per element.
+    ///
+    /// Unit: 1.
+    pub noise: types::Matrix3f,
+}
+
+impl Wire for SoftIronMatrixNoiseResponse {
+    const SIZE: usize = 36;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let noise = reader.read()?;
+        Ok(Self { noise })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.noise)?;
+        Ok(())
+    }
+}
+
+impl Field for SoftIronMatrixNoiseResponse {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0x97;
+    const NAME: &'static str = "filter.soft_iron_matrix_noise_response";
+}
+
+/// Tare orientation response (0x0D,0xA1).
+///
+/// Answers Tare orientation (0x0D,0x21).
+///
+/// Command: [`TareOrientation`]. Supported by 3DM-GX5-15.
+///
+/// - Manual 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
+/// - Manual mip-sdk-4: Tare Orientation (0x0D,0x21)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct TareOrientationResponse {
+    /// Axes to tare; 0 resets all axes.
+    pub axes: TareAxes,
+}
+
+impl Wire for TareOrientationResponse {
+    const SIZE: usize = 1;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let axes = reader.read()?;
+        Ok(Self { axes })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.axes)?;
+        Ok(())
+    }
+}
+
+impl Field for TareOrientationResponse {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0xA1;
+    const NAME: &'static str = "filter.tare_orientation_response";
+}
+
 /// Enable or disable measurements response (0x0D,0xB0).
 ///
 /// Answers Enable or disable measurements (0x0D,0x41).
@@ -4298,6 +6719,43 @@ impl Field for EnableDisableMeasurementsResponse {
     const NAME: &'static str = "filter.enable_disable_measurements_response";
 }
 
+/// Magnetometer noise response (0x0D,0xB1).
+///
+/// Answers Magnetometer noise (0x0D,0x42).
+///
+/// Command: [`MagNoise`].
+///
+/// - Manual mip-sdk-4: Mag Noise (0x0D,0x42)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MagNoiseResponse {
+    /// Standard deviation per axis.
+    ///
+    /// Unit: gauss.
+    pub noise: types::Vector3f,
+}
+
+impl Wire for MagNoiseResponse {
+    const SIZE: usize = 12;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let noise = reader.read()?;
+        Ok(Self { noise })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.noise)?;
+        Ok(())
+    }
+}
+
+impl Field for MagNoiseResponse {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0xB1;
+    const NAME: &'static str = "filter.mag_noise_response";
+}
+
 /// Magnetic declination source response (0x0D,0xB2).
 ///
 /// Answers Magnetic declination source (0x0D,0x43).
@@ -4310,7 +6768,7 @@ impl Field for EnableDisableMeasurementsResponse {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct MagneticFieldDeclinationSourceControlResponse {
     /// Source of the declination.
-    pub source: DeclinationSource,
+    pub source: MagParameterSource,
     /// Declination; used only if `source` is manual.
     ///
     /// Unit: rad.
@@ -4418,6 +6876,179 @@ impl Field for GravityMagnitudeErrorAdaptiveMeasurementResponse {
     const NAME: &'static str = "filter.gravity_magnitude_error_adaptive_measurement_response";
 }
 
+/// Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
+///
+/// Answers Magnetometer magnitude error adaptive measurement (0x0D,0x45).
+///
+/// Command: [`MagMagnitudeErrorAdaptiveMeasurement`].
+///
+/// - Manual mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MagMagnitudeErrorAdaptiveMeasurementResponse {
+    /// Kind of adaptation.
+    pub adaptive_measurement: AdaptiveMeasurementSelector,
+    /// Cut-off frequency of the low-pass filter.
+    ///
+    /// Unit: Hz.
+    pub frequency: f32,
+    /// Lower limit of the error.
+    ///
+    /// Unit: gauss.
+    pub low_limit: f32,
+    /// Upper limit of the error.
+    ///
+    /// Unit: gauss.
+    pub high_limit: f32,
+    /// Standard deviation at the lower limit.
+    ///
+    /// Unit: gauss.
+    pub low_limit_uncertainty: f32,
+    /// Standard deviation at the upper limit.
+    ///
+    /// Unit: gauss.
+    pub high_limit_uncertainty: f32,
+    /// Smallest standard deviation.
+    ///
+    /// Unit: gauss.
+    pub minimum_uncertainty: f32,
+}
+
+impl Wire for MagMagnitudeErrorAdaptiveMeasurementResponse {
+    const SIZE: usize = 25;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let adaptive_measurement = reader.read()?;
+        let frequency = reader.read()?;
+        let low_limit = reader.read()?;
+        let high_limit = reader.read()?;
+        let low_limit_uncertainty = reader.read()?;
+        let high_limit_uncertainty = reader.read()?;
+        let minimum_uncertainty = reader.read()?;
+        Ok(Self {
+            adaptive_measurement,
+            frequency,
+            low_limit,
+            high_limit,
+            low_limit_uncertainty,
+            high_limit_uncertainty,
+            minimum_uncertainty,
+        })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.adaptive_measurement)?;
+        writer.write(&self.frequency)?;
+        writer.write(&self.low_limit)?;
+        writer.write(&self.high_limit)?;
+        writer.write(&self.low_limit_uncertainty)?;
+        writer.write(&self.high_limit_uncertainty)?;
+        writer.write(&self.minimum_uncertainty)?;
+        Ok(())
+    }
+}
+
+impl Field for MagMagnitudeErrorAdaptiveMeasurementResponse {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0xB4;
+    const NAME: &'static str = "filter.mag_magnitude_error_adaptive_measurement_response";
+}
+
+/// Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
+///
+/// Answers Magnetometer dip angle error adaptive measurement (0x0D,0x46).
+///
+/// Command: [`MagDipAngleErrorAdaptiveMeasurement`].
+///
+/// - Manual mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MagDipAngleErrorAdaptiveMeasurementResponse {
+    /// Whether the adaptation is on.
+    pub enable: crate::Bool,
+    /// Cut-off frequency of the low-pass filter.
+    ///
+    /// Unit: Hz.
+    pub frequency: f32,
+    /// Upper limit of the error.
+    ///
+    /// Unit: rad.
+    pub high_limit: f32,
+    /// Standard deviation at the upper limit.
+    ///
+    /// Unit: rad.
+    pub high_limit_uncertainty: f32,
+    /// Smallest standard deviation.
+    ///
+    /// Unit: rad.
+    pub minimum_uncertainty: f32,
+}
+
+impl Wire for MagDipAngleErrorAdaptiveMeasurementResponse {
+    const SIZE: usize = 17;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let enable = reader.read()?;
+        let frequency = reader.read()?;
+        let high_limit = reader.read()?;
+        let high_limit_uncertainty = reader.read()?;
+        let minimum_uncertainty = reader.read()?;
+        Ok(Self { enable, frequency, high_limit, high_limit_uncertainty, minimum_uncertainty })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.enable)?;
+        writer.write(&self.frequency)?;
+        writer.write(&self.high_limit)?;
+        writer.write(&self.high_limit_uncertainty)?;
+        writer.write(&self.minimum_uncertainty)?;
+        Ok(())
+    }
+}
+
+impl Field for MagDipAngleErrorAdaptiveMeasurementResponse {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0xB5;
+    const NAME: &'static str = "filter.mag_dip_angle_error_adaptive_measurement_response";
+}
+
+/// Altitude aiding response (0x0D,0xB7).
+///
+/// Answers Altitude aiding (0x0D,0x47).
+///
+/// Command: [`AltitudeAiding`].
+///
+/// - Manual mip-sdk-4: Altitude Aiding (0x0D,0x47)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct AltitudeAidingResponse {
+    /// Source of the aiding.
+    pub selector: AltitudeAidingSource,
+}
+
+impl Wire for AltitudeAidingResponse {
+    const SIZE: usize = 1;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let selector = reader.read()?;
+        Ok(Self { selector })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.selector)?;
+        Ok(())
+    }
+}
+
+impl Field for AltitudeAidingResponse {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0xB7;
+    const NAME: &'static str = "filter.altitude_aiding_response";
+}
+
 /// Pitch and roll aiding response (0x0D,0xBB).
 ///
 /// Answers Pitch and roll aiding (0x0D,0x4B).
@@ -4451,6 +7082,162 @@ impl Field for PitchRollAidingControlResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0xBB;
     const NAME: &'static str = "filter.pitch_roll_aiding_control_response";
+}
+
+/// Magnetic inclination source response (0x0D,0xBC).
+///
+/// Answers Magnetic inclination source (0x0D,0x4C).
+///
+/// Command: [`InclinationSource`].
+///
+/// - Manual mip-sdk-4: Inclination Source (0x0D,0x4C)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct InclinationSourceResponse {
+    /// Source of the inclination.
+    pub source: MagParameterSource,
+    /// Inclination; used only if `source` is manual.
+    ///
+    /// Unit: rad.
+    pub inclination: f32,
+}
+
+impl Wire for InclinationSourceResponse {
+    const SIZE: usize = 5;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let source = reader.read()?;
+        let inclination = reader.read()?;
+        Ok(Self { source, inclination })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.source)?;
+        writer.write(&self.inclination)?;
+        Ok(())
+    }
+}
+
+impl Field for InclinationSourceResponse {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0xBC;
+    const NAME: &'static str = "filter.inclination_source_response";
+}
+
+/// Magnetic field magnitude source response (0x0D,0xBD).
+///
+/// Answers Magnetic field magnitude source (0x0D,0x4D).
+///
+/// Command: [`MagFieldMagnitudeSource`].
+///
+/// - Manual mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MagFieldMagnitudeSourceResponse {
+    /// Source of the magnitude.
+    pub source: MagParameterSource,
+    /// Magnitude; used only if `source` is manual.
+    ///
+    /// Unit: gauss.
+    pub magnitude: f32,
+}
+
+impl Wire for MagFieldMagnitudeSourceResponse {
+    const SIZE: usize = 5;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let source = reader.read()?;
+        let magnitude = reader.read()?;
+        Ok(Self { source, magnitude })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.source)?;
+        writer.write(&self.magnitude)?;
+        Ok(())
+    }
+}
+
+impl Field for MagFieldMagnitudeSourceResponse {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0xBD;
+    const NAME: &'static str = "filter.mag_field_magnitude_source_response";
+}
+
+/// Sensor to vehicle rotation, matrix response (0x0D,0xBE).
+///
+/// Answers Sensor to vehicle rotation, matrix (0x0D,0x4E).
+///
+/// Command: [`SensorToVehicleRotationDcm`].
+///
+/// - Manual mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SensorToVehicleRotationDcmResponse {
+    /// Rotation matrix in row-major order.
+    ///
+    /// Unit: 1.
+    pub dcm: types::Matrix3f,
+}
+
+impl Wire for SensorToVehicleRotationDcmResponse {
+    const SIZE: usize = 36;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let dcm = reader.read()?;
+        Ok(Self { dcm })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.dcm)?;
+        Ok(())
+    }
+}
+
+impl Field for SensorToVehicleRotationDcmResponse {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0xBE;
+    const NAME: &'static str = "filter.sensor_to_vehicle_rotation_dcm_response";
+}
+
+/// Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
+///
+/// Answers Sensor to vehicle rotation, quaternion (0x0D,0x4F).
+///
+/// Command: [`SensorToVehicleRotationQuaternion`].
+///
+/// - Manual mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SensorToVehicleRotationQuaternionResponse {
+    /// Unit quaternion, scalar part first.
+    ///
+    /// Unit: 1.
+    pub quat: types::Quatf,
+}
+
+impl Wire for SensorToVehicleRotationQuaternionResponse {
+    const SIZE: usize = 16;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let quat = reader.read()?;
+        Ok(Self { quat })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.quat)?;
+        Ok(())
+    }
+}
+
+impl Field for SensorToVehicleRotationQuaternionResponse {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0xBF;
+    const NAME: &'static str = "filter.sensor_to_vehicle_rotation_quaternion_response";
 }
 
 /// Aiding measurement control response (0x0D,0xD0).
@@ -4490,6 +7277,55 @@ impl Field for AidingMeasurementControlResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0xD0;
     const NAME: &'static str = "filter.aiding_measurement_control_response";
+}
+
+/// Kinematic constraint response (0x0D,0xD1).
+///
+/// Answers Kinematic constraint (0x0D,0x51).
+///
+/// Command: [`KinematicConstraint`].
+///
+/// - Manual mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct KinematicConstraintResponse {
+    /// Assumption about the acceleration.
+    ///
+    /// Default: none.
+    pub accel_constraint: AccelConstraint,
+    /// Assumption about the velocity.
+    ///
+    /// Default: none.
+    pub velocity_constraint: VelocityConstraint,
+    /// Assumption about the angular rate.
+    ///
+    /// Default: none.
+    pub angular_constraint: AngularConstraint,
+}
+
+impl Wire for KinematicConstraintResponse {
+    const SIZE: usize = 3;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let accel_constraint = reader.read()?;
+        let velocity_constraint = reader.read()?;
+        let angular_constraint = reader.read()?;
+        Ok(Self { accel_constraint, velocity_constraint, angular_constraint })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.accel_constraint)?;
+        writer.write(&self.velocity_constraint)?;
+        writer.write(&self.angular_constraint)?;
+        Ok(())
+    }
+}
+
+impl Field for KinematicConstraintResponse {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0xD1;
+    const NAME: &'static str = "filter.kinematic_constraint_response";
 }
 
 /// Navigation filter initialization response (0x0D,0xD2).
@@ -4805,6 +7641,43 @@ impl Field for MeasurementSpeedLeverArmResponse {
     const SET: u8 = 0x0D;
     const DESCRIPTOR: u8 = 0xE1;
     const NAME: &'static str = "filter.measurement_speed_lever_arm_response";
+}
+
+/// Vertical gyro constraint response (0x0D,0xE2).
+///
+/// Answers Vertical gyro constraint (0x0D,0x62).
+///
+/// Command: [`VerticalGyroConstraintControl`].
+///
+/// - Manual mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct VerticalGyroConstraintControlResponse {
+    /// 0 disables, 1 enables.
+    ///
+    /// Range: 0 to 1.
+    pub enable: u8,
+}
+
+impl Wire for VerticalGyroConstraintControlResponse {
+    const SIZE: usize = 1;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let enable = reader.read()?;
+        Ok(Self { enable })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.enable)?;
+        Ok(())
+    }
+}
+
+impl Field for VerticalGyroConstraintControlResponse {
+    const SET: u8 = 0x0D;
+    const DESCRIPTOR: u8 = 0xE2;
+    const NAME: &'static str = "filter.vertical_gyro_constraint_control_response";
 }
 
 /// Wheeled vehicle constraint response (0x0D,0xE3).

@@ -278,6 +278,18 @@ bitfield! {
 }
 
 open_enum! {
+    /// Where a heading measurement comes from.
+    ///
+    /// - Manual mip-sdk-4: Head Aid Status (0x82,0x45)
+    HeadingAidingType: u8 {
+        /// Two GNSS antennas.
+        DUAL_ANTENNA = 1, "dual_antenna";
+        /// A heading message of the user.
+        EXTERNAL_MESSAGE = 2, "external_message";
+    }
+}
+
+open_enum! {
     /// Kind of an aiding measurement. Values from 0x20 are the descriptors of the commands of set
     /// `aiding` that give the measurement.
     AidingMeasurementType: u8 {
@@ -1426,6 +1438,240 @@ impl Field for MagneticModel {
     const NAME: &'static str = "filter_data.magnetic_model";
 }
 
+/// Gyroscope scale factor (0x82,0x16).
+///
+/// Estimated scale factor of the gyroscope.
+///
+/// - Manual mip-sdk-4: Gyro Scale Factor (0x82,0x16)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct GyroScaleFactor {
+    /// Scale factor per axis.
+    ///
+    /// Unit: 1; frame: sensor; valid if `valid_flags.valid` is set.
+    pub scale_factor: types::Vector3f,
+    /// Validity of the values.
+    pub valid_flags: ValidFlags,
+}
+
+impl Wire for GyroScaleFactor {
+    const SIZE: usize = 14;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let scale_factor = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { scale_factor, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.scale_factor)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for GyroScaleFactor {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x16;
+    const NAME: &'static str = "filter_data.gyro_scale_factor";
+}
+
+/// Accelerometer scale factor (0x82,0x17).
+///
+/// Estimated scale factor of the accelerometer.
+///
+/// - Manual mip-sdk-4: Accel Scale Factor (0x82,0x17)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct AccelScaleFactor {
+    /// Scale factor per axis.
+    ///
+    /// Unit: 1; frame: sensor; valid if `valid_flags.valid` is set.
+    pub scale_factor: types::Vector3f,
+    /// Validity of the values.
+    pub valid_flags: ValidFlags,
+}
+
+impl Wire for AccelScaleFactor {
+    const SIZE: usize = 14;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let scale_factor = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { scale_factor, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.scale_factor)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for AccelScaleFactor {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x17;
+    const NAME: &'static str = "filter_data.accel_scale_factor";
+}
+
+/// Gyroscope scale factor uncertainty (0x82,0x18).
+///
+/// Standard deviation of the estimated scale factor of the gyroscope.
+///
+/// - Manual mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct GyroScaleFactorUncertainty {
+    /// Standard deviation per axis.
+    ///
+    /// Unit: 1; frame: sensor; valid if `valid_flags.valid` is set.
+    pub scale_factor_uncertainty: types::Vector3f,
+    /// Validity of the values.
+    pub valid_flags: ValidFlags,
+}
+
+impl Wire for GyroScaleFactorUncertainty {
+    const SIZE: usize = 14;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let scale_factor_uncertainty = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { scale_factor_uncertainty, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.scale_factor_uncertainty)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for GyroScaleFactorUncertainty {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x18;
+    const NAME: &'static str = "filter_data.gyro_scale_factor_uncertainty";
+}
+
+/// Accelerometer scale factor uncertainty (0x82,0x19).
+///
+/// Standard deviation of the estimated scale factor of the accelerometer.
+///
+/// - Manual mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct AccelScaleFactorUncertainty {
+    /// Standard deviation per axis.
+    ///
+    /// Unit: 1; frame: sensor; valid if `valid_flags.valid` is set.
+    pub scale_factor_uncertainty: types::Vector3f,
+    /// Validity of the values.
+    pub valid_flags: ValidFlags,
+}
+
+impl Wire for AccelScaleFactorUncertainty {
+    const SIZE: usize = 14;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let scale_factor_uncertainty = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { scale_factor_uncertainty, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.scale_factor_uncertainty)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for AccelScaleFactorUncertainty {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x19;
+    const NAME: &'static str = "filter_data.accel_scale_factor_uncertainty";
+}
+
+/// Magnetometer bias (0x82,0x1A).
+///
+/// Estimated bias of the magnetometer.
+///
+/// - Manual mip-sdk-4: Mag Bias (0x82,0x1A)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MagBias {
+    /// Bias.
+    ///
+    /// Unit: gauss; frame: sensor; valid if `valid_flags.valid` is set.
+    pub bias: types::Vector3f,
+    /// Validity of the values.
+    pub valid_flags: ValidFlags,
+}
+
+impl Wire for MagBias {
+    const SIZE: usize = 14;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let bias = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { bias, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.bias)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for MagBias {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x1A;
+    const NAME: &'static str = "filter_data.mag_bias";
+}
+
+/// Magnetometer bias uncertainty (0x82,0x1B).
+///
+/// Standard deviation of the estimated bias of the magnetometer.
+///
+/// - Manual mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MagBiasUncertainty {
+    /// Standard deviation per axis.
+    ///
+    /// Unit: gauss; frame: sensor; valid if `valid_flags.valid` is set.
+    pub bias_uncertainty: types::Vector3f,
+    /// Validity of the values.
+    pub valid_flags: ValidFlags,
+}
+
+impl Wire for MagBiasUncertainty {
+    const SIZE: usize = 14;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let bias_uncertainty = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { bias_uncertainty, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.bias_uncertainty)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for MagBiasUncertainty {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x1B;
+    const NAME: &'static str = "filter_data.mag_bias_uncertainty";
+}
+
 /// Compensated acceleration (0x82,0x1C).
 ///
 /// Acceleration without the estimated bias; gravity is still in it.
@@ -1466,6 +1712,77 @@ impl Field for CompensatedAcceleration {
     const SET: u8 = 0x82;
     const DESCRIPTOR: u8 = 0x1C;
     const NAME: &'static str = "filter_data.compensated_acceleration";
+}
+
+/// Standard atmosphere (0x82,0x20).
+///
+/// US Standard Atmosphere of 1976 at the altitude of the device.
+///
+/// - It is valid only with a valid GNSS position.
+/// - Manual mip-sdk-4: Standard Atmosphere (0x82,0x20)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct StandardAtmosphere {
+    /// Altitude that goes into the model.
+    ///
+    /// Unit: m; valid if `valid_flags.valid` is set.
+    pub geometric_altitude: f32,
+    /// Geopotential altitude.
+    ///
+    /// Unit: m; valid if `valid_flags.valid` is set.
+    pub geopotential_altitude: f32,
+    /// Temperature.
+    ///
+    /// Unit: degC; valid if `valid_flags.valid` is set.
+    pub standard_temperature: f32,
+    /// Pressure.
+    ///
+    /// Unit: mbar; valid if `valid_flags.valid` is set.
+    pub standard_pressure: f32,
+    /// Density.
+    ///
+    /// Unit: kg/m^3; valid if `valid_flags.valid` is set.
+    pub standard_density: f32,
+    /// Validity of the values.
+    pub valid_flags: ValidFlags,
+}
+
+impl Wire for StandardAtmosphere {
+    const SIZE: usize = 22;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let geometric_altitude = reader.read()?;
+        let geopotential_altitude = reader.read()?;
+        let standard_temperature = reader.read()?;
+        let standard_pressure = reader.read()?;
+        let standard_density = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self {
+            geometric_altitude,
+            geopotential_altitude,
+            standard_temperature,
+            standard_pressure,
+            standard_density,
+            valid_flags,
+        })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.geometric_altitude)?;
+        writer.write(&self.geopotential_altitude)?;
+        writer.write(&self.standard_temperature)?;
+        writer.write(&self.standard_pressure)?;
+        writer.write(&self.standard_density)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for StandardAtmosphere {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x20;
+    const NAME: &'static str = "filter_data.standard_atmosphere";
 }
 
 /// Pressure altitude (0x82,0x21).
@@ -1511,6 +1828,462 @@ impl Field for PressureAltitude {
     const SET: u8 = 0x82;
     const DESCRIPTOR: u8 = 0x21;
     const NAME: &'static str = "filter_data.pressure_altitude";
+}
+
+/// Density altitude (0x82,0x22).
+///
+/// Altitude at which the standard atmosphere has the density of the air around the device.
+///
+/// - Manual mip-sdk-4: Density Altitude (0x82,0x22)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct DensityAltitude {
+    /// Altitude.
+    ///
+    /// Unit: m; valid if `valid_flags.valid` is set.
+    pub density_altitude: f32,
+    /// Validity of the values.
+    pub valid_flags: ValidFlags,
+}
+
+impl Wire for DensityAltitude {
+    const SIZE: usize = 6;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let density_altitude = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { density_altitude, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.density_altitude)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for DensityAltitude {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x22;
+    const NAME: &'static str = "filter_data.density_altitude";
+}
+
+/// Magnetometer offset (0x82,0x25).
+///
+/// Estimated hard iron offset of the magnetometer.
+///
+/// - The filter adds it to the stored hard iron offset (0x0C,0x3A).
+/// - Manual mip-sdk-4: Magnetometer Offset (0x82,0x25)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MagOffset {
+    /// Hard iron offset.
+    ///
+    /// Unit: gauss; frame: sensor; valid if `valid_flags.valid` is set.
+    pub hard_iron: types::Vector3f,
+    /// Validity of the values.
+    pub valid_flags: ValidFlags,
+}
+
+impl Wire for MagOffset {
+    const SIZE: usize = 14;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let hard_iron = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { hard_iron, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.hard_iron)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for MagOffset {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x25;
+    const NAME: &'static str = "filter_data.mag_offset";
+}
+
+/// Magnetometer matrix (0x82,0x26).
+///
+/// Estimated soft iron matrix of the magnetometer.
+///
+/// - The filter multiplies the stored soft iron matrix (0x0C,0x3B) by it, from the right.
+/// - Manual mip-sdk-4: Magnetometer Matrix (0x82,0x26)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MagMatrix {
+    /// Soft iron matrix in row-major order.
+    ///
+    /// Unit: 1; frame: sensor; valid if `valid_flags.valid` is set.
+    pub soft_iron: types::Matrix3f,
+    /// Validity of the values.
+    pub valid_flags: ValidFlags,
+}
+
+impl Wire for MagMatrix {
+    const SIZE: usize = 38;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let soft_iron = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { soft_iron, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.soft_iron)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for MagMatrix {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x26;
+    const NAME: &'static str = "filter_data.mag_matrix";
+}
+
+/// Magnetometer offset uncertainty (0x82,0x28).
+///
+/// Standard deviation of the estimated hard iron offset.
+///
+/// - Manual mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MagOffsetUncertainty {
+    /// Standard deviation per axis.
+    ///
+    /// Unit: gauss; frame: sensor; valid if `valid_flags.valid` is set.
+    pub hard_iron_uncertainty: types::Vector3f,
+    /// Validity of the values.
+    pub valid_flags: ValidFlags,
+}
+
+impl Wire for MagOffsetUncertainty {
+    const SIZE: usize = 14;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let hard_iron_uncertainty = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { hard_iron_uncertainty, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.hard_iron_uncertainty)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for MagOffsetUncertainty {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x28;
+    const NAME: &'static str = "filter_data.mag_offset_uncertainty";
+}
+
+/// Magnetometer matrix uncertainty (0x82,0x29).
+///
+/// Standard deviation of the estimated soft iron matrix.
+///
+/// - Manual mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MagMatrixUncertainty {
+    /// Standard deviation per element.
+    ///
+    /// Unit: 1; frame: sensor; valid if `valid_flags.valid` is set.
+    pub soft_iron_uncertainty: types::Matrix3f,
+    /// Validity of the values.
+    pub valid_flags: ValidFlags,
+}
+
+impl Wire for MagMatrixUncertainty {
+    const SIZE: usize = 38;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let soft_iron_uncertainty = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { soft_iron_uncertainty, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.soft_iron_uncertainty)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for MagMatrixUncertainty {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x29;
+    const NAME: &'static str = "filter_data.mag_matrix_uncertainty";
+}
+
+/// Magnetometer covariance matrix (0x82,0x2A).
+///
+/// Covariance of the magnetometer measurement.
+///
+/// - Manual mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MagCovarianceMatrix {
+    /// Covariance matrix in row-major order.
+    ///
+    /// Valid if `valid_flags.valid` is set.
+    pub covariance: types::Matrix3f,
+    /// Validity of the values.
+    pub valid_flags: ValidFlags,
+}
+
+impl Wire for MagCovarianceMatrix {
+    const SIZE: usize = 38;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let covariance = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { covariance, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.covariance)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for MagCovarianceMatrix {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x2A;
+    const NAME: &'static str = "filter_data.mag_covariance_matrix";
+}
+
+/// Magnetometer residual vector (0x82,0x2C).
+///
+/// Residual of the magnetometer measurement.
+///
+/// - Manual mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct MagResidualVector {
+    /// Residual.
+    ///
+    /// Unit: gauss; frame: vehicle; valid if `valid_flags.valid` is set.
+    pub residual: types::Vector3f,
+    /// Validity of the values.
+    pub valid_flags: ValidFlags,
+}
+
+impl Wire for MagResidualVector {
+    const SIZE: usize = 14;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let residual = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { residual, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.residual)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for MagResidualVector {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x2C;
+    const NAME: &'static str = "filter_data.mag_residual_vector";
+}
+
+/// Antenna offset correction (0x82,0x30).
+///
+/// Estimated error of the offset of the GNSS antenna.
+///
+/// - The filter adds it to the stored offset (0x0D,0x13).
+/// - Manual mip-sdk-4: Antenna Offset Correction (0x82,0x30)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct AntennaOffsetCorrection {
+    /// Correction of the offset.
+    ///
+    /// Unit: m; frame: vehicle; valid if `valid_flags.valid` is set.
+    pub offset: types::Vector3f,
+    /// Validity of the values.
+    pub valid_flags: ValidFlags,
+}
+
+impl Wire for AntennaOffsetCorrection {
+    const SIZE: usize = 14;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let offset = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { offset, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.offset)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for AntennaOffsetCorrection {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x30;
+    const NAME: &'static str = "filter_data.antenna_offset_correction";
+}
+
+/// Antenna offset correction uncertainty (0x82,0x31).
+///
+/// Standard deviation of the estimated error of the offset of the GNSS antenna.
+///
+/// - Manual mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct AntennaOffsetCorrectionUncertainty {
+    /// Standard deviation per axis.
+    ///
+    /// Unit: m; frame: vehicle; valid if `valid_flags.valid` is set.
+    pub offset_uncertainty: types::Vector3f,
+    /// Validity of the values.
+    pub valid_flags: ValidFlags,
+}
+
+impl Wire for AntennaOffsetCorrectionUncertainty {
+    const SIZE: usize = 14;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let offset_uncertainty = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { offset_uncertainty, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.offset_uncertainty)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for AntennaOffsetCorrectionUncertainty {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x31;
+    const NAME: &'static str = "filter_data.antenna_offset_correction_uncertainty";
+}
+
+/// Clock correction (0x82,0x32).
+///
+/// Estimated clock error of one GNSS receiver.
+///
+/// - Manual mip-sdk-4: Clock Correction (0x82,0x32)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ClockCorrection {
+    /// Receiver, counted from 1.
+    ///
+    /// Range: at least 1.
+    pub receiver_id: u8,
+    /// Bias of the clock.
+    ///
+    /// Unit: s; valid if `valid_flags.valid` is set.
+    pub bias: f32,
+    /// Drift of the clock.
+    ///
+    /// Unit: s/s; valid if `valid_flags.valid` is set.
+    pub bias_drift: f32,
+    /// Validity of the values.
+    pub valid_flags: ValidFlags,
+}
+
+impl Wire for ClockCorrection {
+    const SIZE: usize = 11;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let receiver_id = reader.read()?;
+        let bias = reader.read()?;
+        let bias_drift = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { receiver_id, bias, bias_drift, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.receiver_id)?;
+        writer.write(&self.bias)?;
+        writer.write(&self.bias_drift)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for ClockCorrection {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x32;
+    const NAME: &'static str = "filter_data.clock_correction";
+}
+
+/// Clock correction uncertainty (0x82,0x33).
+///
+/// Standard deviation of the estimated clock error of one GNSS receiver.
+///
+/// - Manual mip-sdk-4: Clock Correction Uncertainty (0x82,0x33)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ClockCorrectionUncertainty {
+    /// Receiver, counted from 1.
+    ///
+    /// Range: at least 1.
+    pub receiver_id: u8,
+    /// Standard deviation of the bias.
+    ///
+    /// Unit: s; valid if `valid_flags.valid` is set.
+    pub bias_uncertainty: f32,
+    /// Standard deviation of the drift.
+    ///
+    /// Unit: s/s; valid if `valid_flags.valid` is set.
+    pub bias_drift_uncertainty: f32,
+    /// Validity of the values.
+    pub valid_flags: ValidFlags,
+}
+
+impl Wire for ClockCorrectionUncertainty {
+    const SIZE: usize = 11;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let receiver_id = reader.read()?;
+        let bias_uncertainty = reader.read()?;
+        let bias_drift_uncertainty = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { receiver_id, bias_uncertainty, bias_drift_uncertainty, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.receiver_id)?;
+        writer.write(&self.bias_uncertainty)?;
+        writer.write(&self.bias_drift_uncertainty)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for ClockCorrectionUncertainty {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x33;
+    const NAME: &'static str = "filter_data.clock_correction_uncertainty";
 }
 
 /// Multi-antenna offset correction (0x82,0x34).
@@ -1861,6 +2634,98 @@ impl Field for GnssPositionAidingStatus {
     const SET: u8 = 0x82;
     const DESCRIPTOR: u8 = 0x43;
     const NAME: &'static str = "filter_data.gnss_position_aiding_status";
+}
+
+/// GNSS attitude aiding status (0x82,0x44).
+///
+/// How the filter uses the attitude that two GNSS antennas give.
+///
+/// - Single precision resolves the time of week to 0.0625 s at the end of the week.
+/// - Manual mip-sdk-4: Gnss Att Aid Status (0x82,0x44)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct GnssAttitudeAidingStatus {
+    /// GPS time of week of the last valid measurement.
+    ///
+    /// Unit: s.
+    pub tow: f32,
+    /// How the measurements are used.
+    pub status: GnssAidingStatus,
+    /// Reserved.
+    ///
+    /// Send 0.
+    pub reserved: [u8; 8],
+}
+
+impl Wire for GnssAttitudeAidingStatus {
+    const SIZE: usize = 14;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let tow = reader.read()?;
+        let status = reader.read()?;
+        let reserved = reader.read()?;
+        Ok(Self { tow, status, reserved })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.tow)?;
+        writer.write(&self.status)?;
+        writer.write(&self.reserved)?;
+        Ok(())
+    }
+}
+
+impl Field for GnssAttitudeAidingStatus {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x44;
+    const NAME: &'static str = "filter_data.gnss_attitude_aiding_status";
+}
+
+/// Heading aiding status (0x82,0x45).
+///
+/// The heading measurement that the filter used last.
+///
+/// - Single precision resolves the time of week to 0.0625 s at the end of the week.
+/// - Manual mip-sdk-4: Head Aid Status (0x82,0x45)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct HeadingAidingStatus {
+    /// GPS time of week of the last valid measurement.
+    ///
+    /// Unit: s.
+    pub tow: f32,
+    /// Source of the heading.
+    pub type_: HeadingAidingType,
+    /// Reserved.
+    ///
+    /// Send 0.0.
+    pub reserved: [f32; 2],
+}
+
+impl Wire for HeadingAidingStatus {
+    const SIZE: usize = 13;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let tow = reader.read()?;
+        let type_ = reader.read()?;
+        let reserved = reader.read()?;
+        Ok(Self { tow, type_, reserved })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.tow)?;
+        writer.write(&self.type_)?;
+        writer.write(&self.reserved)?;
+        Ok(())
+    }
+}
+
+impl Field for HeadingAidingStatus {
+    const SET: u8 = 0x82;
+    const DESCRIPTOR: u8 = 0x45;
+    const NAME: &'static str = "filter_data.heading_aiding_status";
 }
 
 /// Aiding measurement summary (0x82,0x46).

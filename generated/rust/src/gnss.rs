@@ -328,6 +328,110 @@ impl Command for SignalConfiguration {
 
 impl ResponseOf<SignalConfiguration> for SignalConfigurationResponse {}
 
+/// RTK dongle configuration (0x0E,0x10).
+///
+/// Whether the device talks to the RTK dongle that is connected to it.
+///
+/// Functions: write, read, save, load, default. Response: [`RtkDongleConfigurationResponse`].
+///
+/// - Manual mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct RtkDongleConfiguration {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// 1 enables the dongle, 0 disables it.
+    ///
+    /// Range: 0 to 1.
+    pub enable: Option<u8>,
+    /// Reserved.
+    ///
+    /// Send 0.
+    pub reserved: Option<[u8; 3]>,
+}
+
+impl RtkDongleConfiguration {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(enable: u8) -> Self {
+        Self {
+            function: types::FunctionSelector::WRITE,
+            enable: Some(enable),
+            reserved: Some([0; 3]),
+        }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self { function: types::FunctionSelector::READ, enable: None, reserved: None }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self { function: types::FunctionSelector::SAVE, enable: None, reserved: None }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self { function: types::FunctionSelector::LOAD, enable: None, reserved: None }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self { function: types::FunctionSelector::DEFAULT, enable: None, reserved: None }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 2,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for RtkDongleConfiguration {
+    const SIZE: usize = 5;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let enable = reader.group(required >= 1, Reader::read)?;
+        let reserved = reader.group(required >= 2, Reader::read)?;
+        Ok(Self { function, enable, reserved })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.enable)?;
+        writer.some(required >= 2, &self.reserved)?;
+        Ok(())
+    }
+}
+
+impl Field for RtkDongleConfiguration {
+    const SET: u8 = 0x0E;
+    const DESCRIPTOR: u8 = 0x10;
+    const NAME: &'static str = "gnss.rtk_dongle_configuration";
+}
+
+impl Command for RtkDongleConfiguration {
+    type Response = RtkDongleConfigurationResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<RtkDongleConfiguration> for RtkDongleConfigurationResponse {}
+
 /// SPARTN configuration (0x0E,0x20).
 ///
 /// Source and keys of SPARTN corrections.
@@ -625,6 +729,49 @@ impl Field for SignalConfigurationResponse {
     const SET: u8 = 0x0E;
     const DESCRIPTOR: u8 = 0x82;
     const NAME: &'static str = "gnss.signal_configuration_response";
+}
+
+/// RTK dongle configuration response (0x0E,0x90).
+///
+/// Answers RTK dongle configuration (0x0E,0x10).
+///
+/// Command: [`RtkDongleConfiguration`].
+///
+/// - Manual mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct RtkDongleConfigurationResponse {
+    /// 1 enables the dongle, 0 disables it.
+    ///
+    /// Range: 0 to 1.
+    pub enable: u8,
+    /// Reserved.
+    ///
+    /// Send 0.
+    pub reserved: [u8; 3],
+}
+
+impl Wire for RtkDongleConfigurationResponse {
+    const SIZE: usize = 4;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let enable = reader.read()?;
+        let reserved = reader.read()?;
+        Ok(Self { enable, reserved })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.enable)?;
+        writer.write(&self.reserved)?;
+        Ok(())
+    }
+}
+
+impl Field for RtkDongleConfigurationResponse {
+    const SET: u8 = 0x0E;
+    const DESCRIPTOR: u8 = 0x90;
+    const NAME: &'static str = "gnss.rtk_dongle_configuration_response";
 }
 
 /// SPARTN configuration response (0x0E,0xA0).

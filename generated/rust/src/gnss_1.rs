@@ -153,6 +153,24 @@ bitfield! {
 }
 
 bitfield! {
+    /// Which clock parameters are valid.
+    ClockInfoFlags: u16 {
+        /// Bias.
+        BIAS: bool = 0,
+            "bias", bias, set_bias, with_bias;
+        /// Drift.
+        DRIFT: bool = 1,
+            "drift", drift, set_drift, with_drift;
+        /// Accuracy.
+        ACCURACY_ESTIMATE: bool = 2,
+            "accuracy_estimate", accuracy_estimate, set_accuracy_estimate, with_accuracy_estimate;
+        /// All of them.
+        FLAGS: u8 = 0..=2,
+            "flags", flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
     /// What the fix makes use of.
     FixFlags: u16 {
         /// Satellite based augmentation.
@@ -178,6 +196,47 @@ bitfield! {
             "fix_flags", fix_flags, set_fix_flags, with_fix_flags;
         /// All of them.
         FLAGS: u8 = 0..=2,
+            "flags", flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// State of a satellite.
+    SvFlags: u16 {
+        /// The position fix uses it.
+        USED_FOR_NAVIGATION: bool = 0,
+            "used_for_navigation", used_for_navigation, set_used_for_navigation,
+            with_used_for_navigation;
+        /// It is healthy.
+        HEALTHY: bool = 1,
+            "healthy", healthy, set_healthy, with_healthy;
+    }
+}
+
+bitfield! {
+    /// Which parts of the satellite info are valid.
+    SvInfoFlags: u16 {
+        /// Channel.
+        CHANNEL: bool = 0,
+            "channel", channel, set_channel, with_channel;
+        /// Satellite.
+        SATELLITE_ID: bool = 1,
+            "satellite_id", satellite_id, set_satellite_id, with_satellite_id;
+        /// Carrier to noise density ratio.
+        CARRIER_NOISE_RATIO: bool = 2,
+            "carrier_noise_ratio", carrier_noise_ratio, set_carrier_noise_ratio,
+            with_carrier_noise_ratio;
+        /// Azimuth.
+        AZIMUTH: bool = 3,
+            "azimuth", azimuth, set_azimuth, with_azimuth;
+        /// Elevation.
+        ELEVATION: bool = 4,
+            "elevation", elevation, set_elevation, with_elevation;
+        /// State of the satellite.
+        SV_FLAGS: bool = 5,
+            "sv_flags", sv_flags, set_sv_flags, with_sv_flags;
+        /// All of them.
+        FLAGS: u8 = 0..=5,
             "flags", flags, set_flags, with_flags;
     }
 }
@@ -236,6 +295,50 @@ bitfield! {
             "antenna_power", antenna_power, set_antenna_power, with_antenna_power;
         /// All of them.
         FLAGS: u8 = 0..=2,
+            "flags", flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which parts of the state of the corrections are valid.
+    DgpsInfoFlags: u16 {
+        /// Age.
+        AGE: bool = 0,
+            "age", age, set_age, with_age;
+        /// Number of the base station.
+        BASE_STATION_ID: bool = 1,
+            "base_station_id", base_station_id, set_base_station_id, with_base_station_id;
+        /// State of the base station.
+        BASE_STATION_STATUS: bool = 2,
+            "base_station_status", base_station_status, set_base_station_status,
+            with_base_station_status;
+        /// Number of channels.
+        NUM_CHANNELS: bool = 3,
+            "num_channels", num_channels, set_num_channels, with_num_channels;
+        /// All of them.
+        FLAGS: u8 = 0..=3,
+            "flags", flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which parts of a differential correction are valid.
+    DgpsChannelFlags: u16 {
+        /// Satellite.
+        SATELLITE_ID: bool = 0,
+            "satellite_id", satellite_id, set_satellite_id, with_satellite_id;
+        /// Age.
+        AGE: bool = 1,
+            "age", age, set_age, with_age;
+        /// Correction of the range.
+        RANGE_CORRECTION: bool = 2,
+            "range_correction", range_correction, set_range_correction, with_range_correction;
+        /// Correction of the range rate.
+        RANGE_RATE_CORRECTION: bool = 3,
+            "range_rate_correction", range_rate_correction, set_range_rate_correction,
+            with_range_rate_correction;
+        /// All of them.
+        FLAGS: u8 = 0..=3,
             "flags", flags, set_flags, with_flags;
     }
 }
@@ -329,6 +432,85 @@ bitfield! {
             "sbas_status", sbas_status, set_sbas_status, with_sbas_status;
         /// All of them.
         FLAGS: u8 = 0..=5,
+            "flags", flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which parts of an SBAS correction are valid.
+    SbasCorrectionFlags: u16 {
+        /// Indicator of the range error.
+        UDREI: bool = 0,
+            "udrei", udrei, set_udrei, with_udrei;
+        /// Correction of the pseudorange.
+        PSEUDORANGE_CORRECTION: bool = 1,
+            "pseudorange_correction", pseudorange_correction, set_pseudorange_correction,
+            with_pseudorange_correction;
+        /// Correction of the ionospheric delay.
+        IONO_CORRECTION: bool = 2,
+            "iono_correction", iono_correction, set_iono_correction, with_iono_correction;
+        /// All of them.
+        FLAGS: u8 = 0..=2,
+            "flags", flags, set_flags, with_flags;
+    }
+}
+
+open_enum! {
+    /// Frequency band of GNSS signals.
+    RfBand: u8 {
+        /// Not known.
+        UNKNOWN = 0, "unknown";
+        /// L1.
+        L1 = 1, "l1";
+        /// L2.
+        L2 = 2, "l2";
+        /// L5.
+        L5 = 5, "l5";
+    }
+}
+
+open_enum! {
+    /// How much the reception is jammed.
+    JammingState: u8 {
+        /// Not known.
+        UNKNOWN = 0, "unknown";
+        /// Not at all.
+        NONE = 1, "none";
+        /// In part.
+        PARTIAL = 2, "partial";
+        /// Badly.
+        SIGNIFICANT = 3, "significant";
+    }
+}
+
+open_enum! {
+    /// How much the signals are spoofed.
+    SpoofingState: u8 {
+        /// Not known.
+        UNKNOWN = 0, "unknown";
+        /// Not at all.
+        NONE = 1, "none";
+        /// In part.
+        PARTIAL = 2, "partial";
+        /// Badly.
+        SIGNIFICANT = 3, "significant";
+    }
+}
+
+bitfield! {
+    /// Which parts of the detection are valid.
+    RfErrorDetectionFlags: u16 {
+        /// Band.
+        RF_BAND: bool = 0,
+            "rf_band", rf_band, set_rf_band, with_rf_band;
+        /// Jamming.
+        JAMMING_STATE: bool = 1,
+            "jamming_state", jamming_state, set_jamming_state, with_jamming_state;
+        /// Spoofing.
+        SPOOFING_STATE: bool = 2,
+            "spoofing_state", spoofing_state, set_spoofing_state, with_spoofing_state;
+        /// All of them.
+        FLAGS: u8 = 0..=2,
             "flags", flags, set_flags, with_flags;
     }
 }
@@ -441,6 +623,140 @@ bitfield! {
 }
 
 bitfield! {
+    /// Properties of a base station, as its RTCM message gives them.
+    BaseStationIndicators: u16 {
+        /// GPS is supported.
+        GPS: bool = 0,
+            "gps", gps, set_gps, with_gps;
+        /// GLONASS is supported.
+        GLONASS: bool = 1,
+            "glonass", glonass, set_glonass, with_glonass;
+        /// Galileo is supported.
+        GALILEO: bool = 2,
+            "galileo", galileo, set_galileo, with_galileo;
+        /// BeiDou is supported.
+        BEIDOU: bool = 3,
+            "beidou", beidou, set_beidou, with_beidou;
+        /// Reference station indicator.
+        REF_STATION: bool = 4,
+            "ref_station", ref_station, set_ref_station, with_ref_station;
+        /// Single receiver oscillator indicator.
+        SINGLE_RECEIVER: bool = 5,
+            "single_receiver", single_receiver, set_single_receiver, with_single_receiver;
+        /// First bit of the quarter cycle indicator.
+        QUARTER_CYCLE_BIT1: bool = 6,
+            "quarter_cycle_bit1", quarter_cycle_bit1, set_quarter_cycle_bit1,
+            with_quarter_cycle_bit1;
+        /// Second bit of the quarter cycle indicator.
+        QUARTER_CYCLE_BIT2: bool = 7,
+            "quarter_cycle_bit2", quarter_cycle_bit2, set_quarter_cycle_bit2,
+            with_quarter_cycle_bit2;
+        /// Quarter cycle indicator.
+        QUARTER_CYCLE_BITS: u8 = 6..=7,
+            "quarter_cycle_bits", quarter_cycle_bits, set_quarter_cycle_bits,
+            with_quarter_cycle_bits;
+    }
+}
+
+bitfield! {
+    /// Which values are valid.
+    BaseStationInfoFlags: u16 {
+        /// Time of week.
+        TOW: bool = 0,
+            "tow", tow, set_tow, with_tow;
+        /// Week number.
+        WEEK_NUMBER: bool = 1,
+            "week_number", week_number, set_week_number, with_week_number;
+        /// Position.
+        ECEF_POSITION: bool = 2,
+            "ecef_position", ecef_position, set_ecef_position, with_ecef_position;
+        /// Antenna height.
+        HEIGHT: bool = 3,
+            "height", height, set_height, with_height;
+        /// Station.
+        STATION_ID: bool = 4,
+            "station_id", station_id, set_station_id, with_station_id;
+        /// Indicators.
+        INDICATORS: bool = 5,
+            "indicators", indicators, set_indicators, with_indicators;
+        /// All of them.
+        FLAGS: u8 = 0..=5,
+            "flags", flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Corrections that came during an epoch.
+    RtkEpochStatus: u16 {
+        /// Antenna location.
+        ANTENNA_LOCATION_RECEIVED: bool = 0,
+            "antenna_location_received", antenna_location_received, set_antenna_location_received,
+            with_antenna_location_received;
+        /// Antenna description.
+        ANTENNA_DESCRIPTION_RECEIVED: bool = 1,
+            "antenna_description_received", antenna_description_received,
+            set_antenna_description_received, with_antenna_description_received;
+        /// GPS corrections.
+        GPS_RECEIVED: bool = 2,
+            "gps_received", gps_received, set_gps_received, with_gps_received;
+        /// GLONASS corrections.
+        GLONASS_RECEIVED: bool = 3,
+            "glonass_received", glonass_received, set_glonass_received, with_glonass_received;
+        /// Galileo corrections.
+        GALILEO_RECEIVED: bool = 4,
+            "galileo_received", galileo_received, set_galileo_received, with_galileo_received;
+        /// BeiDou corrections.
+        BEIDOU_RECEIVED: bool = 5,
+            "beidou_received", beidou_received, set_beidou_received, with_beidou_received;
+        /// GPS corrections come in MSM messages, not in the RTCM messages 1001-1004.
+        USING_GPS_MSM_MESSAGES: bool = 6,
+            "using_gps_msm_messages", using_gps_msm_messages, set_using_gps_msm_messages,
+            with_using_gps_msm_messages;
+        /// GLONASS corrections come in MSM messages, not in the RTCM messages 1009-1012.
+        USING_GLONASS_MSM_MESSAGES: bool = 7,
+            "using_glonass_msm_messages", using_glonass_msm_messages,
+            set_using_glonass_msm_messages, with_using_glonass_msm_messages;
+        /// The status of the dongle could not be read.
+        DONGLE_STATUS_READ_FAILED: bool = 8,
+            "dongle_status_read_failed", dongle_status_read_failed, set_dongle_status_read_failed,
+            with_dongle_status_read_failed;
+    }
+}
+
+bitfield! {
+    /// Which values are valid.
+    RtkCorrectionsStatusFlags: u16 {
+        /// Time of week.
+        TOW: bool = 0,
+            "tow", tow, set_tow, with_tow;
+        /// Week number.
+        WEEK_NUMBER: bool = 1,
+            "week_number", week_number, set_week_number, with_week_number;
+        /// Epoch status.
+        EPOCH_STATUS: bool = 2,
+            "epoch_status", epoch_status, set_epoch_status, with_epoch_status;
+        /// Status of the dongle.
+        DONGLE_STATUS: bool = 3,
+            "dongle_status", dongle_status, set_dongle_status, with_dongle_status;
+        /// Latency of GPS corrections.
+        GPS_LATENCY: bool = 4,
+            "gps_latency", gps_latency, set_gps_latency, with_gps_latency;
+        /// Latency of GLONASS corrections.
+        GLONASS_LATENCY: bool = 5,
+            "glonass_latency", glonass_latency, set_glonass_latency, with_glonass_latency;
+        /// Latency of Galileo corrections.
+        GALILEO_LATENCY: bool = 6,
+            "galileo_latency", galileo_latency, set_galileo_latency, with_galileo_latency;
+        /// Latency of BeiDou corrections.
+        BEIDOU_LATENCY: bool = 7,
+            "beidou_latency", beidou_latency, set_beidou_latency, with_beidou_latency;
+        /// All of them.
+        FLAGS: u8 = 0..=7,
+            "flags", flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
     /// What an ephemeris of GPS, Galileo or BeiDou holds.
     EphemerisFlags: u16 {
         /// The ephemeris is valid.
@@ -476,6 +792,72 @@ bitfield! {
             "ephemeris", ephemeris, set_ephemeris, with_ephemeris;
         /// All of them.
         FLAGS: bool = 0,
+            "flags", flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which parts of the model are valid.
+    GpsIonoCorrectionFlags: u16 {
+        /// Time of week.
+        TOW: bool = 0,
+            "tow", tow, set_tow, with_tow;
+        /// Week number.
+        WEEK_NUMBER: bool = 1,
+            "week_number", week_number, set_week_number, with_week_number;
+        /// Coefficients alpha.
+        ALPHA: bool = 2,
+            "alpha", alpha, set_alpha, with_alpha;
+        /// Coefficients beta.
+        BETA: bool = 3,
+            "beta", beta, set_beta, with_beta;
+        /// All of them.
+        FLAGS: u8 = 0..=3,
+            "flags", flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which parts of the model are valid.
+    GalileoIonoCorrectionFlags: u16 {
+        /// Time of week.
+        TOW: bool = 0,
+            "tow", tow, set_tow, with_tow;
+        /// Week number.
+        WEEK_NUMBER: bool = 1,
+            "week_number", week_number, set_week_number, with_week_number;
+        /// Coefficients.
+        ALPHA: bool = 2,
+            "alpha", alpha, set_alpha, with_alpha;
+        /// Storm flags.
+        DISTURBANCE_FLAGS: bool = 3,
+            "disturbance_flags", disturbance_flags, set_disturbance_flags, with_disturbance_flags;
+        /// All of them.
+        FLAGS: u8 = 0..=3,
+            "flags", flags, set_flags, with_flags;
+    }
+}
+
+bitfield! {
+    /// Which parts of the model are valid.
+    BeidouIonoCorrectionFlags: u16 {
+        /// Time of week.
+        TOW: bool = 0,
+            "tow", tow, set_tow, with_tow;
+        /// Week number.
+        WEEK_NUMBER: bool = 1,
+            "week_number", week_number, set_week_number, with_week_number;
+        /// Coefficients alpha.
+        ALPHA: bool = 2,
+            "alpha", alpha, set_alpha, with_alpha;
+        /// Coefficients beta.
+        BETA: bool = 3,
+            "beta", beta, set_beta, with_beta;
+        /// Further coefficients.
+        ALPHA_CORRECTION: bool = 4,
+            "alpha_correction", alpha_correction, set_alpha_correction, with_alpha_correction;
+        /// All of them.
+        FLAGS: u8 = 0..=4,
             "flags", flags, set_flags, with_flags;
     }
 }
@@ -559,7 +941,7 @@ impl Field for GnssLlhPosition {
     const NAME: &'static str = "gnss_1.gnss_llh_position";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x91 | 0x92 | 0x94)
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
     }
 }
 
@@ -610,7 +992,7 @@ impl Field for GnssEcefPosition {
     const NAME: &'static str = "gnss_1.gnss_ecef_position";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x91 | 0x92)
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
     }
 }
 
@@ -685,7 +1067,7 @@ impl Field for NedVelocity {
     const NAME: &'static str = "gnss_1.ned_velocity";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x91 | 0x92 | 0x94)
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
     }
 }
 
@@ -736,7 +1118,7 @@ impl Field for GnssEcefVelocity {
     const NAME: &'static str = "gnss_1.gnss_ecef_velocity";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x91 | 0x92)
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
     }
 }
 
@@ -817,7 +1199,7 @@ impl Field for Dop {
     const NAME: &'static str = "gnss_1.dop";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x91 | 0x92)
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
     }
 }
 
@@ -898,7 +1280,7 @@ impl Field for UtcTime {
     const NAME: &'static str = "gnss_1.utc_time";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x91 | 0x92 | 0x94)
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
     }
 }
 
@@ -949,7 +1331,63 @@ impl Field for GpsTime {
     const NAME: &'static str = "gnss_1.gps_time";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x91 | 0x92)
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
+    }
+}
+
+/// Clock info (0x91,0x0A).
+///
+/// Bias and drift of the receiver clock.
+///
+/// - Clock info 2 replaces it and tells more.
+/// - Manual mip-sdk-4: Clock Info (0x81,0x0A)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ClockInfo {
+    /// Bias of the clock.
+    ///
+    /// Unit: s; valid if `valid_flags.bias` is set.
+    pub bias: f64,
+    /// Drift of the clock.
+    ///
+    /// Unit: s/s; valid if `valid_flags.drift` is set.
+    pub drift: f64,
+    /// Estimated accuracy.
+    ///
+    /// Unit: s; valid if `valid_flags.accuracy_estimate` is set.
+    pub accuracy_estimate: f64,
+    /// Which values are valid.
+    pub valid_flags: ClockInfoFlags,
+}
+
+impl Wire for ClockInfo {
+    const SIZE: usize = 26;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let bias = reader.read()?;
+        let drift = reader.read()?;
+        let accuracy_estimate = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { bias, drift, accuracy_estimate, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.bias)?;
+        writer.write(&self.drift)?;
+        writer.write(&self.accuracy_estimate)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for ClockInfo {
+    const SET: u8 = 0x91;
+    const DESCRIPTOR: u8 = 0x0A;
+    const NAME: &'static str = "gnss_1.clock_info";
+
+    fn in_set(set: u8) -> bool {
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
     }
 }
 
@@ -1006,7 +1444,89 @@ impl Field for FixInfo {
     const NAME: &'static str = "gnss_1.fix_info";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x91 | 0x92 | 0x94)
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
+    }
+}
+
+/// Satellite info (0x91,0x0C).
+///
+/// One satellite that is tracked.
+///
+/// - The satellites come as one field each, in packets apart from other GNSS data.
+/// - Manual mip-sdk-4: Sv Info (0x81,0x0C)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SvInfo {
+    /// Channel of the receiver that tracks the satellite.
+    ///
+    /// Valid if `valid_flags.channel` is set.
+    pub channel: u8,
+    /// Number of the satellite.
+    ///
+    /// Valid if `valid_flags.satellite_id` is set.
+    pub satellite_id: u8,
+    /// Carrier to noise density ratio.
+    ///
+    /// Unit: dB-Hz; valid if `valid_flags.carrier_noise_ratio` is set.
+    pub carrier_noise_ratio: u16,
+    /// Azimuth.
+    ///
+    /// Unit: deg; valid if `valid_flags.azimuth` is set.
+    pub azimuth: i16,
+    /// Elevation.
+    ///
+    /// Unit: deg; valid if `valid_flags.elevation` is set.
+    pub elevation: i16,
+    /// State of the satellite.
+    ///
+    /// Valid if `valid_flags.sv_flags` is set.
+    pub sv_flags: SvFlags,
+    /// Which values are valid.
+    pub valid_flags: SvInfoFlags,
+}
+
+impl Wire for SvInfo {
+    const SIZE: usize = 12;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let channel = reader.read()?;
+        let satellite_id = reader.read()?;
+        let carrier_noise_ratio = reader.read()?;
+        let azimuth = reader.read()?;
+        let elevation = reader.read()?;
+        let sv_flags = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self {
+            channel,
+            satellite_id,
+            carrier_noise_ratio,
+            azimuth,
+            elevation,
+            sv_flags,
+            valid_flags,
+        })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.channel)?;
+        writer.write(&self.satellite_id)?;
+        writer.write(&self.carrier_noise_ratio)?;
+        writer.write(&self.azimuth)?;
+        writer.write(&self.elevation)?;
+        writer.write(&self.sv_flags)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for SvInfo {
+    const SET: u8 = 0x91;
+    const DESCRIPTOR: u8 = 0x0C;
+    const NAME: &'static str = "gnss_1.sv_info";
+
+    fn in_set(set: u8) -> bool {
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
     }
 }
 
@@ -1063,7 +1583,132 @@ impl Field for GnssHardwareStatus {
     const NAME: &'static str = "gnss_1.gnss_hardware_status";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x91 | 0x92)
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
+    }
+}
+
+/// DGPS info (0x91,0x0E).
+///
+/// State of the differential corrections.
+///
+/// - Manual 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E)
+/// - Manual mip-sdk-4: Dgps Info (0x81,0x0E)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct DgpsInfo {
+    /// Age of the corrections.
+    ///
+    /// Unit: s; valid if `valid_flags.age` is set.
+    pub age: f32,
+    /// Number of the base station.
+    ///
+    /// Valid if `valid_flags.base_station_id` is set.
+    pub base_station_id: i16,
+    /// State of the base station: 0 to 5 are factors of the user differential range error, which
+    /// are 1.0, 0.75, 0.5, 0.3, 0.2 and 0.1; 6 is not monitored, 7 not working.
+    ///
+    /// Valid if `valid_flags.base_station_status` is set.
+    pub base_station_status: i16,
+    /// Number of channels that have corrections.
+    ///
+    /// Unit: 1; valid if `valid_flags.num_channels` is set.
+    pub num_channels: u16,
+    /// Which values are valid.
+    pub valid_flags: DgpsInfoFlags,
+}
+
+impl Wire for DgpsInfo {
+    const SIZE: usize = 12;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let age = reader.read()?;
+        let base_station_id = reader.read()?;
+        let base_station_status = reader.read()?;
+        let num_channels = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { age, base_station_id, base_station_status, num_channels, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.age)?;
+        writer.write(&self.base_station_id)?;
+        writer.write(&self.base_station_status)?;
+        writer.write(&self.num_channels)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for DgpsInfo {
+    const SET: u8 = 0x91;
+    const DESCRIPTOR: u8 = 0x0E;
+    const NAME: &'static str = "gnss_1.dgps_info";
+
+    fn in_set(set: u8) -> bool {
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
+    }
+}
+
+/// DGPS channel (0x91,0x0F).
+///
+/// Differential correction for one satellite.
+///
+/// - The active satellites come as one field each, all in one packet.
+/// - Manual mip-sdk-4: Dgps Channel (0x81,0x0F)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct DgpsChannel {
+    /// Number of the satellite.
+    ///
+    /// Valid if `valid_flags.satellite_id` is set.
+    pub satellite_id: u8,
+    /// Age of the correction.
+    ///
+    /// Unit: s; valid if `valid_flags.age` is set.
+    pub age: f32,
+    /// Correction of the range.
+    ///
+    /// Unit: m; valid if `valid_flags.range_correction` is set.
+    pub range_correction: f32,
+    /// Correction of the range rate.
+    ///
+    /// Unit: m/s; valid if `valid_flags.range_rate_correction` is set.
+    pub range_rate_correction: f32,
+    /// Which values are valid.
+    pub valid_flags: DgpsChannelFlags,
+}
+
+impl Wire for DgpsChannel {
+    const SIZE: usize = 15;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let satellite_id = reader.read()?;
+        let age = reader.read()?;
+        let range_correction = reader.read()?;
+        let range_rate_correction = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { satellite_id, age, range_correction, range_rate_correction, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.satellite_id)?;
+        writer.write(&self.age)?;
+        writer.write(&self.range_correction)?;
+        writer.write(&self.range_rate_correction)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for DgpsChannel {
+    const SET: u8 = 0x91;
+    const DESCRIPTOR: u8 = 0x0F;
+    const NAME: &'static str = "gnss_1.dgps_channel";
+
+    fn in_set(set: u8) -> bool {
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
     }
 }
 
@@ -1071,7 +1716,7 @@ impl Field for GnssHardwareStatus {
 ///
 /// Bias and drift of the receiver clock.
 ///
-/// - It supersedes an older field, which the manual does not define.
+/// - It supersedes clock info.
 ///
 /// Supported by 3DM-CV7-GNSS/INS.
 ///
@@ -1128,7 +1773,7 @@ impl Field for ClockInfo2 {
     const NAME: &'static str = "gnss_1.clock_info_2";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x91 | 0x92)
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
     }
 }
 
@@ -1173,7 +1818,7 @@ impl Field for GpsLeapSeconds {
     const NAME: &'static str = "gnss_1.gps_leap_seconds";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x91 | 0x92)
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
     }
 }
 
@@ -1256,7 +1901,166 @@ impl Field for SbasInfo {
     const NAME: &'static str = "gnss_1.sbas_info";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x91 | 0x92)
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
+    }
+}
+
+/// SBAS correction (0x91,0x13).
+///
+/// SBAS correction for one satellite.
+///
+/// - An epoch is sent as one field for each satellite; index and count number the fields.
+/// - udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
+///   1.2992, 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
+/// - Manual mip-sdk-4: Sbas Correction (0x81,0x13)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct SbasCorrection {
+    /// Number of this field within the epoch.
+    pub index: u8,
+    /// How many of these fields the epoch has.
+    pub count: u8,
+    /// GPS time of week of the reception.
+    ///
+    /// Unit: s.
+    pub tow: f64,
+    /// GPS week number.
+    ///
+    /// Unit: week.
+    pub week_number: u16,
+    /// Constellation.
+    pub gnss_id: types::GnssConstellation,
+    /// Satellite within the constellation.
+    pub satellite_id: u8,
+    /// Indicator of the range error that is left after fast and long-term corrections, the
+    /// atmosphere apart; 14 is not monitored, 15 not usable.
+    ///
+    /// Range: 0 to 15; valid if `valid_flags.udrei` is set.
+    pub udrei: u8,
+    /// Correction of the pseudorange.
+    ///
+    /// Unit: m; valid if `valid_flags.pseudorange_correction` is set.
+    pub pseudorange_correction: f32,
+    /// Correction of the ionospheric delay.
+    ///
+    /// Unit: m; valid if `valid_flags.iono_correction` is set.
+    pub iono_correction: f32,
+    /// Which values are valid.
+    pub valid_flags: SbasCorrectionFlags,
+}
+
+impl Wire for SbasCorrection {
+    const SIZE: usize = 25;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let index = reader.read()?;
+        let count = reader.read()?;
+        let tow = reader.read()?;
+        let week_number = reader.read()?;
+        let gnss_id = reader.read()?;
+        let satellite_id = reader.read()?;
+        let udrei = reader.read()?;
+        let pseudorange_correction = reader.read()?;
+        let iono_correction = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self {
+            index,
+            count,
+            tow,
+            week_number,
+            gnss_id,
+            satellite_id,
+            udrei,
+            pseudorange_correction,
+            iono_correction,
+            valid_flags,
+        })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.index)?;
+        writer.write(&self.count)?;
+        writer.write(&self.tow)?;
+        writer.write(&self.week_number)?;
+        writer.write(&self.gnss_id)?;
+        writer.write(&self.satellite_id)?;
+        writer.write(&self.udrei)?;
+        writer.write(&self.pseudorange_correction)?;
+        writer.write(&self.iono_correction)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for SbasCorrection {
+    const SET: u8 = 0x91;
+    const DESCRIPTOR: u8 = 0x13;
+    const NAME: &'static str = "gnss_1.sbas_correction";
+
+    fn in_set(set: u8) -> bool {
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
+    }
+}
+
+/// RF error detection (0x91,0x14).
+///
+/// Jamming and spoofing as the receiver detects them in one band.
+///
+/// - Manual mip-sdk-4: Rf Error Detection (0x81,0x14)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct RfErrorDetection {
+    /// Band.
+    ///
+    /// Valid if `valid_flags.rf_band` is set.
+    pub rf_band: RfBand,
+    /// Jamming.
+    ///
+    /// Valid if `valid_flags.jamming_state` is set.
+    pub jamming_state: JammingState,
+    /// Spoofing.
+    ///
+    /// Valid if `valid_flags.spoofing_state` is set.
+    pub spoofing_state: SpoofingState,
+    /// Reserved.
+    ///
+    /// Send 0.
+    pub reserved: [u8; 4],
+    /// Which values are valid.
+    pub valid_flags: RfErrorDetectionFlags,
+}
+
+impl Wire for RfErrorDetection {
+    const SIZE: usize = 9;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let rf_band = reader.read()?;
+        let jamming_state = reader.read()?;
+        let spoofing_state = reader.read()?;
+        let reserved = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { rf_band, jamming_state, spoofing_state, reserved, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.rf_band)?;
+        writer.write(&self.jamming_state)?;
+        writer.write(&self.spoofing_state)?;
+        writer.write(&self.reserved)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for RfErrorDetection {
+    const SET: u8 = 0x91;
+    const DESCRIPTOR: u8 = 0x14;
+    const NAME: &'static str = "gnss_1.rf_error_detection";
+
+    fn in_set(set: u8) -> bool {
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
     }
 }
 
@@ -1358,7 +2162,7 @@ impl Field for SatelliteStatus {
     const NAME: &'static str = "gnss_1.satellite_status";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x91 | 0x92 | 0x94)
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
     }
 }
 
@@ -1524,7 +2328,192 @@ impl Field for Raw {
     const NAME: &'static str = "gnss_1.raw";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x91 | 0x92)
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
+    }
+}
+
+/// Base station info (0x91,0x30).
+///
+/// The base station of the corrections, from an RTCM message 1005 or 1006.
+///
+/// - Manual mip-sdk-4: Base Station Info (0x81,0x30)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct BaseStationInfo {
+    /// GPS time of week at which the message was received.
+    ///
+    /// Unit: s; valid if `valid_flags.tow` is set.
+    pub time_of_week: f64,
+    /// GPS week number.
+    ///
+    /// Unit: week; valid if `valid_flags.week_number` is set.
+    pub week_number: u16,
+    /// Position of the station.
+    ///
+    /// Unit: m; frame: ecef; valid if `valid_flags.ecef_position` is set.
+    pub ecef_pos: types::Vector3d,
+    /// Height of the antenna above the marker that was surveyed.
+    ///
+    /// Unit: m; valid if `valid_flags.height` is set.
+    pub height: f32,
+    /// Number of the station.
+    ///
+    /// Range: 0 to 4095; valid if `valid_flags.station_id` is set.
+    pub station_id: u16,
+    /// Properties of the station.
+    ///
+    /// Valid if `valid_flags.indicators` is set.
+    pub indicators: BaseStationIndicators,
+    /// Which values are valid.
+    pub valid_flags: BaseStationInfoFlags,
+}
+
+impl Wire for BaseStationInfo {
+    const SIZE: usize = 44;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let time_of_week = reader.read()?;
+        let week_number = reader.read()?;
+        let ecef_pos = reader.read()?;
+        let height = reader.read()?;
+        let station_id = reader.read()?;
+        let indicators = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self {
+            time_of_week,
+            week_number,
+            ecef_pos,
+            height,
+            station_id,
+            indicators,
+            valid_flags,
+        })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.time_of_week)?;
+        writer.write(&self.week_number)?;
+        writer.write(&self.ecef_pos)?;
+        writer.write(&self.height)?;
+        writer.write(&self.station_id)?;
+        writer.write(&self.indicators)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for BaseStationInfo {
+    const SET: u8 = 0x91;
+    const DESCRIPTOR: u8 = 0x30;
+    const NAME: &'static str = "gnss_1.base_station_info";
+
+    fn in_set(set: u8) -> bool {
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
+    }
+}
+
+/// RTK corrections status (0x91,0x31).
+///
+/// Which corrections come, and how old they are.
+///
+/// - Manual mip-sdk-4: Rtk Corrections Status (0x81,0x31)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct RtkCorrectionsStatus {
+    /// GPS time of week.
+    ///
+    /// Unit: s; valid if `valid_flags.tow` is set.
+    pub time_of_week: f64,
+    /// GPS week number.
+    ///
+    /// Unit: week; valid if `valid_flags.week_number` is set.
+    pub week_number: u16,
+    /// Corrections that came during this epoch.
+    ///
+    /// Valid if `valid_flags.epoch_status` is set.
+    pub epoch_status: RtkEpochStatus,
+    /// Status flags of the RTK dongle; of use only with a dongle.
+    ///
+    /// Valid if `valid_flags.dongle_status` is set.
+    ///
+    /// - The same word as that of get status flags (0x0F,0x01), in one of its two forms.
+    pub dongle_status: types::RtkStatusFlags,
+    /// Latency of the last GPS correction.
+    ///
+    /// Unit: s; valid if `valid_flags.gps_latency` is set.
+    pub gps_correction_latency: f32,
+    /// Latency of the last GLONASS correction.
+    ///
+    /// Unit: s; valid if `valid_flags.glonass_latency` is set.
+    pub glonass_correction_latency: f32,
+    /// Latency of the last Galileo correction.
+    ///
+    /// Unit: s; valid if `valid_flags.galileo_latency` is set.
+    pub galileo_correction_latency: f32,
+    /// Latency of the last BeiDou correction.
+    ///
+    /// Unit: s; valid if `valid_flags.beidou_latency` is set.
+    pub beidou_correction_latency: f32,
+    /// Reserved.
+    ///
+    /// Send 0.
+    pub reserved: [u32; 4],
+    /// Which values are valid.
+    pub valid_flags: RtkCorrectionsStatusFlags,
+}
+
+impl Wire for RtkCorrectionsStatus {
+    const SIZE: usize = 50;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let time_of_week = reader.read()?;
+        let week_number = reader.read()?;
+        let epoch_status = reader.read()?;
+        let dongle_status = reader.read()?;
+        let gps_correction_latency = reader.read()?;
+        let glonass_correction_latency = reader.read()?;
+        let galileo_correction_latency = reader.read()?;
+        let beidou_correction_latency = reader.read()?;
+        let reserved = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self {
+            time_of_week,
+            week_number,
+            epoch_status,
+            dongle_status,
+            gps_correction_latency,
+            glonass_correction_latency,
+            galileo_correction_latency,
+            beidou_correction_latency,
+            reserved,
+            valid_flags,
+        })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.time_of_week)?;
+        writer.write(&self.week_number)?;
+        writer.write(&self.epoch_status)?;
+        writer.write(&self.dongle_status)?;
+        writer.write(&self.gps_correction_latency)?;
+        writer.write(&self.glonass_correction_latency)?;
+        writer.write(&self.galileo_correction_latency)?;
+        writer.write(&self.beidou_correction_latency)?;
+        writer.write(&self.reserved)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for RtkCorrectionsStatus {
+    const SET: u8 = 0x91;
+    const DESCRIPTOR: u8 = 0x31;
+    const NAME: &'static str = "gnss_1.rtk_corrections_status";
+
+    fn in_set(set: u8) -> bool {
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
     }
 }
 
@@ -1792,7 +2781,7 @@ impl Field for GpsEphemeris {
     const NAME: &'static str = "gnss_1.gps_ephemeris";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x91 | 0x92)
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
     }
 }
 
@@ -1998,7 +2987,7 @@ impl Field for GlonassEphemeris {
     const NAME: &'static str = "gnss_1.glonass_ephemeris";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x91 | 0x92)
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
     }
 }
 
@@ -2268,7 +3257,7 @@ impl Field for GalileoEphemeris {
     const NAME: &'static str = "gnss_1.galileo_ephemeris";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x91 | 0x92)
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
     }
 }
 
@@ -2538,6 +3527,195 @@ impl Field for BeidouEphemeris {
     const NAME: &'static str = "gnss_1.beidou_ephemeris";
 
     fn in_set(set: u8) -> bool {
-        matches!(set, 0x91 | 0x92)
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
+    }
+}
+
+/// GPS ionospheric correction (0x91,0x71).
+///
+/// Model of the ionosphere that GPS broadcasts.
+///
+/// - Manual mip-sdk-4: Gps Iono Corr (0x81,0x71)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct GpsIonoCorrection {
+    /// GPS time of week.
+    ///
+    /// Unit: s; valid if `valid_flags.tow` is set.
+    pub tow: f64,
+    /// GPS week number.
+    ///
+    /// Unit: week; valid if `valid_flags.week_number` is set.
+    pub week_number: u16,
+    /// Coefficients alpha 0 to 3.
+    ///
+    /// Valid if `valid_flags.alpha` is set.
+    pub alpha: [f64; 4],
+    /// Coefficients beta 0 to 3.
+    ///
+    /// Valid if `valid_flags.beta` is set.
+    pub beta: [f64; 4],
+    /// Which values are valid.
+    pub valid_flags: GpsIonoCorrectionFlags,
+}
+
+impl Wire for GpsIonoCorrection {
+    const SIZE: usize = 76;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let tow = reader.read()?;
+        let week_number = reader.read()?;
+        let alpha = reader.read()?;
+        let beta = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { tow, week_number, alpha, beta, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.tow)?;
+        writer.write(&self.week_number)?;
+        writer.write(&self.alpha)?;
+        writer.write(&self.beta)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for GpsIonoCorrection {
+    const SET: u8 = 0x91;
+    const DESCRIPTOR: u8 = 0x71;
+    const NAME: &'static str = "gnss_1.gps_iono_correction";
+
+    fn in_set(set: u8) -> bool {
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
+    }
+}
+
+/// Galileo ionospheric correction (0x91,0x73).
+///
+/// Model of the ionosphere that Galileo broadcasts.
+///
+/// - Manual mip-sdk-4: Galileo Iono Corr (0x81,0x73)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct GalileoIonoCorrection {
+    /// GPS time of week.
+    ///
+    /// Unit: s; valid if `valid_flags.tow` is set.
+    pub tow: f64,
+    /// GPS week number.
+    ///
+    /// Unit: week; valid if `valid_flags.week_number` is set.
+    pub week_number: u16,
+    /// The three coefficients of the model.
+    ///
+    /// Valid if `valid_flags.alpha` is set.
+    pub alpha: [f64; 3],
+    /// Storm flags of five regions, in bits 1 to 5.
+    ///
+    /// Valid if `valid_flags.disturbance_flags` is set.
+    pub disturbance_flags: u8,
+    /// Which values are valid.
+    pub valid_flags: GalileoIonoCorrectionFlags,
+}
+
+impl Wire for GalileoIonoCorrection {
+    const SIZE: usize = 37;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let tow = reader.read()?;
+        let week_number = reader.read()?;
+        let alpha = reader.read()?;
+        let disturbance_flags = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { tow, week_number, alpha, disturbance_flags, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.tow)?;
+        writer.write(&self.week_number)?;
+        writer.write(&self.alpha)?;
+        writer.write(&self.disturbance_flags)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for GalileoIonoCorrection {
+    const SET: u8 = 0x91;
+    const DESCRIPTOR: u8 = 0x73;
+    const NAME: &'static str = "gnss_1.galileo_iono_correction";
+
+    fn in_set(set: u8) -> bool {
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
+    }
+}
+
+/// BeiDou ionospheric correction (0x91,0x74).
+///
+/// Model of the ionosphere that BeiDou broadcasts.
+///
+/// - Manual mip-sdk-4: Beidou Iono Corr (0x81,0x74)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct BeidouIonoCorrection {
+    /// GPS time of week.
+    ///
+    /// Unit: s; valid if `valid_flags.tow` is set.
+    pub tow: f64,
+    /// GPS week number.
+    ///
+    /// Unit: week; valid if `valid_flags.week_number` is set.
+    pub week_number: u16,
+    /// Coefficients alpha 0 to 3.
+    ///
+    /// Valid if `valid_flags.alpha` is set.
+    pub alpha: [f64; 4],
+    /// Coefficients beta 0 to 3.
+    ///
+    /// Valid if `valid_flags.beta` is set.
+    pub beta: [f64; 4],
+    /// Nine further coefficients of the delay.
+    ///
+    /// Valid if `valid_flags.alpha_correction` is set.
+    pub alpha_correction: [f64; 9],
+    /// Which values are valid.
+    pub valid_flags: BeidouIonoCorrectionFlags,
+}
+
+impl Wire for BeidouIonoCorrection {
+    const SIZE: usize = 148;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let tow = reader.read()?;
+        let week_number = reader.read()?;
+        let alpha = reader.read()?;
+        let beta = reader.read()?;
+        let alpha_correction = reader.read()?;
+        let valid_flags = reader.read()?;
+        Ok(Self { tow, week_number, alpha, beta, alpha_correction, valid_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.tow)?;
+        writer.write(&self.week_number)?;
+        writer.write(&self.alpha)?;
+        writer.write(&self.beta)?;
+        writer.write(&self.alpha_correction)?;
+        writer.write(&self.valid_flags)?;
+        Ok(())
+    }
+}
+
+impl Field for BeidouIonoCorrection {
+    const SET: u8 = 0x91;
+    const DESCRIPTOR: u8 = 0x74;
+    const NAME: &'static str = "gnss_1.beidou_iono_correction";
+
+    fn in_set(set: u8) -> bool {
+        matches!(set, 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95)
     }
 }

@@ -43,16 +43,36 @@ pub type UtcTime = crate::gnss_1::UtcTime;
 /// - Manual 3dm-cv7-gnss-ins: GPS Time (0x92,0x09)
 pub type GpsTime = crate::gnss_1::GpsTime;
 
+/// (0x92,0x0A) Clock info: the same as [`gnss_1.clock_info`](crate::gnss_1::ClockInfo).
+///
+/// - Manual mip-sdk-4: Gnss2 Data (0x92)
+pub type ClockInfo = crate::gnss_1::ClockInfo;
+
 /// (0x92,0x0B) Fix info: the same as [`gnss_1.fix_info`](crate::gnss_1::FixInfo).
 ///
 /// - Manual 3dm-cv7-gnss-ins: Fix Info (0x92,0x0B)
 pub type FixInfo = crate::gnss_1::FixInfo;
+
+/// (0x92,0x0C) Satellite info: the same as [`gnss_1.sv_info`](crate::gnss_1::SvInfo).
+///
+/// - Manual mip-sdk-4: Gnss2 Data (0x92)
+pub type SvInfo = crate::gnss_1::SvInfo;
 
 /// (0x92,0x0D) GNSS hardware status: the same as
 /// [`gnss_1.gnss_hardware_status`](crate::gnss_1::GnssHardwareStatus).
 ///
 /// - Manual 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D)
 pub type GnssHardwareStatus = crate::gnss_1::GnssHardwareStatus;
+
+/// (0x92,0x0E) DGPS info: the same as [`gnss_1.dgps_info`](crate::gnss_1::DgpsInfo).
+///
+/// - Manual mip-sdk-4: Gnss2 Data (0x92)
+pub type DgpsInfo = crate::gnss_1::DgpsInfo;
+
+/// (0x92,0x0F) DGPS channel: the same as [`gnss_1.dgps_channel`](crate::gnss_1::DgpsChannel).
+///
+/// - Manual mip-sdk-4: Gnss2 Data (0x92)
+pub type DgpsChannel = crate::gnss_1::DgpsChannel;
 
 /// (0x92,0x10) Clock info 2: the same as [`gnss_1.clock_info_2`](crate::gnss_1::ClockInfo2).
 ///
@@ -70,6 +90,18 @@ pub type GpsLeapSeconds = crate::gnss_1::GpsLeapSeconds;
 /// - Manual 3dm-cv7-gnss-ins: SBAS Info (0x92,0x12)
 pub type SbasInfo = crate::gnss_1::SbasInfo;
 
+/// (0x92,0x13) SBAS correction: the same as
+/// [`gnss_1.sbas_correction`](crate::gnss_1::SbasCorrection).
+///
+/// - Manual mip-sdk-4: Gnss2 Data (0x92)
+pub type SbasCorrection = crate::gnss_1::SbasCorrection;
+
+/// (0x92,0x14) RF error detection: the same as
+/// [`gnss_1.rf_error_detection`](crate::gnss_1::RfErrorDetection).
+///
+/// - Manual mip-sdk-4: Gnss2 Data (0x92)
+pub type RfErrorDetection = crate::gnss_1::RfErrorDetection;
+
 /// (0x92,0x20) Satellite status: the same as
 /// [`gnss_1.satellite_status`](crate::gnss_1::SatelliteStatus).
 ///
@@ -80,6 +112,18 @@ pub type SatelliteStatus = crate::gnss_1::SatelliteStatus;
 ///
 /// - Manual 3dm-cv7-gnss-ins: Raw (0x92,0x22)
 pub type Raw = crate::gnss_1::Raw;
+
+/// (0x92,0x30) Base station info: the same as
+/// [`gnss_1.base_station_info`](crate::gnss_1::BaseStationInfo).
+///
+/// - Manual mip-sdk-4: Gnss2 Data (0x92)
+pub type BaseStationInfo = crate::gnss_1::BaseStationInfo;
+
+/// (0x92,0x31) RTK corrections status: the same as
+/// [`gnss_1.rtk_corrections_status`](crate::gnss_1::RtkCorrectionsStatus).
+///
+/// - Manual mip-sdk-4: Gnss2 Data (0x92)
+pub type RtkCorrectionsStatus = crate::gnss_1::RtkCorrectionsStatus;
 
 /// (0x92,0x61) GPS ephemeris: the same as [`gnss_1.gps_ephemeris`](crate::gnss_1::GpsEphemeris).
 ///
@@ -103,3 +147,21 @@ pub type GalileoEphemeris = crate::gnss_1::GalileoEphemeris;
 ///
 /// - Manual 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64)
 pub type BeidouEphemeris = crate::gnss_1::BeidouEphemeris;
+
+/// (0x92,0x71) GPS ionospheric correction: the same as
+/// [`gnss_1.gps_iono_correction`](crate::gnss_1::GpsIonoCorrection).
+///
+/// - Manual mip-sdk-4: Gnss2 Data (0x92)
+pub type GpsIonoCorrection = crate::gnss_1::GpsIonoCorrection;
+
+/// (0x92,0x73) Galileo ionospheric correction: the same as
+/// [`gnss_1.galileo_iono_correction`](crate::gnss_1::GalileoIonoCorrection).
+///
+/// - Manual mip-sdk-4: Gnss2 Data (0x92)
+pub type GalileoIonoCorrection = crate::gnss_1::GalileoIonoCorrection;
+
+/// (0x92,0x74) BeiDou ionospheric correction: the same as
+/// [`gnss_1.beidou_iono_correction`](crate::gnss_1::BeidouIonoCorrection).
+///
+/// - Manual mip-sdk-4: Gnss2 Data (0x92)
+pub type BeidouIonoCorrection = crate::gnss_1::BeidouIonoCorrection;

@@ -79,6 +79,99 @@ open_enum! {
     }
 }
 
+open_enum! {
+    /// Constellation in the settings of a receiver. The values are not those of gnss_constellation,
+    /// which GNSS data use.
+    ///
+    /// - Manual mip-sdk-4: Constellation Settings (0x0C,0x21)
+    ConstellationId: u8 {
+        /// GPS, satellites G1 to G32.
+        GPS = 0, "gps";
+        /// SBAS, satellites S120 to S158.
+        SBAS = 1, "sbas";
+        /// Galileo, satellites E1 to E36.
+        GALILEO = 2, "galileo";
+        /// BeiDou, satellites B1 to B37.
+        BEIDOU = 3, "beidou";
+        /// QZSS, satellites Q1 to Q5.
+        QZSS = 5, "qzss";
+        /// GLONASS, satellites R1 to R32.
+        GLONASS = 6, "glonass";
+    }
+}
+
+bitfield! {
+    /// Options of a constellation.
+    ///
+    /// - Manual mip-sdk-4: Constellation Settings (0x0C,0x21)
+    ConstellationOptions: u16 {
+        /// The L1-SAIF signal; QZSS only.
+        L1SAIF: bool = 0,
+            "l1saif", l1saif, set_l1saif, with_l1saif;
+    }
+}
+
+/// How a receiver tracks one constellation.
+///
+/// - Manual mip-sdk-4: Constellation Settings (0x0C,0x21)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ConstellationSettingsEntry {
+    /// Constellation.
+    pub constellation_id: ConstellationId,
+    /// 1 switches it on, 0 off.
+    ///
+    /// Range: 0 to 1.
+    pub enable: u8,
+    /// Channels that are kept for it.
+    ///
+    /// Unit: 1; range: 0 to 32.
+    pub reserved_channels: u8,
+    /// Channels that it takes at most.
+    ///
+    /// Unit: 1; range: 0 to 32.
+    pub max_channels: u8,
+    /// Options.
+    pub option_flags: ConstellationOptions,
+}
+
+impl ConstellationSettingsEntry {
+    /// Puts the values together.
+    #[must_use]
+    pub fn new(
+        constellation_id: ConstellationId,
+        enable: u8,
+        reserved_channels: u8,
+        max_channels: u8,
+        option_flags: ConstellationOptions,
+    ) -> Self {
+        Self { constellation_id, enable, reserved_channels, max_channels, option_flags }
+    }
+}
+
+impl Wire for ConstellationSettingsEntry {
+    const SIZE: usize = 6;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let constellation_id = reader.read()?;
+        let enable = reader.read()?;
+        let reserved_channels = reader.read()?;
+        let max_channels = reader.read()?;
+        let option_flags = reader.read()?;
+        Ok(Self { constellation_id, enable, reserved_channels, max_channels, option_flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.constellation_id)?;
+        writer.write(&self.enable)?;
+        writer.write(&self.reserved_channels)?;
+        writer.write(&self.max_channels)?;
+        writer.write(&self.option_flags)?;
+        Ok(())
+    }
+}
+
 bitfield! {
     /// How SBAS is used.
     ///
@@ -94,6 +187,18 @@ bitfield! {
         /// Only GPS satellites with SBAS integrity information are used.
         APPLY_INTEGRITY: bool = 2,
             "apply_integrity", apply_integrity, set_apply_integrity, with_apply_integrity;
+    }
+}
+
+open_enum! {
+    /// Whether a receiver keeps its last fix.
+    ///
+    /// - Manual mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+    AssistedFixOption: u8 {
+        /// The receiver starts without it.
+        NONE = 0, "none";
+        /// The receiver starts from its last fix.
+        ENABLED = 1, "enabled";
     }
 }
 
@@ -380,6 +485,68 @@ impl Command for PollImuData {
     }
 }
 
+/// Poll GNSS Data (0x0C,0x02).
+///
+/// Asks for one GNSS data packet with the fields listed, in their order.
+///
+/// - An empty list polls the stored GNSS message format (0x0C,0x09); without one the device
+///   refuses.
+/// - Descriptors that the device does not know are left out.
+/// - The data comes in a packet of its own behind the reply.
+///
+/// Not acknowledged if `suppress_ack` is true.
+///
+/// - Manual mip-sdk-4: Poll Gnss Message (0x0C,0x02)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct PollGnssData {
+    /// Send no acknowledge.
+    pub suppress_ack: crate::Bool,
+    /// Fields to send.
+    pub descriptors: crate::List<PollEntry, 83>,
+}
+
+impl PollGnssData {
+    /// The command with its parameters.
+    #[must_use]
+    pub fn new(suppress_ack: bool, descriptors: impl Into<crate::List<PollEntry, 83>>) -> Self {
+        Self { suppress_ack: suppress_ack.into(), descriptors: descriptors.into() }
+    }
+}
+
+impl Wire for PollGnssData {
+    const SIZE: usize = 251;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let suppress_ack = reader.read()?;
+        let num_descriptors = reader.read::<u8>()?;
+        let descriptors = reader.list(num_descriptors)?;
+        Ok(Self { suppress_ack, descriptors })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.suppress_ack)?;
+        writer.count::<u8>(self.descriptors.len())?;
+        self.descriptors.encode_items(writer)?;
+        Ok(())
+    }
+}
+
+impl Field for PollGnssData {
+    const SET: u8 = 0x0C;
+    const DESCRIPTOR: u8 = 0x02;
+    const NAME: &'static str = "3dm.poll_gnss_data";
+}
+
+impl Command for PollGnssData {
+    type Response = ();
+
+    fn expects_reply(&self) -> bool {
+        !(self.suppress_ack == crate::Bool(1))
+    }
+}
+
 /// Poll Estimation Filter Data (0x0C,0x03).
 ///
 /// Asks for one filter data packet (0x82) with the fields listed, in their order.
@@ -554,6 +721,54 @@ impl Command for GetImuDataBaseRate {
 
 impl ResponseOf<GetImuDataBaseRate> for GetImuDataBaseRateResponse {}
 
+/// Get GNSS Data Base Rate (0x0C,0x07).
+///
+/// Asks for the rate that the decimations of the GNSS message format divide.
+///
+/// Response: [`GetGnssDataBaseRateResponse`].
+///
+/// - Manual mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct GetGnssDataBaseRate;
+
+impl GetGnssDataBaseRate {
+    /// The command with its parameters.
+    #[must_use]
+    pub fn new() -> Self {
+        Self
+    }
+}
+
+impl Wire for GetGnssDataBaseRate {
+    const SIZE: usize = 0;
+
+    fn decode_from(_: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        Ok(Self)
+    }
+
+    fn encode_to(&self, _: &mut Writer<'_>) -> Result<(), EncodeError> {
+        Ok(())
+    }
+}
+
+impl Field for GetGnssDataBaseRate {
+    const SET: u8 = 0x0C;
+    const DESCRIPTOR: u8 = 0x07;
+    const NAME: &'static str = "3dm.get_gnss_data_base_rate";
+}
+
+impl Command for GetGnssDataBaseRate {
+    type Response = GetGnssDataBaseRateResponse;
+
+    fn expects_response(&self) -> bool {
+        true
+    }
+}
+
+impl ResponseOf<GetGnssDataBaseRate> for GetGnssDataBaseRateResponse {}
+
 /// IMU Message Format (0x0C,0x08).
 ///
 /// Fields of the sensor data packets (0x80), in order, with their decimations.
@@ -658,6 +873,109 @@ impl Command for ImuMessageFormat {
 }
 
 impl ResponseOf<ImuMessageFormat> for ImuMessageFormatResponse {}
+
+/// GNSS Message Format (0x0C,0x09).
+///
+/// Fields of the GNSS data packets, in order, with their decimations.
+///
+/// - The decimation is the base rate, as the get GNSS data base rate command reports it, divided by
+///   the wanted rate.
+///
+/// Functions: write, read, save, load, default. Response: [`GnssMessageFormatResponse`].
+///
+/// - Manual mip-sdk-4: Gnss Message Format (0x0C,0x09)
+/// - Manual 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct GnssMessageFormat {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// Fields and decimations.
+    pub descriptors: Option<crate::List<types::DescriptorRate, 83>>,
+}
+
+impl GnssMessageFormat {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) -> Self {
+        Self { function: types::FunctionSelector::WRITE, descriptors: Some(descriptors.into()) }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self { function: types::FunctionSelector::READ, descriptors: None }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self { function: types::FunctionSelector::SAVE, descriptors: None }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self { function: types::FunctionSelector::LOAD, descriptors: None }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self { function: types::FunctionSelector::DEFAULT, descriptors: None }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 2,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for GnssMessageFormat {
+    const SIZE: usize = 251;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let descriptors = reader.group(required >= 2, |reader| {
+            let num_descriptors = reader.read::<u8>()?;
+            let descriptors = reader.list(num_descriptors)?;
+            Ok(descriptors)
+        })?;
+        Ok(Self { function, descriptors })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        if let Some(descriptors) = writer.optional(required >= 2, &self.descriptors)? {
+            writer.count::<u8>(descriptors.len())?;
+            descriptors.encode_items(writer)?;
+        }
+        Ok(())
+    }
+}
+
+impl Field for GnssMessageFormat {
+    const SET: u8 = 0x0C;
+    const DESCRIPTOR: u8 = 0x09;
+    const NAME: &'static str = "3dm.gnss_message_format";
+}
+
+impl Command for GnssMessageFormat {
+    type Response = GnssMessageFormatResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<GnssMessageFormat> for GnssMessageFormatResponse {}
 
 /// Estimation Filter Message Format (0x0C,0x0A).
 ///
@@ -1345,6 +1663,128 @@ impl Command for DataStreamControl {
 
 impl ResponseOf<DataStreamControl> for DataStreamControlResponse {}
 
+/// Constellation Settings (0x0C,0x21).
+///
+/// Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
+///
+/// - The device refuses entries whose reserved channels exceed 32 in all. No entry may have fewer
+///   channels at most than it reserves.
+/// - GLONASS and BeiDou exclude each other.
+/// - If the antenna or its filter is made for GPS alone, leave GLONASS and BeiDou off.
+/// - SBAS and QZSS improve the accuracy of GPS. SBAS does not make the device fit for
+///   safety-of-life use.
+/// - Factory default: GPS and GLONASS are enabled. Channels reserved and at most: GPS 8 and 16,
+///   GLONASS 8 and 14, SBAS 1 and 3, QZSS 0 and 3.
+///
+/// Functions: write, read, save, load, default. Response: [`ConstellationSettingsResponse`].
+///
+/// - Manual mip-sdk-4: Constellation Settings (0x0C,0x21)
+/// - Manual 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ConstellationSettings {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// Tracking channels in use at most; no more than the response reports as available.
+    ///
+    /// Unit: 1.
+    pub max_channels: Option<u16>,
+    /// One entry for each constellation.
+    pub settings: Option<crate::List<ConstellationSettingsEntry, 41>>,
+}
+
+impl ConstellationSettings {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(
+        max_channels: u16,
+        settings: impl Into<crate::List<ConstellationSettingsEntry, 41>>,
+    ) -> Self {
+        Self {
+            function: types::FunctionSelector::WRITE,
+            max_channels: Some(max_channels),
+            settings: Some(settings.into()),
+        }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self { function: types::FunctionSelector::READ, max_channels: None, settings: None }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self { function: types::FunctionSelector::SAVE, max_channels: None, settings: None }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self { function: types::FunctionSelector::LOAD, max_channels: None, settings: None }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self { function: types::FunctionSelector::DEFAULT, max_channels: None, settings: None }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 3,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for ConstellationSettings {
+    const SIZE: usize = 250;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let max_channels = reader.group(required >= 1, Reader::read)?;
+        let settings = reader.group(required >= 3, |reader| {
+            let config_count = reader.read::<u8>()?;
+            let settings = reader.list(config_count)?;
+            Ok(settings)
+        })?;
+        Ok(Self { function, max_channels, settings })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.max_channels)?;
+        if let Some(settings) = writer.optional(required >= 3, &self.settings)? {
+            writer.count::<u8>(settings.len())?;
+            settings.encode_items(writer)?;
+        }
+        Ok(())
+    }
+}
+
+impl Field for ConstellationSettings {
+    const SET: u8 = 0x0C;
+    const DESCRIPTOR: u8 = 0x21;
+    const NAME: &'static str = "3dm.constellation_settings";
+}
+
+impl Command for ConstellationSettings {
+    type Response = ConstellationSettingsResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<ConstellationSettings> for ConstellationSettingsResponse {}
+
 /// GNSS SBAS Settings (0x0C,0x22).
 ///
 /// How the GNSS receivers use satellite based augmentation.
@@ -1483,6 +1923,213 @@ impl Command for GnssSbasSettings {
 }
 
 impl ResponseOf<GnssSbasSettings> for GnssSbasSettingsResponse {}
+
+/// GNSS Assisted Fix (0x0C,0x23).
+///
+/// Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
+///
+/// - The last fix is kept in the flash memory and the FRAM of the receiver.
+/// - With the time of GNSS time assistance (0x0C,0x24) right after power-up, the first fix takes 1
+///   s at best.
+/// - A change from enabled to none erases the flash memory of the receiver, which stands 100 000
+///   erasures.
+/// - It takes slightly more power.
+///
+/// Functions: write, read, save, load, default. Response: [`GnssAssistedFixResponse`].
+///
+/// - Manual mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct GnssAssistedFix {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// Assisted fix.
+    ///
+    /// Default: none.
+    pub option: Option<AssistedFixOption>,
+    /// Reserved.
+    ///
+    /// Send 255.
+    pub flags: Option<u8>,
+}
+
+impl GnssAssistedFix {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(option: AssistedFixOption) -> Self {
+        Self { function: types::FunctionSelector::WRITE, option: Some(option), flags: Some(255) }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self { function: types::FunctionSelector::READ, option: None, flags: None }
+    }
+
+    /// Save the current setting to non-volatile memory.
+    #[must_use]
+    pub fn save() -> Self {
+        Self { function: types::FunctionSelector::SAVE, option: None, flags: None }
+    }
+
+    /// Load the saved setting.
+    #[must_use]
+    pub fn load() -> Self {
+        Self { function: types::FunctionSelector::LOAD, option: None, flags: None }
+    }
+
+    /// Load the factory default setting.
+    #[must_use]
+    pub fn load_default() -> Self {
+        Self { function: types::FunctionSelector::DEFAULT, option: None, flags: None }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 2,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for GnssAssistedFix {
+    const SIZE: usize = 3;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let option = reader.group(required >= 1, Reader::read)?;
+        let flags = reader.group(required >= 2, Reader::read)?;
+        Ok(Self { function, option, flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.option)?;
+        writer.some(required >= 2, &self.flags)?;
+        Ok(())
+    }
+}
+
+impl Field for GnssAssistedFix {
+    const SET: u8 = 0x0C;
+    const DESCRIPTOR: u8 = 0x23;
+    const NAME: &'static str = "3dm.gnss_assisted_fix";
+}
+
+impl Command for GnssAssistedFix {
+    type Response = GnssAssistedFixResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<GnssAssistedFix> for GnssAssistedFixResponse {}
+
+/// GNSS Time Assistance (0x0C,0x24).
+///
+/// Tells the GNSS receiver the present GPS time.
+///
+/// - It is needed right after power-up if the assisted fix (0x0C,0x23) was on at power-off.
+///
+/// Functions: write, read. Response: [`GnssTimeAssistanceResponse`].
+///
+/// - Manual mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct GnssTimeAssistance {
+    /// What to do with the setting.
+    pub function: types::FunctionSelector,
+    /// GPS time of week.
+    ///
+    /// Unit: s.
+    pub tow: Option<f64>,
+    /// GPS week number since 1980.
+    ///
+    /// Unit: week.
+    pub week_number: Option<u16>,
+    /// Accuracy of the time.
+    ///
+    /// Unit: s.
+    pub accuracy: Option<f32>,
+}
+
+impl GnssTimeAssistance {
+    /// Apply the new setting.
+    #[must_use]
+    pub fn write(tow: f64, week_number: u16, accuracy: f32) -> Self {
+        Self {
+            function: types::FunctionSelector::WRITE,
+            tow: Some(tow),
+            week_number: Some(week_number),
+            accuracy: Some(accuracy),
+        }
+    }
+
+    /// Send the current setting back in a response.
+    #[must_use]
+    pub fn read() -> Self {
+        Self {
+            function: types::FunctionSelector::READ,
+            tow: None,
+            week_number: None,
+            accuracy: None,
+        }
+    }
+
+    /// How many parameters a function needs.
+    fn required(function: types::FunctionSelector) -> u8 {
+        use types::FunctionSelector as F;
+        match function {
+            F::WRITE => 3,
+            _ => 0,
+        }
+    }
+}
+
+impl Wire for GnssTimeAssistance {
+    const SIZE: usize = 15;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let function = reader.read()?;
+        let required = Self::required(function);
+        let tow = reader.group(required >= 1, Reader::read)?;
+        let week_number = reader.group(required >= 2, Reader::read)?;
+        let accuracy = reader.group(required >= 3, Reader::read)?;
+        Ok(Self { function, tow, week_number, accuracy })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let required = Self::required(self.function);
+        writer.write(&self.function)?;
+        writer.some(required >= 1, &self.tow)?;
+        writer.some(required >= 2, &self.week_number)?;
+        writer.some(required >= 3, &self.accuracy)?;
+        Ok(())
+    }
+}
+
+impl Field for GnssTimeAssistance {
+    const SET: u8 = 0x0C;
+    const DESCRIPTOR: u8 = 0x24;
+    const NAME: &'static str = "3dm.gnss_time_assistance";
+}
+
+impl Command for GnssTimeAssistance {
+    type Response = GnssTimeAssistanceResponse;
+
+    fn expects_response(&self) -> bool {
+        matches!(self.function, types::FunctionSelector::READ)
+    }
+}
+
+impl ResponseOf<GnssTimeAssistance> for GnssTimeAssistanceResponse {}
 
 /// PPS Source Control (0x0C,0x28).
 ///
@@ -4468,6 +5115,44 @@ impl Field for ImuMessageFormatResponse {
     const NAME: &'static str = "3dm.imu_message_format_response";
 }
 
+/// GNSS Message Format response (0x0C,0x81).
+///
+/// Answers GNSS Message Format (0x0C,0x09).
+///
+/// Command: [`GnssMessageFormat`].
+///
+/// - Manual mip-sdk-4: Gnss Message Format (0x0C,0x09)
+/// - Manual 3dm-gx5-35: 4.2.6 GNSS Message Format (0x0C, 0x09)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct GnssMessageFormatResponse {
+    /// Fields and decimations.
+    pub descriptors: crate::List<types::DescriptorRate, 84>,
+}
+
+impl Wire for GnssMessageFormatResponse {
+    const SIZE: usize = 253;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let num_descriptors = reader.read::<u8>()?;
+        let descriptors = reader.list(num_descriptors)?;
+        Ok(Self { descriptors })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.count::<u8>(self.descriptors.len())?;
+        self.descriptors.encode_items(writer)?;
+        Ok(())
+    }
+}
+
+impl Field for GnssMessageFormatResponse {
+    const SET: u8 = 0x0C;
+    const DESCRIPTOR: u8 = 0x81;
+    const NAME: &'static str = "3dm.gnss_message_format_response";
+}
+
 /// Estimation Filter Message Format response (0x0C,0x82).
 ///
 /// Answers Estimation Filter Message Format (0x0C,0x0A).
@@ -4540,6 +5225,43 @@ impl Field for GetImuDataBaseRateResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0x83;
     const NAME: &'static str = "3dm.get_imu_data_base_rate_response";
+}
+
+/// Get GNSS Data Base Rate response (0x0C,0x84).
+///
+/// Answers Get GNSS Data Base Rate (0x0C,0x07).
+///
+/// Command: [`GetGnssDataBaseRate`].
+///
+/// - Manual mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct GetGnssDataBaseRateResponse {
+    /// Base rate of the GNSS data.
+    ///
+    /// Unit: Hz.
+    pub rate: u16,
+}
+
+impl Wire for GetGnssDataBaseRateResponse {
+    const SIZE: usize = 2;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let rate = reader.read()?;
+        Ok(Self { rate })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.rate)?;
+        Ok(())
+    }
+}
+
+impl Field for GetGnssDataBaseRateResponse {
+    const SET: u8 = 0x0C;
+    const DESCRIPTOR: u8 = 0x84;
+    const NAME: &'static str = "3dm.get_gnss_data_base_rate_response";
 }
 
 /// Data Stream Control response (0x0C,0x85).
@@ -5279,6 +6001,56 @@ impl Field for ConingAndScullingEnableResponse {
     const NAME: &'static str = "3dm.coning_and_sculling_enable_response";
 }
 
+/// Constellation Settings response (0x0C,0xA0).
+///
+/// Tracking channels of the receiver and the setting of each constellation.
+///
+/// Command: [`ConstellationSettings`].
+///
+/// - Manual mip-sdk-4: Constellation Settings (0x0C,0x21)
+/// - Manual 3dm-gx5-35: 4.2.8 GNSS Constellation Settings (0x0C, 0x21)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ConstellationSettingsResponse {
+    /// Channels that the receiver has.
+    ///
+    /// Unit: 1.
+    pub max_channels_available: u16,
+    /// Channels in use at most.
+    ///
+    /// Unit: 1.
+    pub max_channels_use: u16,
+    /// One entry for each constellation.
+    pub settings: crate::List<ConstellationSettingsEntry, 41>,
+}
+
+impl Wire for ConstellationSettingsResponse {
+    const SIZE: usize = 251;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let max_channels_available = reader.read()?;
+        let max_channels_use = reader.read()?;
+        let config_count = reader.read::<u8>()?;
+        let settings = reader.list(config_count)?;
+        Ok(Self { max_channels_available, max_channels_use, settings })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.max_channels_available)?;
+        writer.write(&self.max_channels_use)?;
+        writer.count::<u8>(self.settings.len())?;
+        self.settings.encode_items(writer)?;
+        Ok(())
+    }
+}
+
+impl Field for ConstellationSettingsResponse {
+    const SET: u8 = 0x0C;
+    const DESCRIPTOR: u8 = 0xA0;
+    const NAME: &'static str = "3dm.constellation_settings_response";
+}
+
 /// GNSS SBAS Settings response (0x0C,0xA1).
 ///
 /// Answers GNSS SBAS Settings (0x0C,0x22).
@@ -5324,6 +6096,104 @@ impl Field for GnssSbasSettingsResponse {
     const SET: u8 = 0x0C;
     const DESCRIPTOR: u8 = 0xA1;
     const NAME: &'static str = "3dm.gnss_sbas_settings_response";
+}
+
+/// GNSS Assisted Fix response (0x0C,0xA2).
+///
+/// Answers GNSS Assisted Fix (0x0C,0x23).
+///
+/// Command: [`GnssAssistedFix`].
+///
+/// - Manual mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct GnssAssistedFixResponse {
+    /// Assisted fix.
+    ///
+    /// Default: none.
+    pub option: AssistedFixOption,
+    /// Reserved.
+    ///
+    /// Send 255.
+    pub flags: u8,
+}
+
+impl core::default::Default for GnssAssistedFixResponse {
+    fn default() -> Self {
+        Self { option: core::default::Default::default(), flags: 255 }
+    }
+}
+
+impl Wire for GnssAssistedFixResponse {
+    const SIZE: usize = 2;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let option = reader.read()?;
+        let flags = reader.read()?;
+        Ok(Self { option, flags })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.option)?;
+        writer.write(&self.flags)?;
+        Ok(())
+    }
+}
+
+impl Field for GnssAssistedFixResponse {
+    const SET: u8 = 0x0C;
+    const DESCRIPTOR: u8 = 0xA2;
+    const NAME: &'static str = "3dm.gnss_assisted_fix_response";
+}
+
+/// GNSS Time Assistance response (0x0C,0xA3).
+///
+/// Answers GNSS Time Assistance (0x0C,0x24).
+///
+/// Command: [`GnssTimeAssistance`].
+///
+/// - Manual mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct GnssTimeAssistanceResponse {
+    /// GPS time of week.
+    ///
+    /// Unit: s.
+    pub tow: f64,
+    /// GPS week number since 1980.
+    ///
+    /// Unit: week.
+    pub week_number: u16,
+    /// Accuracy of the time.
+    ///
+    /// Unit: s.
+    pub accuracy: f32,
+}
+
+impl Wire for GnssTimeAssistanceResponse {
+    const SIZE: usize = 14;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let tow = reader.read()?;
+        let week_number = reader.read()?;
+        let accuracy = reader.read()?;
+        Ok(Self { tow, week_number, accuracy })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.tow)?;
+        writer.write(&self.week_number)?;
+        writer.write(&self.accuracy)?;
+        Ok(())
+    }
+}
+
+impl Field for GnssTimeAssistanceResponse {
+    const SET: u8 = 0x0C;
+    const DESCRIPTOR: u8 = 0xA3;
+    const NAME: &'static str = "3dm.gnss_time_assistance_response";
 }
 
 /// PPS Source Control response (0x0C,0xA8).

@@ -56,6 +56,111 @@ bitfield! {
     }
 }
 
+/// Raw accel (0x80,0x01).
+///
+/// Raw acceleration in counts of the sensor, temperature compensated.
+///
+/// - Manual mip-sdk-4: Raw Accel (0x80,0x01)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct RawAccel {
+    /// Acceleration in counts.
+    ///
+    /// Unit: 1; frame: sensor.
+    pub raw_accel: types::Vector3f,
+}
+
+impl Wire for RawAccel {
+    const SIZE: usize = 12;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let raw_accel = reader.read()?;
+        Ok(Self { raw_accel })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.raw_accel)?;
+        Ok(())
+    }
+}
+
+impl Field for RawAccel {
+    const SET: u8 = 0x80;
+    const DESCRIPTOR: u8 = 0x01;
+    const NAME: &'static str = "sensor.raw_accel";
+}
+
+/// Raw gyro (0x80,0x02).
+///
+/// Raw angular rate in counts of the sensor, temperature compensated.
+///
+/// - Manual mip-sdk-4: Raw Gyro (0x80,0x02)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct RawGyro {
+    /// Angular rate in counts.
+    ///
+    /// Unit: 1; frame: sensor.
+    pub raw_gyro: types::Vector3f,
+}
+
+impl Wire for RawGyro {
+    const SIZE: usize = 12;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let raw_gyro = reader.read()?;
+        Ok(Self { raw_gyro })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.raw_gyro)?;
+        Ok(())
+    }
+}
+
+impl Field for RawGyro {
+    const SET: u8 = 0x80;
+    const DESCRIPTOR: u8 = 0x02;
+    const NAME: &'static str = "sensor.raw_gyro";
+}
+
+/// Raw mag (0x80,0x03).
+///
+/// Raw magnetic field in counts of the sensor, temperature compensated.
+///
+/// - Manual mip-sdk-4: Raw Mag (0x80,0x03)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct RawMag {
+    /// Magnetic field in counts.
+    ///
+    /// Unit: 1; frame: vehicle.
+    pub raw_mag: types::Vector3f,
+}
+
+impl Wire for RawMag {
+    const SIZE: usize = 12;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let raw_mag = reader.read()?;
+        Ok(Self { raw_mag })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.raw_mag)?;
+        Ok(())
+    }
+}
+
+impl Field for RawMag {
+    const SET: u8 = 0x80;
+    const DESCRIPTOR: u8 = 0x03;
+    const NAME: &'static str = "sensor.raw_mag";
+}
+
 /// Scaled accel (0x80,0x04).
 ///
 /// Measured acceleration, temperature compensated.
@@ -331,6 +436,42 @@ impl Field for ComplementaryFilterQuaternion {
     const NAME: &'static str = "sensor.complementary_filter_quaternion";
 }
 
+/// Complementary filter orientation update matrix (0x80,0x0B).
+///
+/// Change of the attitude by the complementary filter as a matrix.
+///
+/// - Manual mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[deprecated(note = "the SDK marks it so and names no replacement")]
+pub struct CompOrientationUpdateMatrix {
+    /// Matrix in row-major order.
+    ///
+    /// Unit: 1.
+    pub m: types::Matrix3f,
+}
+
+impl Wire for CompOrientationUpdateMatrix {
+    const SIZE: usize = 36;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let m = reader.read()?;
+        Ok(Self { m })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.m)?;
+        Ok(())
+    }
+}
+
+impl Field for CompOrientationUpdateMatrix {
+    const SET: u8 = 0x80;
+    const DESCRIPTOR: u8 = 0x0B;
+    const NAME: &'static str = "sensor.comp_orientation_update_matrix";
+}
+
 /// Complementary filter Euler angles (0x80,0x0C).
 ///
 /// Attitude by the complementary filter as Euler angles, relative to the NED frame.
@@ -381,6 +522,120 @@ impl Field for ComplementaryFilterEulerAngles {
     const SET: u8 = 0x80;
     const DESCRIPTOR: u8 = 0x0C;
     const NAME: &'static str = "sensor.complementary_filter_euler_angles";
+}
+
+/// Orientation raw temperatures (0x80,0x0D).
+///
+/// Raw readings of four temperature sensors.
+///
+/// - Manual mip-sdk-4: Orientation Raw Temp (0x80,0x0D)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[deprecated(note = "the SDK marks it so and names no replacement")]
+pub struct OrientationRawTemp {
+    /// Temperatures in counts.
+    ///
+    /// Unit: 1.
+    pub raw_temp: [u16; 4],
+}
+
+impl Wire for OrientationRawTemp {
+    const SIZE: usize = 8;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let raw_temp = reader.read()?;
+        Ok(Self { raw_temp })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.raw_temp)?;
+        Ok(())
+    }
+}
+
+impl Field for OrientationRawTemp {
+    const SET: u8 = 0x80;
+    const DESCRIPTOR: u8 = 0x0D;
+    const NAME: &'static str = "sensor.orientation_raw_temp";
+}
+
+/// Internal timestamp (0x80,0x0E).
+///
+/// Free-running counter of the device.
+///
+/// - Manual mip-sdk-4: Internal Timestamp (0x80,0x0E)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[deprecated(note = "the SDK marks it so and names no replacement")]
+pub struct InternalTimestamp {
+    /// Counter.
+    ///
+    /// Unit: 1.
+    pub counts: u32,
+}
+
+impl Wire for InternalTimestamp {
+    const SIZE: usize = 4;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let counts = reader.read()?;
+        Ok(Self { counts })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.counts)?;
+        Ok(())
+    }
+}
+
+impl Field for InternalTimestamp {
+    const SET: u8 = 0x80;
+    const DESCRIPTOR: u8 = 0x0E;
+    const NAME: &'static str = "sensor.internal_timestamp";
+}
+
+/// PPS timestamp (0x80,0x0F).
+///
+/// Time that is counted with the pulse per second.
+///
+/// - Manual mip-sdk-4: Pps Timestamp (0x80,0x0F)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[deprecated(note = "the SDK marks it so and names no replacement")]
+pub struct PpsTimestamp {
+    /// Whole seconds.
+    ///
+    /// Unit: s.
+    pub seconds: u32,
+    /// Fraction of the second.
+    ///
+    /// Unit: us.
+    pub useconds: u32,
+}
+
+impl Wire for PpsTimestamp {
+    const SIZE: usize = 8;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let seconds = reader.read()?;
+        let useconds = reader.read()?;
+        Ok(Self { seconds, useconds })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.seconds)?;
+        writer.write(&self.useconds)?;
+        Ok(())
+    }
+}
+
+impl Field for PpsTimestamp {
+    const SET: u8 = 0x80;
+    const DESCRIPTOR: u8 = 0x0F;
+    const NAME: &'static str = "sensor.pps_timestamp";
 }
 
 /// Complementary filter stabilized north vector (0x80,0x10).
@@ -565,6 +820,41 @@ impl Field for TemperatureStatistics {
     const SET: u8 = 0x80;
     const DESCRIPTOR: u8 = 0x14;
     const NAME: &'static str = "sensor.temperature_statistics";
+}
+
+/// Raw pressure (0x80,0x16).
+///
+/// Raw ambient pressure in counts of the sensor, temperature compensated.
+///
+/// - Manual mip-sdk-4: Raw Pressure (0x80,0x16)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct RawPressure {
+    /// Pressure in counts.
+    ///
+    /// Unit: 1.
+    pub raw_pressure: f32,
+}
+
+impl Wire for RawPressure {
+    const SIZE: usize = 4;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let raw_pressure = reader.read()?;
+        Ok(Self { raw_pressure })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.raw_pressure)?;
+        Ok(())
+    }
+}
+
+impl Field for RawPressure {
+    const SET: u8 = 0x80;
+    const DESCRIPTOR: u8 = 0x16;
+    const NAME: &'static str = "sensor.raw_pressure";
 }
 
 /// Scaled pressure (0x80,0x17).

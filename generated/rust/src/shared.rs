@@ -84,6 +84,86 @@ impl Field for EventSource {
     }
 }
 
+/// Ticks (0xFF,0xD1).
+///
+/// Base periods since power-up.
+///
+/// - One tick is one period of the base rate.
+/// - Manual mip-sdk-4: Ticks (0xFF,0xD1)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Ticks {
+    /// Ticks.
+    ///
+    /// Unit: 1.
+    pub ticks: u32,
+}
+
+impl Wire for Ticks {
+    const SIZE: usize = 4;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let ticks = reader.read()?;
+        Ok(Self { ticks })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.ticks)?;
+        Ok(())
+    }
+}
+
+impl Field for Ticks {
+    const SET: u8 = 0xFF;
+    const DESCRIPTOR: u8 = 0xD1;
+    const NAME: &'static str = "shared.ticks";
+
+    fn in_set(set: u8) -> bool {
+        matches!(set, 0x80..=0xFF)
+    }
+}
+
+/// Delta ticks (0xFF,0xD2).
+///
+/// Base periods since this field was last sent.
+///
+/// - One tick is one period of the base rate.
+/// - Manual mip-sdk-4: Delta Ticks (0xFF,0xD2)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct DeltaTicks {
+    /// Ticks.
+    ///
+    /// Unit: 1.
+    pub ticks: u32,
+}
+
+impl Wire for DeltaTicks {
+    const SIZE: usize = 4;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let ticks = reader.read()?;
+        Ok(Self { ticks })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.ticks)?;
+        Ok(())
+    }
+}
+
+impl Field for DeltaTicks {
+    const SET: u8 = 0xFF;
+    const DESCRIPTOR: u8 = 0xD2;
+    const NAME: &'static str = "shared.delta_ticks";
+
+    fn in_set(set: u8) -> bool {
+        matches!(set, 0x80..=0xFF)
+    }
+}
+
 /// GPS timestamp (0xFF,0xD3).
 ///
 /// External time of the data as GPS time of week and week number.

@@ -158,3 +158,45 @@ impl Field for GpioState {
     const DESCRIPTOR: u8 = 0x03;
     const NAME: &'static str = "system_data.gpio_state";
 }
+
+/// GPIO analog value (0xA0,0x04).
+///
+/// Voltage at one GPIO pin.
+///
+/// - Only for pins that are configured as analog inputs.
+/// - Manual mip-sdk-4: Gpio Analog Value (0xA0,0x04)
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct GpioAnalogValue {
+    /// GPIO pin, counted from 1.
+    ///
+    /// Range: at least 1.
+    pub gpio_id: u8,
+    /// Scaled voltage.
+    ///
+    /// Unit: V.
+    pub value: f32,
+}
+
+impl Wire for GpioAnalogValue {
+    const SIZE: usize = 5;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let gpio_id = reader.read()?;
+        let value = reader.read()?;
+        Ok(Self { gpio_id, value })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.gpio_id)?;
+        writer.write(&self.value)?;
+        Ok(())
+    }
+}
+
+impl Field for GpioAnalogValue {
+    const SET: u8 = 0xA0;
+    const DESCRIPTOR: u8 = 0x04;
+    const NAME: &'static str = "system_data.gpio_analog_value";
+}

@@ -1124,6 +1124,92 @@ impl Wire for NmeaMessage {
     }
 }
 
+bitfield! {
+    /// State of the modem and of the corrections. Models of another kind send
+    /// rtk_status_flags_legacy.
+    ///
+    /// - Manual mip-sdk-4: Get Status Flags (0x0F,0x01)
+    RtkStatusFlags: u32 {
+        /// State of the modem.
+        MODEM_STATE: u8 = 0..=3,
+            "modem_state", modem_state, set_modem_state, with_modem_state;
+        /// Kind of the cellular connection.
+        CONNECTION_TYPE: u8 = 4..=7,
+            "connection_type", connection_type, set_connection_type, with_connection_type;
+        /// Received signal strength.
+        RSSI: u8 = 8..=15,
+            "rssi", rssi, set_rssi, with_rssi;
+        /// Signal quality.
+        SIGNAL_QUALITY: u8 = 16..=19,
+            "signal_quality", signal_quality, set_signal_quality, with_signal_quality;
+        /// Changes of the cell tower.
+        TOWER_CHANGE_INDICATOR: u8 = 20..=23,
+            "tower_change_indicator", tower_change_indicator, set_tower_change_indicator,
+            with_tower_change_indicator;
+        /// No NMEA came from the device in time.
+        NMEA_TIMEOUT: bool = 24,
+            "nmea_timeout", nmea_timeout, set_nmea_timeout, with_nmea_timeout;
+        /// The server did not answer in time.
+        SERVER_TIMEOUT: bool = 25,
+            "server_timeout", server_timeout, set_server_timeout, with_server_timeout;
+        /// No corrections came in time.
+        CORRECTIONS_TIMEOUT: bool = 26,
+            "corrections_timeout", corrections_timeout, set_corrections_timeout,
+            with_corrections_timeout;
+        /// The device is outside of the area of the service.
+        DEVICE_OUT_OF_RANGE: bool = 27,
+            "device_out_of_range", device_out_of_range, set_device_out_of_range,
+            with_device_out_of_range;
+        /// There are no corrections.
+        CORRECTIONS_UNAVAILABLE: bool = 28,
+            "corrections_unavailable", corrections_unavailable, set_corrections_unavailable,
+            with_corrections_unavailable;
+        /// Form of these flags.
+        VERSION: u8 = 30..=31,
+            "version", version, set_version, with_version;
+    }
+}
+
+bitfield! {
+    /// State of the modem and of the corrections, in its older form.
+    ///
+    /// - Manual mip-sdk-4: Get Status Flags (0x0F,0x01)
+    RtkStatusFlagsLegacy: u32 {
+        /// State of the controller.
+        CONTROLLER_STATE: u8 = 0..=2,
+            "controller_state", controller_state, set_controller_state, with_controller_state;
+        /// State of the platform.
+        PLATFORM_STATE: u8 = 3..=7,
+            "platform_state", platform_state, set_platform_state, with_platform_state;
+        /// Status code of the controller.
+        CONTROLLER_STATUS_CODE: u8 = 8..=10,
+            "controller_status_code", controller_status_code, set_controller_status_code,
+            with_controller_status_code;
+        /// Status code of the platform.
+        PLATFORM_STATUS_CODE: u8 = 11..=13,
+            "platform_status_code", platform_status_code, set_platform_status_code,
+            with_platform_status_code;
+        /// Reason of the last reset.
+        RESET_CODE: u8 = 14..=15,
+            "reset_code", reset_code, set_reset_code, with_reset_code;
+        /// Signal quality.
+        SIGNAL_QUALITY: u8 = 16..=19,
+            "signal_quality", signal_quality, set_signal_quality, with_signal_quality;
+        /// Received signal strength.
+        RSSI: u8 = 20..=25,
+            "rssi", rssi, set_rssi, with_rssi;
+        /// Received power of the reference signal.
+        RSRP: u8 = 26..=27,
+            "rsrp", rsrp, set_rsrp, with_rsrp;
+        /// Received quality of the reference signal.
+        RSRQ: u8 = 28..=29,
+            "rsrq", rsrq, set_rsrq, with_rsrq;
+        /// Signal to interference and noise ratio.
+        SINR: u8 = 30..=31,
+            "sinr", sinr, set_sinr, with_sinr;
+    }
+}
+
 vector! {
     /// Three floats.
     Vector3f: [f32; 3] {

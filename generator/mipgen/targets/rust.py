@@ -724,6 +724,7 @@ def filters(model: m.Model) -> Mapping[str, Callable[..., Any]]:
         "hex": lambda n: f"0x{n:02X}",
         "some": lambda name: f"Some({name})",
         "reference": lambda name: f"&{name}",
+        "replies": lambda f: model.replies(f),
         "condition_text": lambda c: f"`{c.parameter}` is {c.label}",
     }
     return plain | {f.__name__: f for f in offered}

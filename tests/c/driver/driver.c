@@ -4,17 +4,15 @@
  * It knows no message. The registry finds the layout of a field, and the reflection tables tell where
  * its values are.
  */
-#include "json.h"
+#include "driver.h"
 
-#include "mip/core.h"
 #include "mip/reflect.h"
-#include "mip/registry.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const REQUEST = "request";
+const char *const REQUEST = "request";
 
 /* -------------------------------------------------------------------------------- hexadecimal */
 
@@ -37,8 +35,7 @@ static bool hex(const struct json *j, size_t from, uint8_t *bytes, size_t size) 
     return true;
 }
 
-/* Bytes in memory of exactly their size, so that a sanitizer sees the first one too many. */
-static uint8_t *bytes_of(struct arena *arena, const struct json *j, size_t *size) {
+uint8_t *bytes_of(struct arena *arena, const struct json *j, size_t *size) {
     if (j == NULL || j->kind != JSON_STRING || j->size % 2 != 0) {
         return NULL;
     }
@@ -165,6 +162,14 @@ static const char *get_number(const struct json *j, uint8_t kind, uint8_t *to) {
     return NULL;
 }
 
+const char *get_whole(const struct json *j, uint32_t *number) {
+    if (j == NULL || j->kind != JSON_INTEGER || j->huge || j->magnitude > UINT32_MAX || (j->negative && j->magnitude > 0)) {
+        return REQUEST;
+    }
+    *number = (uint32_t)j->magnitude;
+    return NULL;
+}
+
 /* ------------------------------------------------------------------------------------ decoding */
 
 static void put_record(struct output *out, const struct mip_record *r, const uint8_t *record, unsigned present);
@@ -253,7 +258,12 @@ static void put_record(struct output *out, const struct mip_record *r, const uin
     put_char(out, '}');
 }
 
-static void put_field(struct output *out, struct arena *arena, const struct mip_field *field) {
+void put_values(struct output *out, const struct mip_codec *codec, const uint8_t *value) {
+    const struct mip_reflection *r = mip_reflect(codec);
+    put_record(out, r->record, value, r->optional ? value[r->present_offset] : 0);
+}
+
+void put_field(struct output *out, struct arena *arena, const struct mip_field *field) {
     static const char *const roles[] = {"command", "response", "data"};
     const struct mip_entry *entry = mip_registry_find(field);
     mip_error error = MIP_OK;
@@ -264,13 +274,12 @@ static void put_field(struct output *out, struct arena *arena, const struct mip_
         uint8_t *value = (uint8_t *)arena_take(arena, entry->codec->size);
         error = mip_decode(entry->codec, value, field, &trailing);
         if (error == MIP_OK) {
-            const struct mip_reflection *r = mip_reflect(entry->codec);
             put(out, ",\"name\":\"");
             put(out, entry->name);
             put(out, "\",\"role\":\"");
             put(out, roles[entry->role]);
             put(out, "\",\"values\":");
-            put_record(out, r->record, value, r->optional ? value[r->present_offset] : 0);
+            put_values(out, entry->codec, value);
             put(out, ",\"trailing\":");
             put_unsigned(out, trailing);
             put_char(out, '}');
@@ -519,11 +528,35 @@ static const char *get_field(const struct json *values, const struct mip_reflect
     return NULL;
 }
 
+const char *get_named(struct arena *arena, const struct json *field, uint8_t set, const struct mip_entry **entry, uint8_t **record) {
+    const struct json *descriptor = json_get(field, "descriptor");
+    const struct json *name = json_get(field, "name");
+    const struct json *values = json_get(field, "values");
+    uint8_t number = 0;
+    if (field->kind != JSON_OBJECT || (descriptor != NULL && get_number(descriptor, MIP_SCALAR_U8, &number) != NULL)) {
+        return REQUEST;
+    }
+    if (name == NULL || name->kind != JSON_STRING || values == NULL || values->kind != JSON_OBJECT) {
+        return REQUEST;
+    }
+    *entry = NULL;
+    for (size_t i = 0; i < mip_registry_size; i++) {
+        const struct mip_entry *e = &mip_registry[i];
+        const bool fits = e->descriptor_set == set || e->descriptor_set == (set < 0x80 ? 0 : 0xFF);
+        if (fits && json_equals(name, e->name) && (descriptor == NULL || e->descriptor == number)) {
+            *entry = e;
+        }
+    }
+    if (*entry == NULL) {
+        return "unknown";
+    }
+    *record = (uint8_t *)arena_take(arena, (*entry)->codec->size);
+    return get_field(values, mip_reflect((*entry)->codec), *record);
+}
+
 static const char *add_field(struct arena *arena, const struct json *field, struct mip_builder *builder, uint8_t set) {
     const struct json *descriptor = json_get(field, "descriptor");
     const struct json *raw = json_get(field, "raw");
-    const struct json *name = json_get(field, "name");
-    const struct json *values = json_get(field, "values");
     uint8_t number = 0;
     if (field->kind != JSON_OBJECT || (descriptor != NULL && get_number(descriptor, MIP_SCALAR_U8, &number) != NULL)) {
         return REQUEST;
@@ -537,22 +570,9 @@ static const char *add_field(struct arena *arena, const struct json *field, stru
         const mip_error error = mip_builder_add(builder, number, bytes, size);
         return error == MIP_OK ? NULL : mip_error_name(error);
     }
-    if (name == NULL || name->kind != JSON_STRING || values == NULL || values->kind != JSON_OBJECT) {
-        return REQUEST;
-    }
-    const struct mip_entry *entry = NULL;
-    for (size_t i = 0; i < mip_registry_size; i++) {
-        const struct mip_entry *e = &mip_registry[i];
-        const bool fits = e->descriptor_set == set || e->descriptor_set == (set < 0x80 ? 0 : 0xFF);
-        if (fits && json_equals(name, e->name) && (descriptor == NULL || e->descriptor == number)) {
-            entry = e;
-        }
-    }
-    if (entry == NULL) {
-        return "unknown";
-    }
-    uint8_t *record = (uint8_t *)arena_take(arena, entry->codec->size);
-    const char *wrong = get_field(values, mip_reflect(entry->codec), record);
+    const struct mip_entry *entry;
+    uint8_t *record;
+    const char *wrong = get_named(arena, field, set, &entry, &record);
     if (wrong != NULL) {
         return wrong;
     }
@@ -632,6 +652,7 @@ static void answer(struct output *out, const char *line, size_t size) {
     const char *error = json_equals(op, "parse")    ? parse(out, &arena, request)
                         : json_equals(op, "decode") ? decode(out, &arena, request)
                         : json_equals(op, "encode") ? encode(out, &arena, request)
+                        : json_equals(op, "client") ? play(out, &arena, request)
                                                     : REQUEST;
     if (error != NULL) {
         out->size = 0;

@@ -29,6 +29,24 @@ static bool receive(uint8_t set, const char *payload, size_t size) {
 
 #define RECEIVE(set, payload) receive(set, payload, sizeof(payload) - 1)
 
+/* Time passes without a parser: how many requests does it end? */
+static size_t expire(uint32_t now) {
+    size_t before = 0;
+    size_t after = 0;
+    for (const struct mip_request *r = client.waiting; r != NULL; r = r->next) {
+        before++;
+    }
+    CHECK(!mip_client_poll(&client, NULL, now, NULL));
+    for (const struct mip_request *r = client.waiting; r != NULL; r = r->next) {
+        after++;
+    }
+    return before - after;
+}
+
+static void expect(struct mip_request *request, const struct mip_codec *codec, void *response) {
+    CHECK(mip_client_expect(request, codec, response));
+}
+
 static void add(struct mip_request *request, const struct mip_codec *codec, const void *command, uint32_t now) {
     CHECK(mip_client_add(&client, request, &packet, codec, command, now) == MIP_OK);
 }
@@ -39,7 +57,7 @@ static void acknowledged(void) {
     struct mip_tools_settings read = mip_tools_settings_read(1, MIP_MODE_FAST);
     fresh();
     add(&r, &mip_tools_settings_codec, &read, 0);
-    mip_client_expect(&r, &mip_tools_settings_response_codec, &response);
+    expect(&r, &mip_tools_settings_response_codec, &response);
     CHECK(r.state == MIP_REQUEST_WAITING);
     CHECK(is_packet(mip_builder_finish(&packet), "\x75\x65\x01\x05\x05\x02\x02\x01\x01\xEB\x94", 11));
 
@@ -55,24 +73,24 @@ static void acknowledged(void) {
     CHECK(r.state == MIP_REQUEST_ACKNOWLEDGED && r.code == MIP_ACK_CODE_OK && client.waiting == NULL);
     CHECK(r.responded && response.baud == 9600 && response.mode == MIP_MODE_SLOW && response.limit == 7);
 
-    /* Without a response, though one is expected; with one, though none is. */
+    /* Without the response; with it, though the caller has no place for it. */
     fresh();
     add(&r, &mip_tools_settings_codec, &read, 0);
-    mip_client_expect(&r, &mip_tools_settings_response_codec, &response);
+    expect(&r, &mip_tools_settings_response_codec, &response);
     CHECK(RECEIVE(0x01, "\x04\xF1\x02\0"));
-    CHECK(r.state == MIP_REQUEST_ACKNOWLEDGED && !r.responded && r.error == MIP_OK);
+    CHECK(r.state == MIP_REQUEST_MISSING_RESPONSE && !r.responded && r.error == MIP_OK);
     fresh();
     add(&r, &mip_tools_settings_codec, &read, 0);
     CHECK(RECEIVE(0x01, "\x04\xF1\x02\0\x0B\x82\x01\x02\0\0\x25\x80\0\x07\x01"));
-    CHECK(r.state == MIP_REQUEST_ACKNOWLEDGED && !r.responded);
+    CHECK(r.state == MIP_REQUEST_ACKNOWLEDGED && !r.responded && client.waiting == NULL);
 
     /* A response that is too short says so, and leaves zeros. */
     fresh();
     memset(&response, 0xAA, sizeof(response));
     add(&r, &mip_tools_settings_codec, &read, 0);
-    mip_client_expect(&r, &mip_tools_settings_response_codec, &response);
+    expect(&r, &mip_tools_settings_response_codec, &response);
     CHECK(RECEIVE(0x01, "\x04\xF1\x02\0\x04\x82\x01\x02"));
-    CHECK(r.state == MIP_REQUEST_ACKNOWLEDGED && !r.responded && r.error == MIP_ERROR_TRUNCATED);
+    CHECK(r.state == MIP_REQUEST_UNDECODABLE && !r.responded && r.error == MIP_ERROR_TRUNCATED);
     CHECK(response.port == 0);
 }
 
@@ -94,24 +112,24 @@ static void timed_out(void) {
     const uint32_t start = UINT32_MAX - 100; /* the time wraps around meanwhile */
     fresh();
     add(&r, &mip_tools_ping_codec, NULL, start);
-    CHECK(mip_client_expire(&client, start) == 0);
-    CHECK(mip_client_expire(&client, start + MIP_DEFAULT_TIMEOUT - 1) == 0);
-    CHECK(mip_client_expire(&client, start + MIP_DEFAULT_TIMEOUT) == 1 && r.state == MIP_REQUEST_TIMED_OUT);
+    CHECK(expire(start) == 0);
+    CHECK(expire(start + MIP_DEFAULT_TIMEOUT - 1) == 0);
+    CHECK(expire(start + MIP_DEFAULT_TIMEOUT) == 1 && r.state == MIP_REQUEST_TIMED_OUT);
     CHECK(!RECEIVE(0x01, "\x04\xF1\x01\0") && r.state == MIP_REQUEST_TIMED_OUT); /* too late */
 
     /* A command that takes longer, by the specification or by the caller. */
     struct mip_tools_status status = mip_tools_status_make(1);
     fresh();
     add(&r, &mip_tools_status_codec, &status, 0);
-    CHECK(mip_client_expire(&client, 2499) == 0 && mip_client_expire(&client, 2500) == 1);
+    CHECK(expire(2499) == 0 && expire(2500) == 1);
     client.timeout = 5000;
     fresh();
     add(&r, &mip_tools_status_codec, &status, 0);
-    CHECK(mip_client_expire(&client, 4999) == 0);
+    CHECK(expire(4999) == 0);
     mip_client_cancel(&client, &r);
     CHECK(r.state == MIP_REQUEST_CANCELLED && client.waiting == NULL);
     mip_client_cancel(&client, &r); /* once more does no harm */
-    CHECK(mip_client_expire(&client, 9999) == 0 && r.state == MIP_REQUEST_CANCELLED);
+    CHECK(expire(9999) == 0 && r.state == MIP_REQUEST_CANCELLED);
     client.timeout = MIP_DEFAULT_TIMEOUT;
 }
 
@@ -126,7 +144,7 @@ static void several(void) {
     add(&r[1], &mip_tools_settings_codec, &first, 0);
     add(&r[2], &mip_tools_bias_codec, &read, 0);
     add(&r[3], &mip_tools_settings_codec, &second, 10);
-    mip_client_expect(&r[2], &mip_tools_bias_vector_codec, &bias);
+    expect(&r[2], &mip_tools_bias_vector_codec, &bias);
     CHECK(packet.length == MIP_HEADER_SIZE + 2 + 4 + 3 + 4);
     /* One packet answers some of them, each by its own acknowledge; a malformed field ends it. */
     CHECK(RECEIVE(0x01, "\x04\xF1\x01\0\x04\xF1\x02\x01\x04\xF1\x05\0\x0E\x9B\x3F\x80\0\0\0\0\0\0\xC0\0\0\0"));
@@ -144,8 +162,8 @@ static void several(void) {
     add(&r[1], &mip_tools_ping_codec, NULL, 100);
     add(&r[2], &mip_tools_ping_codec, NULL, 200);
     CHECK(RECEIVE(0x01, "\x04\xF1\x01\0") && r[0].state == MIP_REQUEST_ACKNOWLEDGED);
-    CHECK(mip_client_expire(&client, 1100) == 1 && r[1].state == MIP_REQUEST_TIMED_OUT);
-    CHECK(r[2].state == MIP_REQUEST_WAITING && mip_client_expire(&client, 10000) == 1);
+    CHECK(expire(1100) == 1 && r[1].state == MIP_REQUEST_TIMED_OUT);
+    CHECK(r[2].state == MIP_REQUEST_WAITING && expire(10000) == 1);
 
     /* What cannot be sent is not waited for. */
     fresh();
@@ -166,7 +184,7 @@ static void several(void) {
     add(&r[1], &mip_tools_ping_codec, NULL, 0);
     add(&r[0], &mip_tools_ping_codec, NULL, 0);
     CHECK(client.waiting == &r[1] && r[1].next == &r[0] && r[0].next == NULL);
-    CHECK(mip_client_expire(&client, 10000) == 2);
+    CHECK(expire(10000) == 2);
 
     /* A command that does not fit is refused before anything changes. */
     fresh();
@@ -194,19 +212,130 @@ static void silent(void) {
     CHECK(r.state == MIP_REQUEST_WAITING && RECEIVE(0x01, "\x04\xF1\x07\0"));
 }
 
-static void layouts(void) {
-    /* The response of a command that has several: the caller knows which one it asked for. */
+static void responses(void) {
     struct mip_request r;
+    struct mip_tools_settings_response settings;
+    struct mip_tools_set_time_fast_response fast;
+    struct mip_tools_set_time_slow_response slow;
     struct mip_tools_status_short brief;
+
+    /* There is a place for the response that the values ask for, and for no other. */
+    struct mip_tools_set_time read = mip_tools_set_time_read(MIP_MODE_SLOW);
+    fresh();
+    add(&r, &mip_tools_set_time_codec, &read, 0);
+    CHECK(!mip_client_expect(&r, &mip_tools_set_time_fast_response_codec, &fast) && r.response == NULL);
+    CHECK(!mip_client_expect(&r, &mip_tools_settings_response_codec, &settings) && r.response == NULL);
+    CHECK(!mip_client_expect(&r, NULL, &settings) && r.response == NULL);
+    expect(&r, &mip_tools_set_time_slow_response_codec, &slow);
+    memset(&slow, 0xAA, sizeof(slow));
+    /* A response of another descriptor is not taken, though it has the same layout. */
+    CHECK(!RECEIVE(0x01, "\x04\xF1\x03\0\x06\x83\0\0\0\x07"));
+    CHECK(r.state == MIP_REQUEST_WAITING && slow.value == 0xAAAAAAAA);
+    CHECK(RECEIVE(0x01, "\x04\xF1\x03\0\x06\x84\0\0\0\x07"));
+    CHECK(r.state == MIP_REQUEST_ACKNOWLEDGED && r.responded && slow.value == 7);
+    /* Nor is a foreign field, and nothing behind it. */
+    fresh();
+    add(&r, &mip_tools_set_time_codec, &read, 0);
+    expect(&r, &mip_tools_set_time_slow_response_codec, &slow);
+    memset(&slow, 0xAA, sizeof(slow));
+    CHECK(RECEIVE(0x01, "\x04\xF1\x03\0\x06\xEE\0\0\0\x07\x06\x84\0\0\0\x07"));
+    CHECK(r.state == MIP_REQUEST_MISSING_RESPONSE && !r.responded && slow.value == 0xAAAAAAAA);
+    /* Commands that ask for none. */
+    struct mip_tools_set_time write = mip_tools_set_time_write(MIP_MODE_SLOW, 1);
+    fresh();
+    add(&r, &mip_tools_set_time_codec, &write, 0);
+    CHECK(!mip_client_expect(&r, &mip_tools_set_time_slow_response_codec, &slow));
+    CHECK(!RECEIVE(0x01, "\x04\xF1\x03\0\x06\x84\0\0\0\x07")); /* the late answer to a read */
+    CHECK(RECEIVE(0x01, "\x04\xF1\x03\0\x06\xEE\0\0\0\x07") && r.state == MIP_REQUEST_ACKNOWLEDGED);
+
+    /* Two layouts of one descriptor. */
     struct mip_tools_status ask = mip_tools_status_make(1);
     fresh();
     add(&r, &mip_tools_status_codec, &ask, 0);
-    mip_client_expect(&r, &mip_tools_status_short_codec, &brief);
+    expect(&r, &mip_tools_status_short_codec, &brief);
+    CHECK(!RECEIVE(0x01, "\x04\xF1\x04\0\x09\x90\x12\x67\x02\0\0\0\x05"));
+    CHECK(r.state == MIP_REQUEST_WAITING && r.error == MIP_OK);
     CHECK(RECEIVE(0x01, "\x04\xF1\x04\0\x09\x90\x12\x67\x01\0\0\0\x05") && r.responded && brief.flags == 5);
-    add(&r, &mip_tools_status_codec, &ask, 0);
-    mip_client_expect(&r, &mip_tools_status_short_codec, &brief);
-    CHECK(RECEIVE(0x01, "\x04\xF1\x04\0\x09\x90\x12\x67\x02\0\0\0\x05"));
-    CHECK(!r.responded && r.error == MIP_ERROR_CONSTANT);
+}
+
+static void step_by_step(void) {
+    /* Each answer, and each field that is none, in order. */
+    static uint8_t bytes[MIP_MAX_PACKET];
+    struct mip_request r[2];
+    struct mip_request *answered;
+    struct mip_tools_bias_vector bias;
+    struct mip_tools_bias read = mip_tools_bias_read();
+    struct mip_builder b;
+    struct mip_field field;
+    fresh();
+    add(&r[0], &mip_tools_ping_codec, NULL, 0);
+    add(&r[1], &mip_tools_bias_codec, &read, 0);
+    expect(&r[1], &mip_tools_bias_vector_codec, &bias);
+    CHECK(mip_builder_start(&b, bytes, sizeof(bytes), 0x01) == MIP_OK);
+    CHECK(mip_builder_add(&b, 0xF1, "\x01\0", 2) == MIP_OK && mip_builder_add(&b, 0xEE, "\x07", 1) == MIP_OK);
+    CHECK(mip_builder_add(&b, 0xF1, "\x05\0", 2) == MIP_OK && mip_builder_add(&b, 0x9B, bytes, 12) == MIP_OK);
+    CHECK(mip_builder_add(&b, 0xF1, "\x05\0", 2) == MIP_OK);
+    const struct mip_packet p = mip_builder_finish(&b);
+    struct mip_walk walk = mip_walk_packet(&p);
+    CHECK(mip_client_next(&client, &walk, &answered, &field) && answered == &r[0] && field.descriptor == 0xF1);
+    CHECK(r[0].state == MIP_REQUEST_ACKNOWLEDGED && r[1].state == MIP_REQUEST_WAITING);
+    CHECK(mip_client_next(&client, &walk, &answered, &field) && answered == NULL && field.descriptor == 0xEE);
+    CHECK(mip_client_next(&client, &walk, &answered, &field) && answered == &r[1] && field.descriptor == 0x9B);
+    CHECK(r[1].responded && field.size == 12);
+    CHECK(mip_client_next(&client, &walk, &answered, &field) && answered == NULL && field.descriptor == 0xF1);
+    CHECK(!mip_client_next(&client, &walk, &answered, &field) && answered == NULL && !walk.malformed);
+}
+
+static void noise(void) {
+    /* An answer behind the beginning of a packet that never ends is found before the time is over. */
+    static const uint8_t stream[] = "\x75\x65\x80\xFF\x75\x65\x01\x04\x04\xF1\x01\x00\xD5\x6A\x75\x65\x01\x00\xDB";
+    static const uint8_t rest[] = "\x05";
+    const uint8_t *data = stream;
+    size_t size = sizeof(stream) - 1;
+    struct mip_parser parser;
+    struct mip_packet p;
+    struct mip_request r;
+    fresh();
+    add(&r, &mip_tools_ping_codec, NULL, 0);
+    mip_parser_init(&parser);
+    CHECK(!mip_parser_next(&parser, &data, &size, &p));
+    CHECK(!mip_client_poll(&client, &parser, 999, &p) && r.state == MIP_REQUEST_WAITING && parser.skipped == 0);
+    CHECK(mip_client_poll(&client, &parser, 1000, &p) && mip_client_receive(&client, &p));
+    CHECK(r.state == MIP_REQUEST_ACKNOWLEDGED && parser.skipped == 4);
+    /* Nothing is late any more: the packet behind it that is not complete stays. */
+    CHECK(!mip_client_poll(&client, &parser, 1000, &p) && parser.skipped == 4);
+    data = rest;
+    size = sizeof(rest) - 1;
+    CHECK(mip_parser_next(&parser, &data, &size, &p) && p.size == 6 && parser.skipped == 4);
+    /* What stands whole behind it comes at once. */
+    static const uint8_t two[] = "\x75\x65\x80\xFF\x75\x65\x01\x04\x04\xF1\x01\x00\xD5\x6A\x75\x65\x01\x00\xDB\x05";
+    data = two;
+    size = sizeof(two) - 1;
+    fresh();
+    add(&r, &mip_tools_ping_codec, NULL, 0);
+    CHECK(!mip_parser_next(&parser, &data, &size, &p));
+    CHECK(mip_client_poll(&client, &parser, 1000, &p) && mip_client_receive(&client, &p));
+    CHECK(mip_client_poll(&client, &parser, 1000, &p) && p.size == 6 && !mip_client_receive(&client, &p));
+    CHECK(!mip_client_poll(&client, &parser, 1000, &p) && r.state == MIP_REQUEST_ACKNOWLEDGED);
+}
+
+static void lost(void) {
+    /* Of two requests of one command, each gets the answer that fits it. */
+    struct mip_request r[2];
+    struct mip_tools_bias_vector bias;
+    struct mip_tools_bias read = mip_tools_bias_read();
+    struct mip_tools_bias save = mip_tools_bias_save();
+    fresh();
+    add(&r[0], &mip_tools_bias_codec, &save, 0);
+    add(&r[1], &mip_tools_bias_codec, &read, 0);
+    expect(&r[1], &mip_tools_bias_vector_codec, &bias);
+    CHECK(RECEIVE(0x01, "\x04\xF1\x05\0\x0E\x9B\0\0\0\0\0\0\0\0\0\0\0\0") && r[1].responded);
+    CHECK(r[0].state == MIP_REQUEST_WAITING && expire(5000) == 1 && r[0].state == MIP_REQUEST_TIMED_OUT);
+    fresh();
+    add(&r[0], &mip_tools_bias_codec, &read, 0);
+    add(&r[1], &mip_tools_bias_codec, &save, 0);
+    CHECK(RECEIVE(0x01, "\x04\xF1\x05\0") && r[1].state == MIP_REQUEST_ACKNOWLEDGED);
+    CHECK(RECEIVE(0x01, "\x04\xF1\x05\0") && r[0].state == MIP_REQUEST_MISSING_RESPONSE);
 }
 
 int main(void) {
@@ -216,6 +345,9 @@ int main(void) {
     timed_out();
     several();
     silent();
-    layouts();
+    responses();
+    step_by_step();
+    noise();
+    lost();
     return 0;
 }

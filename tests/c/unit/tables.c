@@ -47,6 +47,29 @@ static void registry(void) {
     }
 }
 
+/* Commands and responses stand in packets of their own set, the acknowledge in all command sets, data in data sets. */
+static void sets(void) {
+    static union {
+        double aligned;
+        uint8_t bytes[8192];
+    } value;
+    uint8_t buffer[MIP_MAX_PACKET];
+    for (size_t i = 0; i < mip_registry_size; i++) {
+        const struct mip_entry *e = &mip_registry[i];
+        CHECK(e->codec->size <= sizeof(value));
+        for (unsigned set = 1; set < 256; set++) {
+            const bool data = set >= 0x80;
+            const bool right = e->role == MIP_DATA      ? data
+                               : e->descriptor_set == 0 ? !data
+                                                        : set == e->descriptor_set;
+            struct mip_builder b;
+            CHECK(mip_builder_start(&b, buffer, sizeof(buffer), (uint8_t)set) == MIP_OK);
+            CHECK(mip_encode(e->codec, &value, &b) == (right ? MIP_OK : MIP_ERROR_SET));
+            CHECK(right == (b.length > MIP_HEADER_SIZE) && buffer[3] == b.length - MIP_HEADER_SIZE);
+        }
+    }
+}
+
 static void reflection(void) {
     const struct mip_reflection *r = mip_reflect(&mip_tools_pin_codec);
     const struct mip_parameter *use = &r->record->parameters[2];
@@ -62,7 +85,7 @@ static void reflection(void) {
     CHECK(mip_names_find("tools.shape")->count == 5 && mip_names_find("nothing") == NULL);
     r = mip_reflect(&mip_tools_status_short_codec);
     CHECK(is(r->record->parameters[2].readings[1].device, "model-b"));
-    static const struct mip_codec other = {0, 0, 0, 0, 0, NULL, NULL, NULL};
+    static const struct mip_codec other = {0, 0, 0, 0, 0, NULL, NULL, NULL, NULL};
     CHECK(mip_reflect(&other) == NULL);
 }
 
@@ -78,7 +101,9 @@ static void devices(void) {
     CHECK(mip_device_supports(b, MIP_TOOLS_SET, MIP_TOOLS_CHOICE_DESCRIPTOR) == NULL);
     CHECK(mip_device_base_rate(a, 0x80) > 999 && mip_device_base_rate(a, 0x80) < 1001);
     CHECK(mip_device_base_rate(b, 0x81) < 0);
-    CHECK(is(mip_device_reading_of(b, "ack_code"), "mode") && mip_device_reading_of(a, "ack_code") == NULL);
+    CHECK(is(mip_device_reading_of(b, "protocol.acknowledge.code"), "mode"));
+    CHECK(mip_device_reading_of(a, "protocol.acknowledge.code") == NULL);
+    CHECK(mip_device_reading_of(b, "measurements.accel.scaled_accel") == NULL); /* another unit, but no type */
     CHECK(is(mip_device_reading_of(a, "tools.status_short.flags"), "tools.model_a_faults"));
     CHECK(a->port_count == 2 && a->ports[0].id == 0x11 && a->ports[0].baud_rates[1] == 115200);
     CHECK(is(a->ports[0].protocols, "MIP, NMEA") && a->ports[1].baud_rate_count == 0);
@@ -88,6 +113,7 @@ static void devices(void) {
 
 int main(void) {
     registry();
+    sets();
     reflection();
     devices();
     return 0;

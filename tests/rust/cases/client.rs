@@ -2,8 +2,8 @@
 
 use mip_protocol::types::{Mode, Vector3f};
 use mip_protocol::{
-    measurements, protocol, tools, Answer, Client, Command, DecodeError, EncodeError, Event, Field,
-    PacketBuilder, RequestError, Ticket,
+    measurements, protocol, tools, Answer, AnyField, Client, Command, DecodeError, EncodeError,
+    Event, Field, Outcome, PacketBuilder, Parser, RequestError, Ticket,
 };
 use protocol::{AckCode, Acknowledge};
 
@@ -25,10 +25,16 @@ impl Reply {
     }
 }
 
-fn only<'a, const N: usize>(client: &mut Client<N>, reply: &'a Reply) -> Event<'a> {
+fn only<const N: usize>(client: &mut Client<N>, reply: &Reply) -> Event {
     let events: Vec<_> = client.receive(&reply.0.packet()).collect();
     assert_eq!(events.len(), 1);
     events[0]
+}
+
+/// The events of commands that took too long; there is no parser that holds anything back.
+fn expire<const N: usize>(client: &mut Client<N>, now: u64) -> Vec<Event> {
+    assert!(client.poll(&mut Parser::new(), now).is_none());
+    client.events().collect()
 }
 
 fn sent<C: Command>(client: &mut Client, command: &C, now: u64) -> Ticket<C> {
@@ -79,8 +85,8 @@ fn timed_out() {
     assert_eq!(client.deadline(), None);
     let ticket = sent(&mut client, &tools::Ping, 1000);
     assert_eq!(client.deadline(), Some(1100));
-    assert_eq!(client.expire(1099).count(), 0);
-    let events: Vec<_> = client.expire(1100).collect();
+    assert_eq!(expire(&mut client, 1099).len(), 0);
+    let events = expire(&mut client, 1100);
     assert_eq!(events[0].answer(&ticket), Some(Answer::TimedOut));
     assert_eq!((events.len(), client.pending()), (1, 0));
     // Too late.
@@ -152,7 +158,7 @@ fn commands_that_nobody_answers_are_not_waited_for() {
     let (quiet, _) = client.send(&tools::Formats::new(true, 0, []), 0).unwrap();
     assert!(quiet.is_silent());
     assert_eq!((client.pending(), client.deadline()), (0, None));
-    assert_eq!(client.expire(u64::MAX).count(), 0);
+    assert_eq!(expire(&mut client, u64::MAX).len(), 0);
     // Next to others too, and even if the client is full.
     let mut request = client.request(tools::SET);
     let loud = request.add(&tools::Ping).unwrap();
@@ -192,7 +198,133 @@ fn a_response_that_is_broken_or_another_one() {
     assert_eq!(answer, Some(Answer::Undecodable(DecodeError::Truncated)));
     let ticket = sent(&mut client, &tools::Bias::read(), 0);
     let reply = Reply::new().ack(5, AckCode::OK).field(&tools::InventoryResponse::default());
-    assert_eq!(only(&mut client, &reply).answer(&ticket), Some(Answer::Acknowledged(None)));
+    assert_eq!(only(&mut client, &reply).answer(&ticket), Some(Answer::MissingResponse));
+}
+
+#[test]
+fn a_read_that_is_acknowledged_without_data() {
+    let mut client: Client = Client::new();
+    let ticket = sent(&mut client, &tools::Bias::read(), 0);
+    let event = only(&mut client, &Reply::new().ack(5, AckCode::OK));
+    assert_eq!(event.answer(&ticket), Some(Answer::MissingResponse));
+    assert_eq!((event.outcome, event.response()), (Outcome::MissingResponse, None));
+    // Only the field right behind the acknowledge is the response.
+    let ticket = sent(&mut client, &tools::Bias::read(), 0);
+    let mut reply = Reply::new().ack(5, AckCode::OK);
+    reply.0.push_raw(0xEE, &[1]).unwrap();
+    let reply = reply.field(&tools::BiasVector::default());
+    let events = client.receive(&reply.0.packet());
+    let others: Vec<_> = events.others().map(|field| field.unwrap().descriptor).collect();
+    assert_eq!(others, [0xEE, tools::BiasVector::DESCRIPTOR]);
+    assert_eq!(client.take(&ticket), Some(Answer::MissingResponse));
+}
+
+#[test]
+fn events_that_are_not_taken_stay() {
+    let mut client: Client<4> = Client::new();
+    let mut request = client.request(tools::SET);
+    let first = request.add(&tools::Ping).unwrap();
+    let second = request.add(&tools::Bias::read()).unwrap();
+    let third = request.add(&tools::Ping).unwrap();
+    let _ = request.send(0);
+    let response = tools::BiasVector { bias: Vector3f::from([1.0, 2.0, 3.0]) };
+    let reply = Reply::new().ack(1, AckCode::OK).ack(5, AckCode::OK).field(&response);
+    // Whoever looks at the first event only, or at none, loses nothing.
+    assert_eq!(client.receive(&reply.0.packet()).next().unwrap().id, first.id());
+    drop(client.receive(&Reply::new().ack(1, AckCode::INVALID_PARAMETER).0.packet()));
+    assert_eq!(client.pending(), 0);
+    // Places whose events were not taken are not free.
+    assert!(client.send(&tools::Ping, 0).is_ok() && client.send(&tools::Ping, 0).is_ok());
+    assert_eq!(client.send(&tools::Ping, 0).unwrap_err(), RequestError::Busy);
+    assert_eq!(client.take(&third), Some(Answer::Refused(AckCode::INVALID_PARAMETER)));
+    assert_eq!(client.take(&third), None);
+    let late = sent_in(&mut client, 0);
+    assert!(client.poll(&mut Parser::new(), 1000).is_none());
+    let events: Vec<_> = client.events().collect();
+    assert_eq!(events.len(), 4);
+    assert_eq!(events[0].answer(&second), Some(Answer::Acknowledged(Some(response))));
+    assert_eq!(events[3].answer(&late), Some(Answer::TimedOut));
+    assert_eq!(client.events().count(), 0);
+    // A command that was cancelled has no event, not even one that is there already.
+    let ticket = sent_in(&mut client, 0);
+    drop(client.receive(&Reply::new().ack(1, AckCode::OK).0.packet()));
+    client.cancel(&ticket);
+    assert_eq!(client.events().count(), 0);
+}
+
+fn sent_in<const N: usize>(client: &mut Client<N>, now: u64) -> Ticket<tools::Ping> {
+    client.send(&tools::Ping, now).unwrap().0
+}
+
+#[test]
+fn answers_go_to_the_commands_that_they_fit() {
+    let mut client: Client = Client::new();
+    let data = || Reply::new().ack(5, AckCode::OK).field(&tools::BiasVector::default());
+    let bare = || Reply::new().ack(5, AckCode::OK);
+    // The late answer to a read that timed out is not the write's.
+    let read = sent(&mut client, &tools::Bias::read(), 0);
+    assert_eq!(expire(&mut client, 1000)[0].answer(&read), Some(Answer::TimedOut));
+    let save = sent(&mut client, &tools::Bias::save(), 1000);
+    let reply = data();
+    assert_eq!(client.receive(&reply.0.packet()).others().count(), 2);
+    assert!(client.is_pending(&save));
+    assert_eq!(only(&mut client, &bare()).answer(&save), Some(Answer::Acknowledged(None)));
+    // Of both, each has its own.
+    let save = sent(&mut client, &tools::Bias::save(), 0);
+    let read = sent(&mut client, &tools::Bias::read(), 0);
+    assert!(matches!(
+        only(&mut client, &data()).answer(&read),
+        Some(Answer::Acknowledged(Some(_)))
+    ));
+    assert!(only(&mut client, &bare()).answer(&save).is_some());
+    let read = sent(&mut client, &tools::Bias::read(), 0);
+    let save = sent(&mut client, &tools::Bias::save(), 0);
+    assert!(only(&mut client, &bare()).answer(&save).is_some());
+    assert_eq!(only(&mut client, &bare()).answer(&read), Some(Answer::MissingResponse));
+    // The values select the response.
+    let slow = sent(&mut client, &tools::SetTime::read(Mode::SLOW), 0);
+    let reply = Reply::new().ack(3, AckCode::OK).field(&tools::SetTimeFastResponse { value: 1 });
+    assert_eq!(client.receive(&reply.0.packet()).count(), 0);
+    let reply = Reply::new().ack(3, AckCode::OK).field(&tools::SetTimeSlowResponse { value: 1 });
+    assert!(matches!(only(&mut client, &reply).answer(&slow), Some(Answer::Acknowledged(Some(_)))));
+}
+
+#[test]
+fn an_answer_behind_noise() {
+    let mut client: Client = Client::new();
+    let mut parser = Parser::new();
+    let ticket = sent(&mut client, &tools::Ping, 0);
+    let data = PacketBuilder::with(&measurements::Accel::default()).unwrap();
+    let reply = Reply::new().ack(1, AckCode::OK);
+    let stream = [b"ue\x80\xFF", reply.0.bytes(), data.bytes()].concat();
+    // The last packet is not complete yet; it is not given up.
+    let (mut input, mut rest) = stream.split_at(stream.len() - 3);
+    assert!(parser.next(&mut input).is_none());
+    assert!(client.poll(&mut parser, 999).is_none() && client.is_pending(&ticket));
+    let packet = client.poll(&mut parser, 1000).unwrap();
+    assert_eq!(client.receive(&packet).count(), 1);
+    assert!(client.poll(&mut parser, 1000).is_none());
+    assert_eq!(parser.next(&mut rest).unwrap().bytes(), data.bytes());
+    assert_eq!(parser.skipped(), 4);
+}
+
+#[test]
+fn commands_whose_type_is_known_only_when_the_program_runs() {
+    let mut client: Client = Client::new();
+    let mut request = client.request(tools::SET);
+    let read = request.add_any(&AnyField::ToolsBias(tools::Bias::read())).unwrap();
+    let quiet = AnyField::ToolsFormats(tools::Formats::new(true, 0, []));
+    assert!(request.add_any(&quiet).unwrap().is_silent());
+    let response = AnyField::ToolsBiasVector(tools::BiasVector::default());
+    assert_eq!(request.add_any(&response).unwrap_err(), RequestError::NoCommand);
+    let other = AnyField::Mip3dDefault(Default::default());
+    assert_eq!(request.add_any(&other).unwrap_err(), RequestError::Encode(EncodeError::Set));
+    assert_eq!(request.send(0).packet().fields().count(), 2);
+    let reply = Reply::new().ack(5, AckCode::OK).field(&tools::BiasVector::default());
+    let event = only(&mut client, &reply);
+    assert_eq!((event.id, event.outcome), (read.id(), Outcome::Acknowledged));
+    assert_eq!(AnyField::decode(&event.response().unwrap()), Some(Ok((response, 0))));
+    assert_eq!(format!("{read:?}"), format!("Ticket({})", read.id()));
 }
 
 #[test]

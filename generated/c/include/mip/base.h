@@ -10,13 +10,14 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/base.h and mip/core.h are not of one version"
+#error "mip/base.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_BASE_SET 0x01
 
 /**
@@ -55,9 +56,9 @@ typedef uint8_t mip_base_gps_time_field;
  *
  * Asks whether a device is there and answers commands.
  *
- * A device that is not in a normal operating mode may refuse the command.
- *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * A device that is not in a normal operating mode may refuse the command.
  *
  * - 3dm-gx5-15: 4.1.1 Ping (0x01, 0x01)
  * - 3dm-cv7-gnss-ins: Ping (0x01,0x01)
@@ -79,11 +80,11 @@ mip_error mip_base_ping_encode(const struct mip_base_ping *value, struct mip_bui
  *
  * Stops all data streams, and wakes a sleeping device, so that it can be set up.
  *
+ * Also called `set_idle`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * The resume command restores the previous mode.
  *
  * While idle the device sends no NMEA sentences either.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.2 Set To Idle (0x01, 0x02)
  * - 3dm-cv7-gnss-ins: Set to idle (0x01,0x02)
@@ -107,8 +108,8 @@ mip_error mip_base_set_to_idle_encode(const struct mip_base_set_to_idle *value,
  *
  * Gets the firmware version and the identity strings of the device.
  *
- * Answered by mip_base_get_device_information_response. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15.
+ * Also called `get_device_info`. Answered by mip_base_get_device_information_response. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -130,9 +131,8 @@ mip_error mip_base_get_device_information_encode(
 /**
  * Get device information response: response (0x01,0x81).
  *
- * Answers Get device information (0x01,0x03).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `get_device_info_response`. Answers mip_base_get_device_information. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03)
  * - 3dm-cv7-gnss-ins: Get device information (0x01,0x03)
@@ -156,10 +156,10 @@ mip_error mip_base_get_device_information_response_encode(
  *
  * Gets the command and data descriptors that the device supports.
  *
- * When the list contains (0x01,0x07), more descriptors come from the extended command.
- *
  * Answered by mip_base_get_device_descriptors_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
+ *
+ * When the list contains (0x01,0x07), more descriptors come from the extended command.
  *
  * - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
  * - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -181,19 +181,18 @@ mip_error mip_base_get_device_descriptors_encode(
 /**
  * Get device descriptors response: response (0x01,0x82).
  *
- * Answers Get device descriptors (0x01,0x04).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_base_get_device_descriptors. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
  * - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
  */
 struct mip_base_get_device_descriptors_response {
+    /** The number of elements of descriptors. */
+    uint8_t descriptors_count;
     /**
      * Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
      * byte.
      */
-    uint8_t descriptors_count;
     uint16_t descriptors[126];
 };
 
@@ -211,14 +210,14 @@ mip_error mip_base_get_device_descriptors_response_encode(
  *
  * Runs the self test of the device and gets its result.
  *
+ * Answered by mip_base_built_in_test_response. The device may take 10 s to answer. Supported by
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * The test interrupts normal operation for up to several seconds; no data is available meanwhile.
  *
  * The device must be at rest; acceleration, rotation or vibration cause false failures.
  *
  * The continuous built-in test, where there is one, tells more about a failure.
- *
- * Answered by mip_base_built_in_test_response. The device may take 10 s to answer. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
  * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
@@ -240,17 +239,16 @@ mip_error mip_base_built_in_test_encode(const struct mip_base_built_in_test *val
 /**
  * Built-in test response: response (0x01,0x83).
  *
- * Answers Built-in test (0x01,0x05).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_base_built_in_test. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
  * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
  */
 struct mip_base_built_in_test_response {
     /**
-     * Failure flags, defined by each device. Zero means that every test passed. On the 3dm-gx5-15:
-     * mip_gx5_built_in_test. On the 3dm-cv7-gnss-ins: mip_cv7_built_in_test.
+     * Failure flags, defined by each device. Zero means that every test passed. On the
+     * 3DM-CV7-GNSS/INS: values of mip_cv7_built_in_test. On the 3DM-GX5-15: values of
+     * mip_gx5_built_in_test.
      */
     uint32_t result;
 };
@@ -269,9 +267,9 @@ mip_error mip_base_built_in_test_response_encode(
  *
  * Ends idle mode and returns the device to the mode that it was in before.
  *
- * If the device was not idle, it enters its default mode (3DM-GX5-15).
- *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
+ * If the device was not idle, it enters its default mode (3DM-GX5-15).
  *
  * - 3dm-gx5-15: 4.1.6 Resume (0x01, 0x06)
  * - 3dm-cv7-gnss-ins: Resume (0x01,0x06)
@@ -293,10 +291,10 @@ mip_error mip_base_resume_encode(const struct mip_base_resume *value, struct mip
  *
  * Gets the supported descriptors that did not fit into the reply of get device descriptors.
  *
- * Only supported if get device descriptors lists (0x01,0x07).
+ * Also called `get_extended_descriptors`. Answered by
+ * mip_base_get_device_descriptors_extended_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * Answered by mip_base_get_device_descriptors_extended_response. Supported by 3DM-CV7-GNSS/INS and
- * 3DM-GX5-15.
+ * Only supported if get device descriptors lists (0x01,0x07).
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
  * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -318,19 +316,19 @@ mip_error mip_base_get_device_descriptors_extended_encode(
 /**
  * Get device descriptors (extended) response: response (0x01,0x86).
  *
- * Answers Get device descriptors (extended) (0x01,0x07).
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `get_extended_descriptors_response`. Answers
+ * mip_base_get_device_descriptors_extended. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
  * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
  */
 struct mip_base_get_device_descriptors_extended_response {
+    /** The number of elements of descriptors. */
+    uint8_t descriptors_count;
     /**
      * Supported descriptors: the descriptor set in the high byte, the field descriptor in the low
      * byte.
      */
-    uint8_t descriptors_count;
     uint16_t descriptors[126];
 };
 
@@ -350,14 +348,15 @@ mip_error mip_base_get_device_descriptors_extended_response_encode(
  *
  * Gets the flags of the tests that run all the time. It does not interrupt operation.
  *
+ * Also called `continuous_bit`. Answered by mip_base_continuous_built_in_test_response. Supported
+ * by 3DM-CV7-GNSS/INS.
+ *
  * It is less thorough than the built-in test command.
  *
  * Each flag stays set until it is reported by this command, apart from the copy of the streamed
  * field.
  *
  * The self-test flags change only when the built-in test command runs.
- *
- * Answered by mip_base_continuous_built_in_test_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
  */
@@ -378,16 +377,15 @@ mip_error mip_base_continuous_built_in_test_encode(
 /**
  * Continuous built-in test response: response (0x01,0x88).
  *
- * Answers Continuous built-in test (0x01,0x08).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `continuous_bit_response`. Answers mip_base_continuous_built_in_test. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Continuous built-in test (0x01,0x08)
  */
 struct mip_base_continuous_built_in_test_response {
     /**
      * Flags, defined by each device, least significant byte first: bit 8 is bit 0 of the second
-     * byte. On the 3dm-cv7-gnss-ins: mip_cv7_continuous_built_in_test.
+     * byte. On the 3DM-CV7-GNSS/INS: values of mip_cv7_continuous_built_in_test.
      */
     uint8_t result[16];
 };
@@ -406,25 +404,25 @@ mip_error mip_base_continuous_built_in_test_response_encode(
  *
  * Baud rate of one communication port.
  *
+ * Also called `comm_speed`. Functions: write, read, save, load and default. Answered by
+ * mip_base_comm_port_speed_response. Supported by 3DM-CV7-GNSS/INS.
+ *
  * The change waits until pending data is sent and received, at most 250 ms.
  *
  * Send it alone in a packet while the device is idle, and wait 250 ms before going on.
  *
  * Commands and data during the change may be lost or come at either rate.
  *
- * Functions: write, read, save, load and default. Answered by mip_base_comm_port_speed_response.
- * Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
  */
 struct mip_base_comm_port_speed {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** Port id of the device; 0 means all ports, and is for save, load and default only. */
     uint8_t port;
-    /** Baud rate; one that the port supports. Unit: Bd. For write. */
+    /** Baud rate; one that the port supports. Unit: Bd. Required for write. */
     uint32_t baud;
 };
 
@@ -450,9 +448,8 @@ struct mip_base_comm_port_speed mip_base_comm_port_speed_default(uint8_t port);
 /**
  * Comm port speed response: response (0x01,0x89).
  *
- * Answers Comm port speed (0x01,0x09).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `comm_speed_response`. Answers mip_base_comm_port_speed. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09)
  */
@@ -477,6 +474,10 @@ mip_error mip_base_comm_port_speed_response_encode(
  *
  * Sets the week number or the time of week of the external (GPS) time.
  *
+ * Functions: write, read and apply. Answered by mip_base_gps_time_update_week_number_response or
+ * mip_base_gps_time_update_time_of_week_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On
+ * the 3DM-CV7-GNSS/INS: write only.
+ *
  * Send it once for the time of week and once for the week number after the PPS is locked.
  *
  * The PPS supplies the fraction of the second; send the whole second that began at its last edge.
@@ -488,23 +489,20 @@ mip_error mip_base_comm_port_speed_response_encode(
  * Send it again after a glitch of the PPS. An internal GNSS receiver as PPS source mostly makes it
  * needless.
  *
- * Functions: write, read and apply. Answered by mip_base_gps_time_update_week_number_response or
- * mip_base_gps_time_update_time_of_week_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
  */
 struct mip_base_gps_time_update {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** What the value is. */
     mip_base_gps_time_field field_id;
     /**
-     * What field_id says. For write and apply. If field_id is week_number: unit week; GPS week
-     * number since 6 January 1980. If field_id is time_of_week: unit s; Whole seconds of the GPS
-     * week.
+     * What field_id says. Required for write and apply. If field_id is
+     * MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
+     * field_id is MIP_BASE_GPS_TIME_FIELD_TIME_OF_WEEK: unit s. Whole seconds of the GPS week.
      */
     uint32_t value;
 };
@@ -531,7 +529,8 @@ struct mip_base_gps_time_update mip_base_gps_time_update_apply(mip_base_gps_time
  *
  * The current week number.
  *
- * Sent if field_id is week_number. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER.
+ * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -556,7 +555,8 @@ mip_error mip_base_gps_time_update_week_number_response_encode(
  *
  * The current time of week.
  *
- * Sent if field_id is time_of_week. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Answers mip_base_gps_time_update. Sent if field_id is MIP_BASE_GPS_TIME_FIELD_TIME_OF_WEEK.
+ * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72)
  * - 3dm-cv7-gnss-ins: GPS Time Update Command (0x01,0x72)
@@ -582,7 +582,7 @@ mip_error mip_base_gps_time_update_time_of_week_response_encode(
  *
  * Acknowledges the command, then resets the device at once.
  *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * Also called `soft_reset`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E)
  * - 3dm-cv7-gnss-ins: Reset device (0x01,0x7E)

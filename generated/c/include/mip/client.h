@@ -5,13 +5,15 @@
  * The caller builds a packet, sends it, hands over the packets that come back, and says what time
  * it is. The caller also owns the requests: each must stay in place until it is no longer waiting.
  *
- *     mip_builder_start(&packet, buffer, sizeof(buffer), MIP_..._SET);
- *     mip_client_add(&client, &request, &packet, &mip_..._codec, &command, now);
+ *     mip_builder_start(&builder, buffer, sizeof(buffer), MIP_..._SET);
+ *     mip_client_add(&client, &request, &builder, &mip_..._codec, &command, now);
  *     mip_client_expect(&request, &mip_..._response_codec, &response);
- *     ... send mip_builder_finish(&packet) ...
+ *     ... send mip_builder_finish(&builder) ...
  *     while (request.state == MIP_REQUEST_WAITING) {
- *         ... mip_client_receive(&client, &received) for each packet that comes ...
- *         mip_client_expire(&client, now);
+ *         ... mip_client_receive(&client, &packet) for each packet that mip_parser_next gives ...
+ *         while (mip_client_poll(&client, &parser, now, &packet)) {
+ *             mip_client_receive(&client, &packet);
+ *         }
  *     }
  */
 #ifndef MIP_CLIENT_H
@@ -28,7 +30,7 @@ extern "C" {
 
 /** No answer yet. */
 #define MIP_REQUEST_WAITING 0
-/** The device has carried the command out. */
+/** The device has carried the command out, and sent the response that belongs to it, if any. */
 #define MIP_REQUEST_ACKNOWLEDGED 1
 /** The device has refused the command; `code` says why. */
 #define MIP_REQUEST_REFUSED 2
@@ -38,6 +40,10 @@ extern "C" {
 #define MIP_REQUEST_SILENT 4
 /** The caller does not wait any longer. */
 #define MIP_REQUEST_CANCELLED 5
+/** The device has acknowledged the command, but not sent the response that belongs to it. */
+#define MIP_REQUEST_MISSING_RESPONSE 6
+/** The device has sent a response that cannot be decoded; `error` says why. */
+#define MIP_REQUEST_UNDECODABLE 7
 
 /** One command on its way. */
 struct mip_request {
@@ -45,14 +51,14 @@ struct mip_request {
     uint8_t state;
     /** The code of the answer, if there is one. */
     mip_ack_code code;
-    /** Has the response come, and could it be decoded? */
+    /** Is the response in its place? */
     bool responded;
-    /** A mip_error: what is wrong with the response that came; then `response` is all zero. */
+    /** A mip_error: what is wrong with the response that came; then its place is all zero. */
     uint8_t error;
-    uint8_t descriptor_set;
-    uint8_t descriptor;
-    /** The response that is expected, and where it goes; NULL if there is none. */
+    /** The command, and the response that it asks for; NULL if it asks for none. */
+    const struct mip_codec *command;
     const struct mip_codec *codec;
+    /** Where the response goes; NULL if the caller does not need it. */
     void *response;
     /** When it is too late, in the milliseconds of the caller. */
     uint32_t deadline;
@@ -79,8 +85,11 @@ mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
                          struct mip_builder *packet, const struct mip_codec *codec,
                          const void *command, uint32_t now);
 
-/** Says which response is expected, and where it goes. To be called right after mip_client_add. */
-void mip_client_expect(struct mip_request *request, const struct mip_codec *codec, void *response);
+/**
+ * Says where the response goes. To be called right after mip_client_add. False, and nothing is
+ * stored, if this is not the response that the command asks for with its values.
+ */
+bool mip_client_expect(struct mip_request *request, const struct mip_codec *codec, void *response);
 
 /**
  * Takes a packet that has come. True if it answered anything; data and late answers disturb
@@ -88,8 +97,26 @@ void mip_client_expect(struct mip_request *request, const struct mip_codec *code
  */
 bool mip_client_receive(struct mip_client *client, const struct mip_packet *packet);
 
-/** Ends the waiting of all requests whose time is over; gives how many these are. */
-size_t mip_client_expire(struct mip_client *client, uint32_t now);
+/**
+ * The same step by step, for callers who want to know what else is in the packet: goes on in a
+ * walk, which may be at its beginning. True if there was something: either `*answered` is the
+ * request that has been answered, and `*field` its response or, without one, the acknowledge; or
+ * `*answered` is NULL, and `*field` answers nothing.
+ *
+ *     struct mip_walk walk = mip_walk_packet(&packet);
+ *     while (mip_client_next(&client, &walk, &answered, &field)) { ... }
+ */
+bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
+                     struct mip_request **answered, struct mip_field *field);
+
+/**
+ * Says what time it is. To be called until it returns false; then the requests whose time is over
+ * are timed out. Before, it gives up what the parser holds back, as noise that looks like the
+ * beginning of a packet hides an answer: true if a packet was found, which is to be handled as any.
+ * `parser` is the one that the packets come from, NULL if there is none.
+ */
+bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint32_t now,
+                     struct mip_packet *packet);
 
 /** Ends the waiting of one request, so that it may go away. */
 void mip_client_cancel(struct mip_client *client, struct mip_request *request);

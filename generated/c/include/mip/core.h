@@ -8,6 +8,8 @@
 #ifndef MIP_CORE_H
 #define MIP_CORE_H
 
+#include "mip/constants.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -16,25 +18,12 @@
 extern "C" {
 #endif
 
-/** Version of the specification and of all files of this binding. */
-#define MIP_VERSION "0.1.0"
-/** The same as a number: 10203 is 1.2.3. */
-#define MIP_VERSION_NUMBER 100
-
-/** The two bytes that every packet begins with. */
-#define MIP_SYNC_1 0x75
-#define MIP_SYNC_2 0x65
-
-/** Most bytes of the payload of a packet. */
-#define MIP_MAX_PAYLOAD 255
 /** Bytes before the payload: two sync bytes, descriptor set, length of the payload. */
 #define MIP_HEADER_SIZE 4
 /** Bytes behind the payload. */
 #define MIP_CHECKSUM_SIZE 2
 /** Most bytes of a packet. */
 #define MIP_MAX_PACKET (MIP_HEADER_SIZE + MIP_MAX_PAYLOAD + MIP_CHECKSUM_SIZE)
-/** Most bytes of the data of a field. */
-#define MIP_MAX_FIELD_DATA 253
 
 /** What can be wrong. */
 typedef enum mip_error {
@@ -179,6 +168,15 @@ typedef void (*mip_write_function)(struct mip_writer *writer, const void *value)
 #define MIP_RESPONSE 1
 #define MIP_DATA 2
 
+struct mip_codec;
+
+/** A response of a command. */
+struct mip_response {
+    const struct mip_codec *codec;
+    /** Does a command with these values ask for it? NULL if it always does. */
+    bool (*asked)(const void *command);
+};
+
 /** All that generic code needs to handle a type of field; the client and the registry use it. */
 struct mip_codec {
     uint8_t descriptor_set;
@@ -193,6 +191,8 @@ struct mip_codec {
     mip_write_function write;
     /** Will this command not be answered? NULL if it always is. */
     bool (*silent)(const void *value);
+    /** What this command is answered with, up to an entry without a codec; NULL if with nothing. */
+    const struct mip_response *responses;
 };
 
 /**
@@ -203,8 +203,7 @@ mip_error mip_decode(const struct mip_codec *codec, void *value, const struct mi
                      size_t *trailing);
 
 /** Encodes a field of any type into a packet. On an error the packet stays as it was. */
-mip_error mip_encode(const struct mip_codec *codec, const void *value,
-                     struct mip_builder *builder);
+mip_error mip_encode(const struct mip_codec *codec, const void *value, struct mip_builder *builder);
 
 /* ------------------------------------------------------------------------------------ bitfields */
 
@@ -321,6 +320,7 @@ void mip_copy_text(char *to, size_t room, const char *text);
 uint64_t mip_get_bits(const uint8_t *bytes, unsigned first, unsigned width);
 void mip_set_bits(uint8_t *bytes, unsigned first, unsigned width, uint64_t value);
 
+/** The same by the name of the scalar, so that a compiler checks the type of the member. */
 static inline void mip_read_u8(struct mip_reader *r, uint8_t *to, size_t count) {
     mip_read_8(r, to, count);
 }

@@ -9,18 +9,36 @@
 #include "mip/protocol.h"
 
 #if MIP_VERSION_NUMBER != 100
-#error "mip/filter.h and mip/core.h are not of one version"
+#error "mip/filter.h and mip/constants.h are not of one version"
 #endif
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
+/** Descriptor set of these fields. */
 #define MIP_FILTER_SET 0x0D
+
+/**
+ * Kind of vehicle that the filter is tuned for. Uncertain: The SDK names the modes only; the
+ * descriptions follow from the names. Uncertain: The filter status (0x82,0x10) reports a mode too,
+ * but is known to have the values 1 to 3 only.
+ *
+ * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+ */
+typedef uint8_t mip_filter_dynamics_mode;
+/** Carried by hand. */
+#define MIP_FILTER_DYNAMICS_MODE_PORTABLE 1
+/** Ground vehicle. */
+#define MIP_FILTER_DYNAMICS_MODE_AUTOMOTIVE 2
+/** Aircraft. */
+#define MIP_FILTER_DYNAMICS_MODE_AIRBORNE 3
+/** Aircraft under high acceleration. */
+#define MIP_FILTER_DYNAMICS_MODE_AIRBORNE_HIGH_G 4
 
 /** States that the filter estimates. */
 typedef uint16_t mip_filter_estimated_states;
-/** Bit 0: Estimate the gyroscope bias (recommended). */
+/** Bit 0. Estimate the gyroscope bias (recommended). */
 #define MIP_FILTER_ESTIMATED_STATES_GYRO_BIAS 0x0001U
 
 /** Where the filter takes GNSS data from. */
@@ -50,30 +68,30 @@ typedef uint8_t mip_filter_heading_update_source;
 
 /** Axes to tare; 0 resets all axes. */
 typedef uint8_t mip_filter_tare_axes;
-/** Bit 0: Tare roll. */
+/** Bit 0. Tare roll. */
 #define MIP_FILTER_TARE_AXES_ROLL 0x01U
-/** Bit 1: Tare pitch. */
+/** Bit 1. Tare pitch. */
 #define MIP_FILTER_TARE_AXES_PITCH 0x02U
-/** Bit 2: Tare yaw. */
+/** Bit 2. Tare yaw. */
 #define MIP_FILTER_TARE_AXES_YAW 0x04U
 
 /** Measurements that the filter uses. */
 typedef uint16_t mip_filter_measurement_flags;
-/** Bit 0: Accelerometer measurements. */
+/** Bit 0. Accelerometer measurements. */
 #define MIP_FILTER_MEASUREMENT_FLAGS_ACCELEROMETER 0x0001U
-/** Bit 1: Magnetometer measurements, on models that have a magnetometer. */
+/** Bit 1. Magnetometer measurements, on models that have a magnetometer. */
 #define MIP_FILTER_MEASUREMENT_FLAGS_MAGNETOMETER 0x0002U
 
-/** Where the declination of the magnetic field comes from. */
-typedef uint8_t mip_filter_declination_source;
-/** No source. */
-#define MIP_FILTER_DECLINATION_SOURCE_NONE 1
+/** Where the declination, the inclination or the magnitude of the magnetic field comes from. */
+typedef uint8_t mip_filter_mag_parameter_source;
+/** No source. Uncertain: What the device does without a source. */
+#define MIP_FILTER_MAG_PARAMETER_SOURCE_NONE 1
 /** The World Magnetic Model, at the estimated position. */
-#define MIP_FILTER_DECLINATION_SOURCE_WMM 2
-/** The angle that the command gives. */
-#define MIP_FILTER_DECLINATION_SOURCE_MANUAL 3
+#define MIP_FILTER_MAG_PARAMETER_SOURCE_WMM 2
+/** The value that the command gives. */
+#define MIP_FILTER_MAG_PARAMETER_SOURCE_MANUAL 3
 
-/** How measurements of the gravity direction are weighted. */
+/** How measurements are weighted whose magnitude is not as expected. */
 typedef uint8_t mip_filter_adaptive_measurement_selector;
 /** No adaptation. */
 #define MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_DISABLED 0
@@ -81,6 +99,17 @@ typedef uint8_t mip_filter_adaptive_measurement_selector;
 #define MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_FIXED 1
 /** Adapted by the filter itself; the limits are ignored. 3DM-GX5 and later. */
 #define MIP_FILTER_ADAPTIVE_MEASUREMENT_SELECTOR_AUTO 2
+
+/**
+ * What aids the altitude.
+ *
+ * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+ */
+typedef uint8_t mip_filter_altitude_aiding_source;
+/** No aiding. */
+#define MIP_FILTER_ALTITUDE_AIDING_SOURCE_NONE 0
+/** The pressure sensor. */
+#define MIP_FILTER_ALTITUDE_AIDING_SOURCE_PRESSURE 1
 
 /** What aids pitch and roll. */
 typedef uint8_t mip_filter_pitch_roll_aiding_source;
@@ -112,6 +141,41 @@ typedef uint16_t mip_filter_aiding_source;
 /** All sources, for save, load and default. */
 #define MIP_FILTER_AIDING_SOURCE_ALL 0xFFFF
 
+/**
+ * What the filter assumes about the acceleration.
+ *
+ * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+ */
+typedef uint8_t mip_filter_accel_constraint;
+/** Nothing. */
+#define MIP_FILTER_ACCEL_CONSTRAINT_NONE 0
+/** It is zero. */
+#define MIP_FILTER_ACCEL_CONSTRAINT_ZERO_ACCEL 1
+
+/**
+ * What the filter assumes about the velocity.
+ *
+ * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+ */
+typedef uint8_t mip_filter_velocity_constraint;
+/** Nothing. */
+#define MIP_FILTER_VELOCITY_CONSTRAINT_NONE 0
+/** It is zero. */
+#define MIP_FILTER_VELOCITY_CONSTRAINT_ZERO_VELOCITY 1
+/** It is that of a wheeled vehicle. */
+#define MIP_FILTER_VELOCITY_CONSTRAINT_WHEELED_VEHICLE 2
+
+/**
+ * What the filter assumes about the angular rate.
+ *
+ * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+ */
+typedef uint8_t mip_filter_angular_constraint;
+/** Nothing. */
+#define MIP_FILTER_ANGULAR_CONSTRAINT_NONE 0
+/** It is zero. */
+#define MIP_FILTER_ANGULAR_CONSTRAINT_ZERO_ANGULAR_RATE 1
+
 /** Which initial conditions the device finds itself and which the user gives. */
 typedef uint8_t mip_filter_initial_condition_source;
 /** Position, velocity and attitude are found. */
@@ -125,13 +189,13 @@ typedef uint8_t mip_filter_initial_condition_source;
 
 /** Ways in which the device may find its initial heading. */
 typedef uint8_t mip_filter_heading_alignment;
-/** Bit 0: From the baseline between two GNSS antennas. */
+/** Bit 0. From the baseline between two GNSS antennas. */
 #define MIP_FILTER_HEADING_ALIGNMENT_DUAL_ANTENNA 0x01U
-/** Bit 1: From the GNSS velocity; assumes motion along the positive x axis of the vehicle. */
+/** Bit 1. From the GNSS velocity; assumes motion along the positive x axis of the vehicle. */
 #define MIP_FILTER_HEADING_ALIGNMENT_KINEMATIC 0x02U
-/** Bit 2: From the built-in magnetometer. */
+/** Bit 2. From the built-in magnetometer. */
 #define MIP_FILTER_HEADING_ALIGNMENT_MAGNETOMETER 0x04U
-/** Bit 3: From the heading that the user sends. */
+/** Bit 3. From the heading that the user sends. */
 #define MIP_FILTER_HEADING_ALIGNMENT_EXTERNAL 0x08U
 
 /** Frame in which a position is given. */
@@ -169,12 +233,12 @@ typedef uint8_t mip_filter_reference_point;
  *
  * Puts the filter back into its initialization state.
  *
+ * Also called `reset`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * If automatic initialization is off, the attitude or heading must be set before the filter runs
  * again.
  *
  * 3DM-CV7: send it after a large jump of the system time, for example when the PPS is first found.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01)
  * - 3dm-gx5-15: 4.3.1 Reset Filter (0x0D, 0x01)
@@ -198,9 +262,9 @@ mip_error mip_filter_reset_navigation_filter_encode(
  *
  * Gives the filter its initial attitude, the orientation of the sensor frame in the NED frame.
  *
- * Accepted only in the initialization state.
- *
  * Supported by 3DM-GX5-15.
+ *
+ * Accepted only in the initialization state.
  *
  * - 3dm-gx5-15: 4.3.2 Set Initial Attitude (0x0D, 0x02)
  */
@@ -232,12 +296,12 @@ struct mip_filter_set_initial_attitude mip_filter_set_initial_attitude_make(floa
  *
  * Gives the filter its initial heading; pitch and roll come from the accelerometers.
  *
+ * Also called `set_initial_heading`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ *
  * 3DM-GX5: accepted only in the initialization state.
  *
  * 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
  * ignored.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03)
  * - 3dm-gx5-15: 4.3.3 Set Initial Heading (0x0D, 0x03)
@@ -256,18 +320,18 @@ mip_error mip_filter_set_initial_heading_control_decode(
 mip_error mip_filter_set_initial_heading_control_encode(
     const struct mip_filter_set_initial_heading_control *value, struct mip_builder *builder);
 /** Set initial heading. */
-struct mip_filter_set_initial_heading_control mip_filter_set_initial_heading_control_make(
-    float heading);
+struct mip_filter_set_initial_heading_control
+mip_filter_set_initial_heading_control_make(float heading);
 
 /**
  * Run navigation filter: command (0x0D,0x05).
  *
  * Starts a filter that was set up to wait for this command.
  *
+ * Also called `run`. Supported by 3DM-CV7-GNSS/INS.
+ *
  * The filter waits in its initialization state if `wait_for_run_command` of
  * `navigation_filter_initialization` is set.
- *
- * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
  */
@@ -286,31 +350,91 @@ mip_error mip_filter_run_navigation_filter_encode(
     const struct mip_filter_run_navigation_filter *value, struct mip_builder *builder);
 
 /**
+ * Vehicle dynamics mode: command (0x0D,0x10).
+ *
+ * Kind of vehicle that the filter is tuned for.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_vehicle_dynamics_mode_response.
+ *
+ * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+ */
+struct mip_filter_vehicle_dynamics_mode {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Kind of vehicle. Required for write. */
+    mip_filter_dynamics_mode mode;
+};
+
+#define MIP_FILTER_VEHICLE_DYNAMICS_MODE_DESCRIPTOR 0x10
+#define MIP_FILTER_VEHICLE_DYNAMICS_MODE_NAME "filter.vehicle_dynamics_mode"
+
+extern const struct mip_codec mip_filter_vehicle_dynamics_mode_codec;
+mip_error mip_filter_vehicle_dynamics_mode_decode(struct mip_filter_vehicle_dynamics_mode *value,
+                                                  const struct mip_field *field);
+mip_error mip_filter_vehicle_dynamics_mode_encode(
+    const struct mip_filter_vehicle_dynamics_mode *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_vehicle_dynamics_mode
+mip_filter_vehicle_dynamics_mode_write(mip_filter_dynamics_mode mode);
+/** Send the current setting back in a response. */
+struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_save(void);
+/** Load the saved setting. */
+struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_load(void);
+/** Load the factory default setting. */
+struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_default(void);
+
+/**
+ * Vehicle dynamics mode response: response (0x0D,0x80).
+ *
+ * Answers mip_filter_vehicle_dynamics_mode.
+ *
+ * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
+ */
+struct mip_filter_vehicle_dynamics_mode_response {
+    /** Kind of vehicle. */
+    mip_filter_dynamics_mode mode;
+};
+
+#define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_DESCRIPTOR 0x80
+#define MIP_FILTER_VEHICLE_DYNAMICS_MODE_RESPONSE_NAME "filter.vehicle_dynamics_mode_response"
+
+extern const struct mip_codec mip_filter_vehicle_dynamics_mode_response_codec;
+mip_error mip_filter_vehicle_dynamics_mode_response_decode(
+    struct mip_filter_vehicle_dynamics_mode_response *value, const struct mip_field *field);
+mip_error mip_filter_vehicle_dynamics_mode_response_encode(
+    const struct mip_filter_vehicle_dynamics_mode_response *value, struct mip_builder *builder);
+
+/**
  * Sensor to vehicle frame transformation: command (0x0D,0x11).
  *
  * Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
+ *
+ * Also called `sensor_to_vehicle_rotation_euler`. Functions: write, read, save, load and default.
+ * Answered by mip_filter_sensor_to_vehicle_frame_transformation_response. Supported by 3DM-GX5-15.
  *
  * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, compensated and linear acceleration, angular rate and gravity
  * vector of the filter.
  *
- * The 3DM-CV7 takes the inverse instead: `3dm.sensor_to_vehicle_frame_transformation_euler`.
- *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_frame_transformation_response. Supported by 3DM-GX5-15.
+ * The 3DM-CV7 takes the inverse instead: mip_3dm_sensor_to_vehicle_frame_transformation_euler.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
 struct mip_filter_sensor_to_vehicle_frame_transformation {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Roll angle. Unit: rad. For write. */
+    /** Roll angle. Unit: rad. Required for write. */
     float roll;
-    /** Pitch angle. Unit: rad. For write. */
+    /** Pitch angle. Unit: rad. Required for write. */
     float pitch;
-    /** Yaw angle. Unit: rad. For write. */
+    /** Yaw angle. Unit: rad. Required for write. */
     float yaw;
 };
 
@@ -343,9 +467,8 @@ mip_filter_sensor_to_vehicle_frame_transformation_default(void);
 /**
  * Sensor to vehicle frame transformation response: response (0x0D,0x81).
  *
- * Answers Sensor to vehicle frame transformation (0x0D,0x11).
- *
- * Supported by 3DM-GX5-15.
+ * Also called `sensor_to_vehicle_rotation_euler_response`. Answers
+ * mip_filter_sensor_to_vehicle_frame_transformation. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11)
  */
@@ -371,30 +494,103 @@ mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_encode(
     struct mip_builder *builder);
 
 /**
+ * Sensor to vehicle offset: command (0x0D,0x12).
+ *
+ * Origin of the vehicle frame, as seen from the sensor.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_sensor_to_vehicle_offset_response. Uncertain: The direction, from the sensor to the
+ * origin of the vehicle frame, is inferred from the name.
+ *
+ * It shifts the estimated position (0x82,0x01) and nothing else.
+ *
+ * The shift is constant. It does not follow the attitude, as a lever arm would.
+ *
+ * The magnitude of the vector is limited to 10 m.
+ *
+ * - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
+ */
+struct mip_filter_sensor_to_vehicle_offset {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+     * sensor. Range: -10 to 10. Required for write.
+     */
+    float offset[3];
+};
+
+#define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_DESCRIPTOR 0x12
+#define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_NAME "filter.sensor_to_vehicle_offset"
+
+extern const struct mip_codec mip_filter_sensor_to_vehicle_offset_codec;
+mip_error mip_filter_sensor_to_vehicle_offset_decode(
+    struct mip_filter_sensor_to_vehicle_offset *value, const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_offset_encode(
+    const struct mip_filter_sensor_to_vehicle_offset *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_sensor_to_vehicle_offset
+mip_filter_sensor_to_vehicle_offset_write(const float offset[3]);
+/** Send the current setting back in a response. */
+struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_save(void);
+/** Load the saved setting. */
+struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_load(void);
+/** Load the factory default setting. */
+struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_default(void);
+
+/**
+ * Sensor to vehicle offset response: response (0x0D,0x82).
+ *
+ * Answers mip_filter_sensor_to_vehicle_offset.
+ *
+ * - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
+ */
+struct mip_filter_sensor_to_vehicle_offset_response {
+    /**
+     * From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
+     * sensor. Range: -10 to 10.
+     */
+    float offset[3];
+};
+
+#define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_DESCRIPTOR 0x82
+#define MIP_FILTER_SENSOR_TO_VEHICLE_OFFSET_RESPONSE_NAME "filter.sensor_to_vehicle_offset_response"
+
+extern const struct mip_codec mip_filter_sensor_to_vehicle_offset_response_codec;
+mip_error mip_filter_sensor_to_vehicle_offset_response_decode(
+    struct mip_filter_sensor_to_vehicle_offset_response *value, const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
+    const struct mip_filter_sensor_to_vehicle_offset_response *value, struct mip_builder *builder);
+
+/**
  * GNSS antenna offset: command (0x0D,0x13).
  *
  * Position of the GNSS antenna relative to the origin of the sensor.
+ *
+ * Also called `antenna_offset`. Functions: write, read, save, load and default. Answered by
+ * mip_filter_gnss_antenna_offset_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * The magnitude of the vector is limited to 10.
  *
  * 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
  *
  * On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding commands use
- * `aiding.frame_configuration`.
- *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_gnss_antenna_offset_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_aiding_frame_configuration.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
 struct mip_filter_gnss_antenna_offset_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
      * From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-     * vehicle. Range: -10 to 10. For write.
+     * vehicle. Range: -10 to 10. Required for write.
      */
     float offset[3];
 };
@@ -408,8 +604,8 @@ mip_error mip_filter_gnss_antenna_offset_control_decode(
 mip_error mip_filter_gnss_antenna_offset_control_encode(
     const struct mip_filter_gnss_antenna_offset_control *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_write(
-    const float offset[3]);
+struct mip_filter_gnss_antenna_offset_control
+mip_filter_gnss_antenna_offset_control_write(const float offset[3]);
 /** Send the current setting back in a response. */
 struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_control_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -422,9 +618,8 @@ struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_con
 /**
  * GNSS antenna offset response: response (0x0D,0x83).
  *
- * Answers GNSS antenna offset (0x0D,0x13).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `antenna_offset_response`. Answers mip_filter_gnss_antenna_offset_control. Supported
+ * by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
  */
@@ -452,17 +647,17 @@ mip_error mip_filter_gnss_antenna_offset_control_response_encode(
  *
  * Which states the filter estimates.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `estimation_control`. Functions: write, read, save, load and default. Answered by
  * mip_filter_estimation_control_flags_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
 struct mip_filter_estimation_control_flags {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** States to estimate. For write. */
+    /** States to estimate. Required for write. */
     mip_filter_estimated_states flags;
 };
 
@@ -475,8 +670,8 @@ mip_error mip_filter_estimation_control_flags_decode(
 mip_error mip_filter_estimation_control_flags_encode(
     const struct mip_filter_estimation_control_flags *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_write(
-    mip_filter_estimated_states flags);
+struct mip_filter_estimation_control_flags
+mip_filter_estimation_control_flags_write(mip_filter_estimated_states flags);
 /** Send the current setting back in a response. */
 struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -489,9 +684,8 @@ struct mip_filter_estimation_control_flags mip_filter_estimation_control_flags_d
 /**
  * Estimation control flags response: response (0x0D,0x84).
  *
- * Answers Estimation control flags (0x0D,0x14).
- *
- * Supported by 3DM-GX5-15.
+ * Also called `estimation_control_response`. Answers mip_filter_estimation_control_flags. Supported
+ * by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14)
  */
@@ -514,20 +708,20 @@ mip_error mip_filter_estimation_control_flags_response_encode(
  *
  * Which GNSS receiver aids the filter.
  *
+ * Also called `gnss_source`. Functions: write, read, save, load and default. Answered by
+ * mip_filter_gnss_aiding_source_control_response. Supported by 3DM-CV7-GNSS/INS.
+ *
  * A change while the filter runs may put it back into initialization until the new source gives
  * data.
- *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_gnss_aiding_source_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
 struct mip_filter_gnss_aiding_source_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the GNSS data. For write. */
+    /** Source of the GNSS data. Required for write. */
     mip_filter_gnss_aiding_source source;
 };
 
@@ -540,8 +734,8 @@ mip_error mip_filter_gnss_aiding_source_control_decode(
 mip_error mip_filter_gnss_aiding_source_control_encode(
     const struct mip_filter_gnss_aiding_source_control *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_write(
-    mip_filter_gnss_aiding_source source);
+struct mip_filter_gnss_aiding_source_control
+mip_filter_gnss_aiding_source_control_write(mip_filter_gnss_aiding_source source);
 /** Send the current setting back in a response. */
 struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_control_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -554,9 +748,8 @@ struct mip_filter_gnss_aiding_source_control mip_filter_gnss_aiding_source_contr
 /**
  * GNSS aiding source response: response (0x0D,0x86).
  *
- * Answers GNSS aiding source (0x0D,0x15).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `gnss_source_response`. Answers mip_filter_gnss_aiding_source_control. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15)
  */
@@ -577,9 +770,55 @@ mip_error mip_filter_gnss_aiding_source_control_response_encode(
     struct mip_builder *builder);
 
 /**
+ * External GNSS update: command (0x0D,0x16).
+ *
+ * Gives the filter one position and velocity of a GNSS receiver that the user provides.
+ *
+ * Refused unless the GNSS aiding source (0x0D,0x15) is the external one.
+ *
+ * The highest rate depends on the device.
+ *
+ * - mip-sdk-4: External Gnss Update (0x0D,0x16)
+ */
+struct mip_filter_external_gnss_update {
+    /** GPS time of week. Unit: s. */
+    double tow;
+    /** GPS week, counted without rollover. Unit: week. */
+    uint16_t week_number;
+    /** Latitude. Unit: deg. Frame: llh. */
+    double latitude;
+    /** Longitude. Unit: deg. Frame: llh. */
+    double longitude;
+    /** Height above the ellipsoid. Unit: m. Frame: llh. */
+    double height;
+    /** Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. */
+    float velocity[3];
+    /** Standard deviation of the position. Elements: x, y, z. Unit: m. Frame: ned. */
+    float position_uncertainty[3];
+    /** Standard deviation of the velocity. Elements: x, y, z. Unit: m/s. Frame: ned. */
+    float velocity_uncertainty[3];
+};
+
+#define MIP_FILTER_EXTERNAL_GNSS_UPDATE_DESCRIPTOR 0x16
+#define MIP_FILTER_EXTERNAL_GNSS_UPDATE_NAME "filter.external_gnss_update"
+
+extern const struct mip_codec mip_filter_external_gnss_update_codec;
+mip_error mip_filter_external_gnss_update_decode(struct mip_filter_external_gnss_update *value,
+                                                 const struct mip_field *field);
+mip_error mip_filter_external_gnss_update_encode(
+    const struct mip_filter_external_gnss_update *value, struct mip_builder *builder);
+/** External GNSS update. */
+struct mip_filter_external_gnss_update mip_filter_external_gnss_update_make(
+    double tow, uint16_t week_number, double latitude, double longitude, double height,
+    const float velocity[3], const float position_uncertainty[3],
+    const float velocity_uncertainty[3]);
+
+/**
  * External heading update: command (0x0D,0x17).
  *
  * Gives the filter one measurement of the heading of the sensor frame in the NED frame.
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
  * and by `aiding_measurement_control` on the 3DM-CV7.
@@ -588,8 +827,6 @@ mip_error mip_filter_gnss_aiding_source_control_response_encode(
  *
  * If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
  * ones.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: External Heading Update (0x0D,0x17)
  * - 3dm-gx5-15: 4.3.7 External Heading Update (0x0D, 0x17)
@@ -600,7 +837,10 @@ struct mip_filter_external_heading_update {
      * -3.141592653589793 to 3.141592653589793.
      */
     float heading;
-    /** Standard deviation; it must be greater than 0, other values are refused. Unit: rad. */
+    /**
+     * Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
+     * 0.
+     */
     float heading_uncertainty;
     /** North that the heading refers to. */
     mip_filter_heading_type type;
@@ -623,17 +863,17 @@ struct mip_filter_external_heading_update mip_filter_external_heading_update_mak
  *
  * Source of the heading that aids the filter.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `heading_source`. Functions: write, read, save, load and default. Answered by
  * mip_filter_heading_update_control_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
 struct mip_filter_heading_update_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the heading. For write. */
+    /** Source of the heading. Required for write. */
     mip_filter_heading_update_source enable;
 };
 
@@ -646,8 +886,8 @@ mip_error mip_filter_heading_update_control_decode(struct mip_filter_heading_upd
 mip_error mip_filter_heading_update_control_encode(
     const struct mip_filter_heading_update_control *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_heading_update_control mip_filter_heading_update_control_write(
-    mip_filter_heading_update_source enable);
+struct mip_filter_heading_update_control
+mip_filter_heading_update_control_write(mip_filter_heading_update_source enable);
 /** Send the current setting back in a response. */
 struct mip_filter_heading_update_control mip_filter_heading_update_control_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -660,9 +900,8 @@ struct mip_filter_heading_update_control mip_filter_heading_update_control_defau
 /**
  * Heading update control response: response (0x0D,0x87).
  *
- * Answers Heading update control (0x0D,0x18).
- *
- * Supported by 3DM-GX5-15.
+ * Also called `heading_source_response`. Answers mip_filter_heading_update_control. Supported by
+ * 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18)
  */
@@ -685,19 +924,19 @@ mip_error mip_filter_heading_update_control_response_encode(
  *
  * Whether the filter initializes by itself when the device starts.
  *
- * It needs a valid heading source.
- *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `auto_init_control`. Functions: write, read, save, load and default. Answered by
  * mip_filter_auto_initialization_control_response. Supported by 3DM-GX5-15.
+ *
+ * It needs a valid heading source.
  *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
  */
 struct mip_filter_auto_initialization_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
 };
 
@@ -710,8 +949,8 @@ mip_error mip_filter_auto_initialization_control_decode(
 mip_error mip_filter_auto_initialization_control_encode(
     const struct mip_filter_auto_initialization_control *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_write(
-    uint8_t enable);
+struct mip_filter_auto_initialization_control
+mip_filter_auto_initialization_control_write(uint8_t enable);
 /** Send the current setting back in a response. */
 struct mip_filter_auto_initialization_control mip_filter_auto_initialization_control_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -724,8 +963,7 @@ struct mip_filter_auto_initialization_control mip_filter_auto_initialization_con
 /**
  * Automatic initialization response: response (0x0D,0x88).
  *
- * Answers Automatic initialization (0x0D,0x19).
- *
+ * Also called `auto_init_control_response`. Answers mip_filter_auto_initialization_control.
  * Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.10 Auto-Initialization Control (0x0D, 0x19)
@@ -751,21 +989,24 @@ mip_error mip_filter_auto_initialization_control_response_encode(
  *
  * Standard deviation of the accelerometer noise that the filter assumes (process noise).
  *
- * Every value must be greater than 0. The factory values suit most laboratory conditions.
- *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `accel_noise`. Functions: write, read, save, load and default. Answered by
  * mip_filter_accelerometer_noise_standard_deviation_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
+ *
+ * The factory values suit most laboratory conditions.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
  */
 struct mip_filter_accelerometer_noise_standard_deviation {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. For write. */
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0. Required
+     * for write.
+     */
     float noise[3];
 };
 
@@ -798,15 +1039,14 @@ mip_filter_accelerometer_noise_standard_deviation_default(void);
 /**
  * Accelerometer noise response: response (0x0D,0x89).
  *
- * Answers Accelerometer noise (0x0D,0x1A).
- *
+ * Also called `accel_noise_response`. Answers mip_filter_accelerometer_noise_standard_deviation.
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A)
  * - 3dm-gx5-15: 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A)
  */
 struct mip_filter_accelerometer_noise_standard_deviation_response {
-    /** Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. */
+    /** Standard deviation per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than 0. */
     float noise[3];
 };
 
@@ -827,21 +1067,24 @@ mip_error mip_filter_accelerometer_noise_standard_deviation_response_encode(
  *
  * Standard deviation of the gyroscope noise that the filter assumes (process noise).
  *
- * Every value must be greater than 0. The factory values suit most laboratory conditions.
- *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `gyro_noise`. Functions: write, read, save, load and default. Answered by
  * mip_filter_gyroscope_noise_standard_deviation_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
+ *
+ * The factory values suit most laboratory conditions.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
  */
 struct mip_filter_gyroscope_noise_standard_deviation {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Standard deviation per axis. Elements: x, y, z. Unit: rad/s. For write. */
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0. Required
+     * for write.
+     */
     float noise[3];
 };
 
@@ -873,15 +1116,14 @@ mip_filter_gyroscope_noise_standard_deviation_default(void);
 /**
  * Gyroscope noise response: response (0x0D,0x8A).
  *
- * Answers Gyroscope noise (0x0D,0x1B).
- *
+ * Also called `gyro_noise_response`. Answers mip_filter_gyroscope_noise_standard_deviation.
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B)
  * - 3dm-gx5-15: 4.3.13 Gyroscope Noise Standard Deviation (0x0D, 0x1B)
  */
 struct mip_filter_gyroscope_noise_standard_deviation_response {
-    /** Standard deviation per axis. Elements: x, y, z. Unit: rad/s. */
+    /** Standard deviation per axis. Elements: x, y, z. Unit: rad/s. Range: greater than 0. */
     float noise[3];
 };
 
@@ -902,21 +1144,25 @@ mip_error mip_filter_gyroscope_noise_standard_deviation_response_encode(
  *
  * Parameters of the model by which the accelerometer bias drifts.
  *
- * Every noise value must be greater than 0.
- *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `accel_bias_model`. Functions: write, read, save, load and default. Answered by
  * mip_filter_accelerometer_bias_model_parameters_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
  */
 struct mip_filter_accelerometer_bias_model_parameters {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. For write. */
+    /**
+     * Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+     * write.
+     */
     float beta[3];
-    /** Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. For write. */
+    /**
+     * Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than
+     * 0. Required for write.
+     */
     float noise[3];
 };
 
@@ -949,8 +1195,7 @@ mip_filter_accelerometer_bias_model_parameters_default(void);
 /**
  * Accelerometer bias model response: response (0x0D,0x8B).
  *
- * Answers Accelerometer bias model (0x0D,0x1C).
- *
+ * Also called `accel_bias_model_response`. Answers mip_filter_accelerometer_bias_model_parameters.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C)
@@ -958,7 +1203,10 @@ mip_filter_accelerometer_bias_model_parameters_default(void);
 struct mip_filter_accelerometer_bias_model_parameters_response {
     /** Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. */
     float beta[3];
-    /** Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. */
+    /**
+     * Standard deviation of the noise per axis. Elements: x, y, z. Unit: m/s^2. Range: greater than
+     * 0.
+     */
     float noise[3];
 };
 
@@ -979,9 +1227,7 @@ mip_error mip_filter_accelerometer_bias_model_parameters_response_encode(
  *
  * Parameters of the model by which the gyroscope bias drifts.
  *
- * Every noise value must be greater than 0.
- *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `gyro_bias_model`. Functions: write, read, save, load and default. Answered by
  * mip_filter_gyroscope_bias_model_parameters_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
  *
@@ -989,13 +1235,19 @@ mip_error mip_filter_accelerometer_bias_model_parameters_response_encode(
  * - 3dm-gx5-15: 4.3.14 Gyroscope Bias Model Parameters (0x0D, 0x1D)
  */
 struct mip_filter_gyroscope_bias_model_parameters {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. For write. */
+    /**
+     * Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. Required for
+     * write.
+     */
     float beta[3];
-    /** Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. For write. */
+    /**
+     * Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater than
+     * 0. Required for write.
+     */
     float noise[3];
 };
 
@@ -1008,8 +1260,8 @@ mip_error mip_filter_gyroscope_bias_model_parameters_decode(
 mip_error mip_filter_gyroscope_bias_model_parameters_encode(
     const struct mip_filter_gyroscope_bias_model_parameters *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_gyroscope_bias_model_parameters mip_filter_gyroscope_bias_model_parameters_write(
-    const float beta[3], const float noise[3]);
+struct mip_filter_gyroscope_bias_model_parameters
+mip_filter_gyroscope_bias_model_parameters_write(const float beta[3], const float noise[3]);
 /** Send the current setting back in a response. */
 struct mip_filter_gyroscope_bias_model_parameters
 mip_filter_gyroscope_bias_model_parameters_read(void);
@@ -1026,8 +1278,7 @@ mip_filter_gyroscope_bias_model_parameters_default(void);
 /**
  * Gyroscope bias model response: response (0x0D,0x8C).
  *
- * Answers Gyroscope bias model (0x0D,0x1D).
- *
+ * Also called `gyro_bias_model_response`. Answers mip_filter_gyroscope_bias_model_parameters.
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D)
@@ -1036,7 +1287,10 @@ mip_filter_gyroscope_bias_model_parameters_default(void);
 struct mip_filter_gyroscope_bias_model_parameters_response {
     /** Reciprocal of the correlation time per axis. Elements: x, y, z. Unit: 1/s. */
     float beta[3];
-    /** Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. */
+    /**
+     * Standard deviation of the noise per axis. Elements: x, y, z. Unit: rad/s. Range: greater than
+     * 0.
+     */
     float noise[3];
 };
 
@@ -1053,9 +1307,77 @@ mip_error mip_filter_gyroscope_bias_model_parameters_response_encode(
     struct mip_builder *builder);
 
 /**
+ * Automatic zero velocity update: command (0x0D,0x1E).
+ *
+ * Lets the filter take the device as standing still while its GNSS speed is small.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_filter_auto_zupt_response.
+ *
+ * The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
+ *
+ * The device refuses a negative threshold.
+ *
+ * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
+ */
+struct mip_filter_auto_zupt {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
+    uint8_t enable;
+    /** Largest speed that is taken as zero. Unit: m/s. Range: at least 0. Required for write. */
+    float threshold;
+};
+
+#define MIP_FILTER_AUTO_ZUPT_DESCRIPTOR 0x1E
+#define MIP_FILTER_AUTO_ZUPT_NAME "filter.auto_zupt"
+
+extern const struct mip_codec mip_filter_auto_zupt_codec;
+mip_error mip_filter_auto_zupt_decode(struct mip_filter_auto_zupt *value,
+                                      const struct mip_field *field);
+mip_error mip_filter_auto_zupt_encode(const struct mip_filter_auto_zupt *value,
+                                      struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_auto_zupt mip_filter_auto_zupt_write(uint8_t enable, float threshold);
+/** Send the current setting back in a response. */
+struct mip_filter_auto_zupt mip_filter_auto_zupt_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_auto_zupt mip_filter_auto_zupt_save(void);
+/** Load the saved setting. */
+struct mip_filter_auto_zupt mip_filter_auto_zupt_load(void);
+/** Load the factory default setting. */
+struct mip_filter_auto_zupt mip_filter_auto_zupt_default(void);
+
+/**
+ * Automatic zero velocity update response: response (0x0D,0x8D).
+ *
+ * Answers mip_filter_auto_zupt.
+ *
+ * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
+ */
+struct mip_filter_auto_zupt_response {
+    /** 0 disables, 1 enables. Range: 0 to 1. */
+    uint8_t enable;
+    /** Largest speed that is taken as zero. Unit: m/s. Range: at least 0. */
+    float threshold;
+};
+
+#define MIP_FILTER_AUTO_ZUPT_RESPONSE_DESCRIPTOR 0x8D
+#define MIP_FILTER_AUTO_ZUPT_RESPONSE_NAME "filter.auto_zupt_response"
+
+extern const struct mip_codec mip_filter_auto_zupt_response_codec;
+mip_error mip_filter_auto_zupt_response_decode(struct mip_filter_auto_zupt_response *value,
+                                               const struct mip_field *field);
+mip_error mip_filter_auto_zupt_response_encode(const struct mip_filter_auto_zupt_response *value,
+                                               struct mip_builder *builder);
+
+/**
  * External heading update with time: command (0x0D,0x1F).
  *
  * Gives the filter one measurement of the heading of the sensor frame with its GPS time.
+ *
+ * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * Better than `external_heading_update` where the heading changes quickly; the time must be
  * accurate.
@@ -1067,8 +1389,6 @@ mip_error mip_filter_gyroscope_bias_model_parameters_response_encode(
  *
  * If the declination source is not valid, -25 models refuse true headings and -45 models magnetic
  * ones.
- *
- * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: External Heading Update With Time (0x0D,0x1F)
  * - 3dm-gx5-15: 4.3.8 External Heading Update with Timestamp (0x0D, 0x1F)
@@ -1083,7 +1403,10 @@ struct mip_filter_external_heading_update_with_time {
      * -3.141592653589793 to 3.141592653589793.
      */
     float heading;
-    /** Standard deviation; it must be greater than 0, other values are refused. Unit: rad. */
+    /**
+     * Standard deviation; the device refuses a value out of bounds. Unit: rad. Range: greater than
+     * 0.
+     */
     float heading_uncertainty;
     /** North that the heading refers to. */
     mip_filter_heading_type type;
@@ -1108,23 +1431,26 @@ mip_filter_external_heading_update_with_time_make(double gps_time, uint16_t gps_
  *
  * Lets the filter take the device as not rotating while its angular rate is small.
  *
- * The update applies while the magnitude of the angular rate vector is at or below the threshold.
- *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `auto_angular_zupt`. Functions: write, read, save, load and default. Answered by
  * mip_filter_zero_angular_rate_update_control_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
+ *
+ * The update applies while the magnitude of the angular rate vector is at or below the threshold.
  *
  * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
  * - 3dm-gx5-15: 4.3.15 Zero Angular Rate Update Control (0x0D, 0x20)
  */
 struct mip_filter_zero_angular_rate_update_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
-    /** Largest angular rate that is taken as zero. Unit: rad/s. At least 0. For write. */
+    /**
+     * Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. Required for
+     * write.
+     */
     float threshold;
 };
 
@@ -1155,8 +1481,7 @@ mip_filter_zero_angular_rate_update_control_default(void);
 /**
  * Zero angular rate update response: response (0x0D,0x8E).
  *
- * Answers Zero angular rate update (0x0D,0x20).
- *
+ * Also called `auto_angular_zupt_response`. Answers mip_filter_zero_angular_rate_update_control.
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20)
@@ -1165,7 +1490,7 @@ mip_filter_zero_angular_rate_update_control_default(void);
 struct mip_filter_zero_angular_rate_update_control_response {
     /** 0 disables, 1 enables. Range: 0 to 1. */
     uint8_t enable;
-    /** Largest angular rate that is taken as zero. Unit: rad/s. At least 0. */
+    /** Largest angular rate that is taken as zero. Unit: rad/s. Range: at least 0. */
     float threshold;
 };
 
@@ -1186,18 +1511,20 @@ mip_error mip_filter_zero_angular_rate_update_control_response_encode(
  *
  * Makes the present orientation in the NED frame the sensor-to-vehicle transformation.
  *
+ * Functions: write, read, save, load and default. Answered by mip_filter_tare_orientation_response.
+ * Supported by 3DM-GX5-15. On the 3DM-GX5-15: write, save, load and default only.
+ *
  * Refused while the filter has no valid attitude.
  *
- * Functions: write, save, load and default. Supported by 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
+ * - mip-sdk-4: Tare Orientation (0x0D,0x21)
  */
 struct mip_filter_tare_orientation {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Axes to tare; 0 resets all axes. For write. */
+    /** Axes to tare; 0 resets all axes. Required for write. */
     mip_filter_tare_axes axes;
 };
 
@@ -1211,6 +1538,8 @@ mip_error mip_filter_tare_orientation_encode(const struct mip_filter_tare_orient
                                              struct mip_builder *builder);
 /** Apply the new setting. */
 struct mip_filter_tare_orientation mip_filter_tare_orientation_write(mip_filter_tare_axes axes);
+/** Send the current setting back in a response. */
+struct mip_filter_tare_orientation mip_filter_tare_orientation_read(void);
 /** Save the current setting to non-volatile memory. */
 struct mip_filter_tare_orientation mip_filter_tare_orientation_save(void);
 /** Load the saved setting. */
@@ -1219,13 +1548,60 @@ struct mip_filter_tare_orientation mip_filter_tare_orientation_load(void);
 struct mip_filter_tare_orientation mip_filter_tare_orientation_default(void);
 
 /**
+ * Tare orientation response: response (0x0D,0xA1).
+ *
+ * Answers mip_filter_tare_orientation. Uncertain: Which devices send it. The SDK reads the setting
+ * back; the manuals of the 3DM-GX5-15 and 3DM-GX5-45 have neither the read function nor the
+ * response.
+ *
+ * - 3dm-gx5-15: 4.3.16 Tare Orientation (0x0D, 0x21)
+ * - mip-sdk-4: Tare Orientation (0x0D,0x21)
+ */
+struct mip_filter_tare_orientation_response {
+    /** Axes to tare; 0 resets all axes. */
+    mip_filter_tare_axes axes;
+};
+
+#define MIP_FILTER_TARE_ORIENTATION_RESPONSE_DESCRIPTOR 0xA1
+#define MIP_FILTER_TARE_ORIENTATION_RESPONSE_NAME "filter.tare_orientation_response"
+
+extern const struct mip_codec mip_filter_tare_orientation_response_codec;
+mip_error mip_filter_tare_orientation_response_decode(
+    struct mip_filter_tare_orientation_response *value, const struct mip_field *field);
+mip_error mip_filter_tare_orientation_response_encode(
+    const struct mip_filter_tare_orientation_response *value, struct mip_builder *builder);
+
+/**
+ * Commanded zero velocity update: command (0x0D,0x22).
+ *
+ * Tells the filter once that the device stands still.
+ *
+ * The highest rate depends on the device.
+ *
+ * - mip-sdk-4: Commanded Zupt (0x0D,0x22)
+ */
+struct mip_filter_commanded_zupt {
+    /** Not used: there are no parameters. */
+    uint8_t empty;
+};
+
+#define MIP_FILTER_COMMANDED_ZUPT_DESCRIPTOR 0x22
+#define MIP_FILTER_COMMANDED_ZUPT_NAME "filter.commanded_zupt"
+
+extern const struct mip_codec mip_filter_commanded_zupt_codec;
+mip_error mip_filter_commanded_zupt_decode(struct mip_filter_commanded_zupt *value,
+                                           const struct mip_field *field);
+mip_error mip_filter_commanded_zupt_encode(const struct mip_filter_commanded_zupt *value,
+                                           struct mip_builder *builder);
+
+/**
  * Commanded zero angular rate update: command (0x0D,0x23).
  *
  * Tells the filter once that the device is not rotating.
  *
- * At most 10 per second.
+ * Also called `commanded_angular_zupt`. Supported by 3DM-GX5-15.
  *
- * Supported by 3DM-GX5-15.
+ * At most 10 per second.
  *
  * - 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23)
  */
@@ -1249,23 +1625,23 @@ mip_error mip_filter_commanded_zero_angular_rate_update_encode(
  *
  * Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `reference_position`. Functions: write, read, save, load and default. Answered by
  * mip_filter_set_reference_position_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
 struct mip_filter_set_reference_position {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
-    /** Latitude. Unit: deg. Frame: llh. For write. */
+    /** Latitude. Unit: deg. Frame: llh. Required for write. */
     double latitude;
-    /** Longitude. Unit: deg. Frame: llh. For write. */
+    /** Longitude. Unit: deg. Frame: llh. Required for write. */
     double longitude;
-    /** Altitude. Unit: m. Frame: llh. For write. */
+    /** Altitude. Unit: m. Frame: llh. Required for write. */
     double altitude;
 };
 
@@ -1294,9 +1670,8 @@ struct mip_filter_set_reference_position mip_filter_set_reference_position_defau
 /**
  * Set reference position response: response (0x0D,0x90).
  *
- * Answers Set reference position (0x0D,0x26).
- *
- * Supported by 3DM-GX5-15.
+ * Also called `reference_position_response`. Answers mip_filter_set_reference_position. Supported
+ * by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26)
  */
@@ -1321,25 +1696,60 @@ mip_error mip_filter_set_reference_position_response_encode(
     const struct mip_filter_set_reference_position_response *value, struct mip_builder *builder);
 
 /**
+ * Capture automatic magnetometer calibration: command (0x0D,0x27).
+ *
+ * Makes the automatic magnetometer calibration part of the fixed one.
+ *
+ * Functions: write and save.
+ *
+ * A write combines the automatic calibration with the hard iron offset (0x0C,0x3A) and the soft
+ * iron matrix (0x0C,0x3B), and resets it.
+ *
+ * A save does the same as the save of both of these commands.
+ *
+ * - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
+ */
+struct mip_filter_mag_capture_auto_cal {
+    /** What to do with the setting. */
+    mip_function_selector function;
+};
+
+#define MIP_FILTER_MAG_CAPTURE_AUTO_CAL_DESCRIPTOR 0x27
+#define MIP_FILTER_MAG_CAPTURE_AUTO_CAL_NAME "filter.mag_capture_auto_cal"
+
+extern const struct mip_codec mip_filter_mag_capture_auto_cal_codec;
+mip_error mip_filter_mag_capture_auto_cal_decode(struct mip_filter_mag_capture_auto_cal *value,
+                                                 const struct mip_field *field);
+mip_error mip_filter_mag_capture_auto_cal_encode(
+    const struct mip_filter_mag_capture_auto_cal *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_mag_capture_auto_cal mip_filter_mag_capture_auto_cal_write(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_mag_capture_auto_cal mip_filter_mag_capture_auto_cal_save(void);
+
+/**
  * Gravity noise: command (0x0D,0x28).
  *
  * Standard deviation of the gravity noise that the filter assumes (process noise).
  *
- * Every value must be greater than 0. The factory values suit most laboratory conditions.
- *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `gravity_noise`. Functions: write, read, save, load and default. Answered by
  * mip_filter_gravity_noise_standard_deviation_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
+ *
+ * The factory values suit most laboratory conditions.
  *
  * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
  */
 struct mip_filter_gravity_noise_standard_deviation {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Standard deviation per axis. Elements: x, y, z. Unit: g. For write. */
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. Required for
+     * write.
+     */
     float noise[3];
 };
 
@@ -1370,15 +1780,14 @@ mip_filter_gravity_noise_standard_deviation_default(void);
 /**
  * Gravity noise response: response (0x0D,0x93).
  *
- * Answers Gravity noise (0x0D,0x28).
- *
+ * Also called `gravity_noise_response`. Answers mip_filter_gravity_noise_standard_deviation.
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
  * - 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28)
  * - 3dm-gx5-15: 4.3.11 Gravity Noise Standard Deviation (0x0D, 0x28)
  */
 struct mip_filter_gravity_noise_standard_deviation_response {
-    /** Standard deviation per axis. Elements: x, y, z. Unit: g. */
+    /** Standard deviation per axis. Elements: x, y, z. Unit: g. Range: greater than 0. */
     float noise[3];
 };
 
@@ -1395,6 +1804,196 @@ mip_error mip_filter_gravity_noise_standard_deviation_response_encode(
     struct mip_builder *builder);
 
 /**
+ * Pressure altitude noise: command (0x0D,0x29).
+ *
+ * Standard deviation of the noise of the pressure altitude model that the filter assumes.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_pressure_altitude_noise_response.
+ *
+ * A small value follows the pressure faster, and takes weather and draughts for changes of height.
+ *
+ * - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
+ */
+struct mip_filter_pressure_altitude_noise {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Standard deviation. Unit: m. Range: greater than 0. Required for write. */
+    float noise;
+};
+
+#define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_DESCRIPTOR 0x29
+#define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_NAME "filter.pressure_altitude_noise"
+
+extern const struct mip_codec mip_filter_pressure_altitude_noise_codec;
+mip_error mip_filter_pressure_altitude_noise_decode(
+    struct mip_filter_pressure_altitude_noise *value, const struct mip_field *field);
+mip_error mip_filter_pressure_altitude_noise_encode(
+    const struct mip_filter_pressure_altitude_noise *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_write(float noise);
+/** Send the current setting back in a response. */
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_save(void);
+/** Load the saved setting. */
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_load(void);
+/** Load the factory default setting. */
+struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_default(void);
+
+/**
+ * Pressure altitude noise response: response (0x0D,0x94).
+ *
+ * Answers mip_filter_pressure_altitude_noise.
+ *
+ * - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
+ */
+struct mip_filter_pressure_altitude_noise_response {
+    /** Standard deviation. Unit: m. Range: greater than 0. */
+    float noise;
+};
+
+#define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_DESCRIPTOR 0x94
+#define MIP_FILTER_PRESSURE_ALTITUDE_NOISE_RESPONSE_NAME "filter.pressure_altitude_noise_response"
+
+extern const struct mip_codec mip_filter_pressure_altitude_noise_response_codec;
+mip_error mip_filter_pressure_altitude_noise_response_decode(
+    struct mip_filter_pressure_altitude_noise_response *value, const struct mip_field *field);
+mip_error mip_filter_pressure_altitude_noise_response_encode(
+    const struct mip_filter_pressure_altitude_noise_response *value, struct mip_builder *builder);
+
+/**
+ * Hard iron offset noise: command (0x0D,0x2B).
+ *
+ * Standard deviation of the noise of the estimated hard iron offset (process noise).
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_hard_iron_offset_noise_response.
+ *
+ * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
+ */
+struct mip_filter_hard_iron_offset_noise {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
+     * for write.
+     */
+    float noise[3];
+};
+
+#define MIP_FILTER_HARD_IRON_OFFSET_NOISE_DESCRIPTOR 0x2B
+#define MIP_FILTER_HARD_IRON_OFFSET_NOISE_NAME "filter.hard_iron_offset_noise"
+
+extern const struct mip_codec mip_filter_hard_iron_offset_noise_codec;
+mip_error mip_filter_hard_iron_offset_noise_decode(struct mip_filter_hard_iron_offset_noise *value,
+                                                   const struct mip_field *field);
+mip_error mip_filter_hard_iron_offset_noise_encode(
+    const struct mip_filter_hard_iron_offset_noise *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_hard_iron_offset_noise
+mip_filter_hard_iron_offset_noise_write(const float noise[3]);
+/** Send the current setting back in a response. */
+struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_save(void);
+/** Load the saved setting. */
+struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_load(void);
+/** Load the factory default setting. */
+struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_default(void);
+
+/**
+ * Hard iron offset noise response: response (0x0D,0x96).
+ *
+ * Answers mip_filter_hard_iron_offset_noise.
+ *
+ * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
+ */
+struct mip_filter_hard_iron_offset_noise_response {
+    /** Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. */
+    float noise[3];
+};
+
+#define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_DESCRIPTOR 0x96
+#define MIP_FILTER_HARD_IRON_OFFSET_NOISE_RESPONSE_NAME "filter.hard_iron_offset_noise_response"
+
+extern const struct mip_codec mip_filter_hard_iron_offset_noise_response_codec;
+mip_error mip_filter_hard_iron_offset_noise_response_decode(
+    struct mip_filter_hard_iron_offset_noise_response *value, const struct mip_field *field);
+mip_error mip_filter_hard_iron_offset_noise_response_encode(
+    const struct mip_filter_hard_iron_offset_noise_response *value, struct mip_builder *builder);
+
+/**
+ * Soft iron matrix noise: command (0x0D,0x2C).
+ *
+ * Standard deviation of the noise of the estimated soft iron matrix (process noise).
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_soft_iron_matrix_noise_response.
+ *
+ * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
+ */
+struct mip_filter_soft_iron_matrix_noise {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+     * 1. Range: greater than 0. Required for write.
+     */
+    float noise[9];
+};
+
+#define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_DESCRIPTOR 0x2C
+#define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_NAME "filter.soft_iron_matrix_noise"
+
+extern const struct mip_codec mip_filter_soft_iron_matrix_noise_codec;
+mip_error mip_filter_soft_iron_matrix_noise_decode(struct mip_filter_soft_iron_matrix_noise *value,
+                                                   const struct mip_field *field);
+mip_error mip_filter_soft_iron_matrix_noise_encode(
+    const struct mip_filter_soft_iron_matrix_noise *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_soft_iron_matrix_noise
+mip_filter_soft_iron_matrix_noise_write(const float noise[9]);
+/** Send the current setting back in a response. */
+struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_save(void);
+/** Load the saved setting. */
+struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_load(void);
+/** Load the factory default setting. */
+struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_default(void);
+
+/**
+ * Soft iron matrix noise response: response (0x0D,0x97).
+ *
+ * Answers mip_filter_soft_iron_matrix_noise.
+ *
+ * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
+ */
+struct mip_filter_soft_iron_matrix_noise_response {
+    /**
+     * Standard deviation per element. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit:
+     * 1. Range: greater than 0.
+     */
+    float noise[9];
+};
+
+#define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_DESCRIPTOR 0x97
+#define MIP_FILTER_SOFT_IRON_MATRIX_NOISE_RESPONSE_NAME "filter.soft_iron_matrix_noise_response"
+
+extern const struct mip_codec mip_filter_soft_iron_matrix_noise_response_codec;
+mip_error mip_filter_soft_iron_matrix_noise_response_decode(
+    struct mip_filter_soft_iron_matrix_noise_response *value, const struct mip_field *field);
+mip_error mip_filter_soft_iron_matrix_noise_response_encode(
+    const struct mip_filter_soft_iron_matrix_noise_response *value, struct mip_builder *builder);
+
+/**
  * Enable or disable measurements: command (0x0D,0x41).
  *
  * Which inertial measurements the filter uses.
@@ -1405,11 +2004,11 @@ mip_error mip_filter_gravity_noise_standard_deviation_response_encode(
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
 struct mip_filter_enable_disable_measurements {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Measurements to use. For write. */
+    /** Measurements to use. Required for write. */
     mip_filter_measurement_flags control;
 };
 
@@ -1422,8 +2021,8 @@ mip_error mip_filter_enable_disable_measurements_decode(
 mip_error mip_filter_enable_disable_measurements_encode(
     const struct mip_filter_enable_disable_measurements *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_write(
-    mip_filter_measurement_flags control);
+struct mip_filter_enable_disable_measurements
+mip_filter_enable_disable_measurements_write(mip_filter_measurement_flags control);
 /** Send the current setting back in a response. */
 struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurements_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -1436,9 +2035,7 @@ struct mip_filter_enable_disable_measurements mip_filter_enable_disable_measurem
 /**
  * Enable or disable measurements response: response (0x0D,0xB0).
  *
- * Answers Enable or disable measurements (0x0D,0x41).
- *
- * Supported by 3DM-GX5-15.
+ * Answers mip_filter_enable_disable_measurements. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41)
  */
@@ -1459,25 +2056,88 @@ mip_error mip_filter_enable_disable_measurements_response_encode(
     struct mip_builder *builder);
 
 /**
+ * Magnetometer noise: command (0x0D,0x42).
+ *
+ * Standard deviation of the magnetometer noise that the filter assumes.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_filter_mag_noise_response.
+ * Uncertain: The SDK calls it process noise, although the noise is that of a measurement.
+ *
+ * - mip-sdk-4: Mag Noise (0x0D,0x42)
+ */
+struct mip_filter_mag_noise {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. Required
+     * for write.
+     */
+    float noise[3];
+};
+
+#define MIP_FILTER_MAG_NOISE_DESCRIPTOR 0x42
+#define MIP_FILTER_MAG_NOISE_NAME "filter.mag_noise"
+
+extern const struct mip_codec mip_filter_mag_noise_codec;
+mip_error mip_filter_mag_noise_decode(struct mip_filter_mag_noise *value,
+                                      const struct mip_field *field);
+mip_error mip_filter_mag_noise_encode(const struct mip_filter_mag_noise *value,
+                                      struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_mag_noise mip_filter_mag_noise_write(const float noise[3]);
+/** Send the current setting back in a response. */
+struct mip_filter_mag_noise mip_filter_mag_noise_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_mag_noise mip_filter_mag_noise_save(void);
+/** Load the saved setting. */
+struct mip_filter_mag_noise mip_filter_mag_noise_load(void);
+/** Load the factory default setting. */
+struct mip_filter_mag_noise mip_filter_mag_noise_default(void);
+
+/**
+ * Magnetometer noise response: response (0x0D,0xB1).
+ *
+ * Answers mip_filter_mag_noise.
+ *
+ * - mip-sdk-4: Mag Noise (0x0D,0x42)
+ */
+struct mip_filter_mag_noise_response {
+    /** Standard deviation per axis. Elements: x, y, z. Unit: gauss. Range: greater than 0. */
+    float noise[3];
+};
+
+#define MIP_FILTER_MAG_NOISE_RESPONSE_DESCRIPTOR 0xB1
+#define MIP_FILTER_MAG_NOISE_RESPONSE_NAME "filter.mag_noise_response"
+
+extern const struct mip_codec mip_filter_mag_noise_response_codec;
+mip_error mip_filter_mag_noise_response_decode(struct mip_filter_mag_noise_response *value,
+                                               const struct mip_field *field);
+mip_error mip_filter_mag_noise_response_encode(const struct mip_filter_mag_noise_response *value,
+                                               struct mip_builder *builder);
+
+/**
  * Magnetic declination source: command (0x0D,0x43).
  *
  * Source of the local declination of the magnetic field.
  *
- * Without a good declination source, keep automatic magnetometer calibration off.
+ * Also called `magnetic_declination_source`. Functions: write, read, save, load and default.
+ * Answered by mip_filter_magnetic_field_declination_source_control_response. Supported by
+ * 3DM-CV7-GNSS/INS.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_magnetic_field_declination_source_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * Without a good declination source, keep automatic magnetometer calibration off.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  */
 struct mip_filter_magnetic_field_declination_source_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the declination. For write. */
-    mip_filter_declination_source source;
-    /** Declination; used only if `source` is manual. Unit: rad. For write. */
+    /** Source of the declination. Required for write. */
+    mip_filter_mag_parameter_source source;
+    /** Declination; used only if `source` is manual. Unit: rad. Required for write. */
     float declination;
 };
 
@@ -1494,7 +2154,7 @@ mip_error mip_filter_magnetic_field_declination_source_control_encode(
     struct mip_builder *builder);
 /** Apply the new setting. */
 struct mip_filter_magnetic_field_declination_source_control
-mip_filter_magnetic_field_declination_source_control_write(mip_filter_declination_source source,
+mip_filter_magnetic_field_declination_source_control_write(mip_filter_mag_parameter_source source,
                                                            float declination);
 /** Send the current setting back in a response. */
 struct mip_filter_magnetic_field_declination_source_control
@@ -1512,15 +2172,14 @@ mip_filter_magnetic_field_declination_source_control_default(void);
 /**
  * Magnetic declination source response: response (0x0D,0xB2).
  *
- * Answers Magnetic declination source (0x0D,0x43).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `magnetic_declination_source_response`. Answers
+ * mip_filter_magnetic_field_declination_source_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43)
  */
 struct mip_filter_magnetic_field_declination_source_control_response {
     /** Source of the declination. */
-    mip_filter_declination_source source;
+    mip_filter_mag_parameter_source source;
     /** Declination; used only if `source` is manual. Unit: rad. */
     float declination;
 };
@@ -1542,6 +2201,10 @@ mip_error mip_filter_magnetic_field_declination_source_control_response_encode(
  *
  * How far the filter trusts gravity measurements whose magnitude is not that of gravity.
  *
+ * Also called `accel_magnitude_error_adaptive_measurement`. Functions: write, read, save, load and
+ * default. Answered by mip_filter_gravity_magnitude_error_adaptive_measurement_response. Supported
+ * by 3DM-GX5-15.
+ *
  * Also called accelerometer magnitude error adaptive measurement.
  *
  * All parameters after the selector keep their values if they are left out.
@@ -1551,17 +2214,14 @@ mip_error mip_filter_magnetic_field_declination_source_control_response_encode(
  * Raise the limits where vibration is strong, lower them where it is weak. High limits cost pitch
  * and roll accuracy under linear acceleration, low limits cost heading accuracy.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_gravity_magnitude_error_adaptive_measurement_response. Supported by 3DM-GX5-15.
- *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
 struct mip_filter_gravity_magnitude_error_adaptive_measurement {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Kind of adaptation. For write. */
+    /** Kind of adaptation. Required for write. */
     mip_filter_adaptive_measurement_selector adaptive_measurement;
     /** Cut-off frequency of the low-pass filter. Unit: Hz. Optional. */
     float frequency;
@@ -1620,9 +2280,8 @@ mip_filter_gravity_magnitude_error_adaptive_measurement_default(void);
 /**
  * Gravity magnitude error adaptive measurement response: response (0x0D,0xB3).
  *
- * Answers Gravity magnitude error adaptive measurement (0x0D,0x44).
- *
- * Supported by 3DM-GX5-15.
+ * Also called `accel_magnitude_error_adaptive_measurement_response`. Answers
+ * mip_filter_gravity_magnitude_error_adaptive_measurement. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44)
  */
@@ -1657,21 +2316,335 @@ mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_encod
     struct mip_builder *builder);
 
 /**
+ * Magnetometer magnitude error adaptive measurement: command (0x0D,0x45).
+ *
+ * How far the filter trusts a magnetic field whose magnitude is not as expected.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_mag_magnitude_error_adaptive_measurement_response. Uncertain: Whether the parameters
+ * behind the selector may be left out on write, as those of (0x0D,0x44) may.
+ *
+ * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
+ * limits.
+ *
+ * High limits suit high dynamics but let disturbances of the field through; low limits can spoil
+ * the heading.
+ *
+ * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
+ */
+struct mip_filter_mag_magnitude_error_adaptive_measurement {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Kind of adaptation. Required for write. */
+    mip_filter_adaptive_measurement_selector adaptive_measurement;
+    /** Cut-off frequency of the low-pass filter. Unit: Hz. Required for write. */
+    float frequency;
+    /**
+     * Lower limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK
+     * prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
+     * response.
+     */
+    float low_limit;
+    /**
+     * Upper limit of the error. Unit: gauss. Required for write. Uncertain: The unit. The SDK
+     * prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
+     * response.
+     */
+    float high_limit;
+    /**
+     * Standard deviation at the lower limit. Unit: gauss. Required for write. Uncertain: The unit.
+     * The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
+     * response.
+     */
+    float low_limit_uncertainty;
+    /**
+     * Standard deviation at the upper limit. Unit: gauss. Required for write. Uncertain: The unit.
+     * The SDK prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
+     * response.
+     */
+    float high_limit_uncertainty;
+    /**
+     * Smallest standard deviation. Unit: gauss. Required for write. Uncertain: The unit. The SDK
+     * prints m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the
+     * response.
+     */
+    float minimum_uncertainty;
+};
+
+#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR 0x45
+#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_NAME \
+    "filter.mag_magnitude_error_adaptive_measurement"
+
+extern const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_codec;
+mip_error mip_filter_mag_magnitude_error_adaptive_measurement_decode(
+    struct mip_filter_mag_magnitude_error_adaptive_measurement *value,
+    const struct mip_field *field);
+mip_error mip_filter_mag_magnitude_error_adaptive_measurement_encode(
+    const struct mip_filter_mag_magnitude_error_adaptive_measurement *value,
+    struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_write(
+    mip_filter_adaptive_measurement_selector adaptive_measurement, float frequency, float low_limit,
+    float high_limit, float low_limit_uncertainty, float high_limit_uncertainty,
+    float minimum_uncertainty);
+/** Send the current setting back in a response. */
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_save(void);
+/** Load the saved setting. */
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_load(void);
+/** Load the factory default setting. */
+struct mip_filter_mag_magnitude_error_adaptive_measurement
+mip_filter_mag_magnitude_error_adaptive_measurement_default(void);
+
+/**
+ * Magnetometer magnitude error adaptive measurement response: response (0x0D,0xB4).
+ *
+ * Answers mip_filter_mag_magnitude_error_adaptive_measurement.
+ *
+ * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
+ */
+struct mip_filter_mag_magnitude_error_adaptive_measurement_response {
+    /** Kind of adaptation. */
+    mip_filter_adaptive_measurement_selector adaptive_measurement;
+    /** Cut-off frequency of the low-pass filter. Unit: Hz. */
+    float frequency;
+    /**
+     * Lower limit of the error. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of
+     * the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     */
+    float low_limit;
+    /**
+     * Upper limit of the error. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual of
+     * the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     */
+    float high_limit;
+    /**
+     * Standard deviation at the lower limit. Unit: gauss. Uncertain: The unit. The SDK prints
+     * m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     */
+    float low_limit_uncertainty;
+    /**
+     * Standard deviation at the upper limit. Unit: gauss. Uncertain: The unit. The SDK prints
+     * m/s^2; a manual of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     */
+    float high_limit_uncertainty;
+    /**
+     * Smallest standard deviation. Unit: gauss. Uncertain: The unit. The SDK prints m/s^2; a manual
+     * of the 3DM-GX5-45 prints m/s^2 in the command and gauss in the response.
+     */
+    float minimum_uncertainty;
+};
+
+#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR 0xB4
+#define MIP_FILTER_MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_NAME \
+    "filter.mag_magnitude_error_adaptive_measurement_response"
+
+extern const struct mip_codec mip_filter_mag_magnitude_error_adaptive_measurement_response_codec;
+mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_decode(
+    struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_encode(
+    const struct mip_filter_mag_magnitude_error_adaptive_measurement_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Magnetometer dip angle error adaptive measurement: command (0x0D,0x46).
+ *
+ * How far the filter trusts a magnetic field whose dip angle is not as expected.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_mag_dip_angle_error_adaptive_measurement_response.
+ *
+ * It has no effect while (0x0D,0x44) or (0x0D,0x45) is set to `auto`.
+ *
+ * High limits suit high dynamics but let disturbances of the field through; low limits can spoil
+ * the heading.
+ *
+ * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
+ */
+struct mip_filter_mag_dip_angle_error_adaptive_measurement {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Whether the adaptation is on. Required for write. */
+    mip_bool enable;
+    /** Cut-off frequency of the low-pass filter. Unit: Hz. Required for write. */
+    float frequency;
+    /**
+     * Upper limit of the error. Unit: rad. Required for write. Uncertain: The unit. The SDK prints
+     * m/s^2; rad is inferred from the quantity.
+     */
+    float high_limit;
+    /**
+     * Standard deviation at the upper limit. Unit: rad. Required for write. Uncertain: The unit.
+     * The SDK prints m/s^2; rad is inferred from the quantity.
+     */
+    float high_limit_uncertainty;
+    /**
+     * Smallest standard deviation. Unit: rad. Required for write. Uncertain: The unit. The SDK
+     * prints m/s^2; rad is inferred from the quantity.
+     */
+    float minimum_uncertainty;
+};
+
+#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_DESCRIPTOR 0x46
+#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_NAME \
+    "filter.mag_dip_angle_error_adaptive_measurement"
+
+extern const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_codec;
+mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_decode(
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement *value,
+    const struct mip_field *field);
+mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_encode(
+    const struct mip_filter_mag_dip_angle_error_adaptive_measurement *value,
+    struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_write(mip_bool enable, float frequency,
+                                                          float high_limit,
+                                                          float high_limit_uncertainty,
+                                                          float minimum_uncertainty);
+/** Send the current setting back in a response. */
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_save(void);
+/** Load the saved setting. */
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_load(void);
+/** Load the factory default setting. */
+struct mip_filter_mag_dip_angle_error_adaptive_measurement
+mip_filter_mag_dip_angle_error_adaptive_measurement_default(void);
+
+/**
+ * Magnetometer dip angle error adaptive measurement response: response (0x0D,0xB5).
+ *
+ * Answers mip_filter_mag_dip_angle_error_adaptive_measurement.
+ *
+ * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
+ */
+struct mip_filter_mag_dip_angle_error_adaptive_measurement_response {
+    /** Whether the adaptation is on. */
+    mip_bool enable;
+    /** Cut-off frequency of the low-pass filter. Unit: Hz. */
+    float frequency;
+    /**
+     * Upper limit of the error. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
+     * inferred from the quantity.
+     */
+    float high_limit;
+    /**
+     * Standard deviation at the upper limit. Unit: rad. Uncertain: The unit. The SDK prints m/s^2;
+     * rad is inferred from the quantity.
+     */
+    float high_limit_uncertainty;
+    /**
+     * Smallest standard deviation. Unit: rad. Uncertain: The unit. The SDK prints m/s^2; rad is
+     * inferred from the quantity.
+     */
+    float minimum_uncertainty;
+};
+
+#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_DESCRIPTOR 0xB5
+#define MIP_FILTER_MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_NAME \
+    "filter.mag_dip_angle_error_adaptive_measurement_response"
+
+extern const struct mip_codec mip_filter_mag_dip_angle_error_adaptive_measurement_response_codec;
+mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_decode(
+    struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_encode(
+    const struct mip_filter_mag_dip_angle_error_adaptive_measurement_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Altitude aiding: command (0x0D,0x47).
+ *
+ * What aids the altitude beside GNSS.
+ *
+ * Functions: write, read, save, load and default. Answered by mip_filter_altitude_aiding_response.
+ *
+ * GNSS stays the main source of altitude; the aid improves it and bridges outages.
+ *
+ * Weather and place shift the pressure altitude, at times by more than 40 m.
+ *
+ * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+ */
+struct mip_filter_altitude_aiding {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Source of the aiding. Required for write. */
+    mip_filter_altitude_aiding_source selector;
+};
+
+#define MIP_FILTER_ALTITUDE_AIDING_DESCRIPTOR 0x47
+#define MIP_FILTER_ALTITUDE_AIDING_NAME "filter.altitude_aiding"
+
+extern const struct mip_codec mip_filter_altitude_aiding_codec;
+mip_error mip_filter_altitude_aiding_decode(struct mip_filter_altitude_aiding *value,
+                                            const struct mip_field *field);
+mip_error mip_filter_altitude_aiding_encode(const struct mip_filter_altitude_aiding *value,
+                                            struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_altitude_aiding
+mip_filter_altitude_aiding_write(mip_filter_altitude_aiding_source selector);
+/** Send the current setting back in a response. */
+struct mip_filter_altitude_aiding mip_filter_altitude_aiding_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_altitude_aiding mip_filter_altitude_aiding_save(void);
+/** Load the saved setting. */
+struct mip_filter_altitude_aiding mip_filter_altitude_aiding_load(void);
+/** Load the factory default setting. */
+struct mip_filter_altitude_aiding mip_filter_altitude_aiding_default(void);
+
+/**
+ * Altitude aiding response: response (0x0D,0xB7).
+ *
+ * Answers mip_filter_altitude_aiding.
+ *
+ * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
+ */
+struct mip_filter_altitude_aiding_response {
+    /** Source of the aiding. */
+    mip_filter_altitude_aiding_source selector;
+};
+
+#define MIP_FILTER_ALTITUDE_AIDING_RESPONSE_DESCRIPTOR 0xB7
+#define MIP_FILTER_ALTITUDE_AIDING_RESPONSE_NAME "filter.altitude_aiding_response"
+
+extern const struct mip_codec mip_filter_altitude_aiding_response_codec;
+mip_error mip_filter_altitude_aiding_response_decode(
+    struct mip_filter_altitude_aiding_response *value, const struct mip_field *field);
+mip_error mip_filter_altitude_aiding_response_encode(
+    const struct mip_filter_altitude_aiding_response *value, struct mip_builder *builder);
+
+/**
  * Pitch and roll aiding: command (0x0D,0x4B).
  *
  * What aids pitch and roll while the motion is gentle.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `pitch_roll_aiding`. Functions: write, read, save, load and default. Answered by
  * mip_filter_pitch_roll_aiding_control_response. Supported by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
 struct mip_filter_pitch_roll_aiding_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the aiding. For write. */
+    /** Source of the aiding. Required for write. */
     mip_filter_pitch_roll_aiding_source aiding;
 };
 
@@ -1684,8 +2657,8 @@ mip_error mip_filter_pitch_roll_aiding_control_decode(
 mip_error mip_filter_pitch_roll_aiding_control_encode(
     const struct mip_filter_pitch_roll_aiding_control *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_write(
-    mip_filter_pitch_roll_aiding_source aiding);
+struct mip_filter_pitch_roll_aiding_control
+mip_filter_pitch_roll_aiding_control_write(mip_filter_pitch_roll_aiding_source aiding);
 /** Send the current setting back in a response. */
 struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -1698,9 +2671,8 @@ struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control
 /**
  * Pitch and roll aiding response: response (0x0D,0xBB).
  *
- * Answers Pitch and roll aiding (0x0D,0x4B).
- *
- * Supported by 3DM-GX5-15.
+ * Also called `pitch_roll_aiding_response`. Answers mip_filter_pitch_roll_aiding_control. Supported
+ * by 3DM-GX5-15.
  *
  * - 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B)
  */
@@ -1720,23 +2692,333 @@ mip_error mip_filter_pitch_roll_aiding_control_response_encode(
     const struct mip_filter_pitch_roll_aiding_control_response *value, struct mip_builder *builder);
 
 /**
+ * Magnetic inclination source: command (0x0D,0x4C).
+ *
+ * Source of the local inclination (dip angle) of the magnetic field.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_inclination_source_response.
+ *
+ * Without a good inclination source, keep automatic magnetometer calibration off.
+ *
+ * - mip-sdk-4: Inclination Source (0x0D,0x4C)
+ */
+struct mip_filter_inclination_source {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Source of the inclination. Required for write. */
+    mip_filter_mag_parameter_source source;
+    /**
+     * Inclination; used only if `source` is manual. Unit: rad. Required for write. Uncertain:
+     * Whether it may be left out if `source` is not manual. The SDK sends it always.
+     */
+    float inclination;
+};
+
+#define MIP_FILTER_INCLINATION_SOURCE_DESCRIPTOR 0x4C
+#define MIP_FILTER_INCLINATION_SOURCE_NAME "filter.inclination_source"
+
+extern const struct mip_codec mip_filter_inclination_source_codec;
+mip_error mip_filter_inclination_source_decode(struct mip_filter_inclination_source *value,
+                                               const struct mip_field *field);
+mip_error mip_filter_inclination_source_encode(const struct mip_filter_inclination_source *value,
+                                               struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_inclination_source
+mip_filter_inclination_source_write(mip_filter_mag_parameter_source source, float inclination);
+/** Send the current setting back in a response. */
+struct mip_filter_inclination_source mip_filter_inclination_source_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_inclination_source mip_filter_inclination_source_save(void);
+/** Load the saved setting. */
+struct mip_filter_inclination_source mip_filter_inclination_source_load(void);
+/** Load the factory default setting. */
+struct mip_filter_inclination_source mip_filter_inclination_source_default(void);
+
+/**
+ * Magnetic inclination source response: response (0x0D,0xBC).
+ *
+ * Answers mip_filter_inclination_source.
+ *
+ * - mip-sdk-4: Inclination Source (0x0D,0x4C)
+ */
+struct mip_filter_inclination_source_response {
+    /** Source of the inclination. */
+    mip_filter_mag_parameter_source source;
+    /**
+     * Inclination; used only if `source` is manual. Unit: rad. Uncertain: Whether it may be left
+     * out if `source` is not manual. The SDK sends it always.
+     */
+    float inclination;
+};
+
+#define MIP_FILTER_INCLINATION_SOURCE_RESPONSE_DESCRIPTOR 0xBC
+#define MIP_FILTER_INCLINATION_SOURCE_RESPONSE_NAME "filter.inclination_source_response"
+
+extern const struct mip_codec mip_filter_inclination_source_response_codec;
+mip_error mip_filter_inclination_source_response_decode(
+    struct mip_filter_inclination_source_response *value, const struct mip_field *field);
+mip_error mip_filter_inclination_source_response_encode(
+    const struct mip_filter_inclination_source_response *value, struct mip_builder *builder);
+
+/**
+ * Magnetic field magnitude source: command (0x0D,0x4D).
+ *
+ * Source of the local magnitude of the magnetic field.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_mag_field_magnitude_source_response.
+ *
+ * Without a good magnitude source, keep automatic magnetometer calibration off.
+ *
+ * The adaptive measurement (0x0D,0x45) relies on it too.
+ *
+ * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
+ */
+struct mip_filter_mag_field_magnitude_source {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Source of the magnitude. Required for write. */
+    mip_filter_mag_parameter_source source;
+    /**
+     * Magnitude; used only if `source` is manual. Unit: gauss. Required for write. Uncertain:
+     * Whether it may be left out if `source` is not manual. The SDK sends it always.
+     */
+    float magnitude;
+};
+
+#define MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_DESCRIPTOR 0x4D
+#define MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_NAME "filter.mag_field_magnitude_source"
+
+extern const struct mip_codec mip_filter_mag_field_magnitude_source_codec;
+mip_error mip_filter_mag_field_magnitude_source_decode(
+    struct mip_filter_mag_field_magnitude_source *value, const struct mip_field *field);
+mip_error mip_filter_mag_field_magnitude_source_encode(
+    const struct mip_filter_mag_field_magnitude_source *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_write(
+    mip_filter_mag_parameter_source source, float magnitude);
+/** Send the current setting back in a response. */
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_save(void);
+/** Load the saved setting. */
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_load(void);
+/** Load the factory default setting. */
+struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_source_default(void);
+
+/**
+ * Magnetic field magnitude source response: response (0x0D,0xBD).
+ *
+ * Answers mip_filter_mag_field_magnitude_source.
+ *
+ * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
+ */
+struct mip_filter_mag_field_magnitude_source_response {
+    /** Source of the magnitude. */
+    mip_filter_mag_parameter_source source;
+    /**
+     * Magnitude; used only if `source` is manual. Unit: gauss. Uncertain: Whether it may be left
+     * out if `source` is not manual. The SDK sends it always.
+     */
+    float magnitude;
+};
+
+#define MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_DESCRIPTOR 0xBD
+#define MIP_FILTER_MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_NAME \
+    "filter.mag_field_magnitude_source_response"
+
+extern const struct mip_codec mip_filter_mag_field_magnitude_source_response_codec;
+mip_error mip_filter_mag_field_magnitude_source_response_decode(
+    struct mip_filter_mag_field_magnitude_source_response *value, const struct mip_field *field);
+mip_error mip_filter_mag_field_magnitude_source_response_encode(
+    const struct mip_filter_mag_field_magnitude_source_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Sensor to vehicle rotation, matrix: command (0x0D,0x4E).
+ *
+ * Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_sensor_to_vehicle_rotation_dcm_response.
+ *
+ * It is the inverse of the matrix that (0x0C,0x33) takes.
+ *
+ * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+ * velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
+ * filter.
+ *
+ * The device refuses a matrix that is not orthonormal to 0.001.
+ *
+ * The device keeps a quaternion, so the elements read back may differ a little from those written.
+ *
+ * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
+ */
+struct mip_filter_sensor_to_vehicle_rotation_dcm {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+     * Unit: 1. Required for write.
+     */
+    float dcm[9];
+};
+
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_DESCRIPTOR 0x4E
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_NAME "filter.sensor_to_vehicle_rotation_dcm"
+
+extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_codec;
+mip_error mip_filter_sensor_to_vehicle_rotation_dcm_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm *value, const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_rotation_dcm_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_write(const float dcm[9]);
+/** Send the current setting back in a response. */
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_save(void);
+/** Load the saved setting. */
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_load(void);
+/** Load the factory default setting. */
+struct mip_filter_sensor_to_vehicle_rotation_dcm
+mip_filter_sensor_to_vehicle_rotation_dcm_default(void);
+
+/**
+ * Sensor to vehicle rotation, matrix response: response (0x0D,0xBE).
+ *
+ * Answers mip_filter_sensor_to_vehicle_rotation_dcm.
+ *
+ * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
+ */
+struct mip_filter_sensor_to_vehicle_rotation_dcm_response {
+    /**
+     * Rotation matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
+     * Unit: 1.
+     */
+    float dcm[9];
+};
+
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_DESCRIPTOR 0xBE
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_NAME \
+    "filter.sensor_to_vehicle_rotation_dcm_response"
+
+extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_dcm_response_codec;
+mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_dcm_response *value,
+    struct mip_builder *builder);
+
+/**
+ * Sensor to vehicle rotation, quaternion: command (0x0D,0x4F).
+ *
+ * Rotation from the sensor frame to the vehicle frame as a quaternion.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_sensor_to_vehicle_rotation_quaternion_response.
+ *
+ * It is the inverse of the quaternion that (0x0C,0x32) takes.
+ *
+ * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+ * velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
+ * filter.
+ *
+ * The device refuses a quaternion whose length is not 1 to 0.001.
+ *
+ * The device normalizes it, so the elements read back may differ a little from those written.
+ *
+ * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
+ */
+struct mip_filter_sensor_to_vehicle_rotation_quaternion {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Required for write. */
+    float quat[4];
+};
+
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_DESCRIPTOR 0x4F
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_NAME \
+    "filter.sensor_to_vehicle_rotation_quaternion"
+
+extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_codec;
+mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion *value, const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_quaternion *value,
+    struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_write(const float quat[4]);
+/** Send the current setting back in a response. */
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_save(void);
+/** Load the saved setting. */
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_load(void);
+/** Load the factory default setting. */
+struct mip_filter_sensor_to_vehicle_rotation_quaternion
+mip_filter_sensor_to_vehicle_rotation_quaternion_default(void);
+
+/**
+ * Sensor to vehicle rotation, quaternion response: response (0x0D,0xBF).
+ *
+ * Answers mip_filter_sensor_to_vehicle_rotation_quaternion.
+ *
+ * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
+ */
+struct mip_filter_sensor_to_vehicle_rotation_quaternion_response {
+    /** Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. */
+    float quat[4];
+};
+
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_DESCRIPTOR 0xBF
+#define MIP_FILTER_SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_NAME \
+    "filter.sensor_to_vehicle_rotation_quaternion_response"
+
+extern const struct mip_codec mip_filter_sensor_to_vehicle_rotation_quaternion_response_codec;
+mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_decode(
+    struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_sensor_to_vehicle_rotation_quaternion_response_encode(
+    const struct mip_filter_sensor_to_vehicle_rotation_quaternion_response *value,
+    struct mip_builder *builder);
+
+/**
  * Aiding measurement control: command (0x0D,0x50).
  *
  * Enables or disables one source of aiding measurements.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_aiding_measurement_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `aiding_measurement_enable`. Functions: write, read, save, load and default. Answered
+ * by mip_filter_aiding_measurement_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
  */
 struct mip_filter_aiding_measurement_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /** The source; `all` is for save, load and default. */
     mip_filter_aiding_source aiding_source;
-    /** Whether the filter uses the source. For write. */
+    /** Whether the filter uses the source. Required for write. */
     mip_bool enable;
 };
 
@@ -1752,23 +3034,22 @@ mip_error mip_filter_aiding_measurement_control_encode(
 struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_write(
     mip_filter_aiding_source aiding_source, mip_bool enable);
 /** Send the current setting back in a response. */
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_read(
-    mip_filter_aiding_source aiding_source);
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_read(mip_filter_aiding_source aiding_source);
 /** Save the current setting to non-volatile memory. */
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_save(
-    mip_filter_aiding_source aiding_source);
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_save(mip_filter_aiding_source aiding_source);
 /** Load the saved setting. */
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_load(
-    mip_filter_aiding_source aiding_source);
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_load(mip_filter_aiding_source aiding_source);
 /** Load the factory default setting. */
-struct mip_filter_aiding_measurement_control mip_filter_aiding_measurement_control_default(
-    mip_filter_aiding_source aiding_source);
+struct mip_filter_aiding_measurement_control
+mip_filter_aiding_measurement_control_default(mip_filter_aiding_source aiding_source);
 
 /**
  * Aiding measurement control response: response (0x0D,0xD0).
  *
- * Answers Aiding measurement control (0x0D,0x50).
- *
+ * Also called `aiding_measurement_enable_response`. Answers mip_filter_aiding_measurement_control.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50)
@@ -1792,9 +3073,92 @@ mip_error mip_filter_aiding_measurement_control_response_encode(
     struct mip_builder *builder);
 
 /**
+ * Kinematic constraint: command (0x0D,0x51).
+ *
+ * Assumptions about the motion that the filter uses as measurements.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_kinematic_constraint_response. Uncertain: Whether there are further values. The SDK
+ * has plain numbers and gives the values in remarks.
+ *
+ * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+ */
+struct mip_filter_kinematic_constraint {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /**
+     * Assumption about the acceleration. Default: MIP_FILTER_ACCEL_CONSTRAINT_NONE. Required for
+     * write.
+     */
+    mip_filter_accel_constraint accel_constraint;
+    /**
+     * Assumption about the velocity. Default: MIP_FILTER_VELOCITY_CONSTRAINT_NONE. Required for
+     * write.
+     */
+    mip_filter_velocity_constraint velocity_constraint;
+    /**
+     * Assumption about the angular rate. Default: MIP_FILTER_ANGULAR_CONSTRAINT_NONE. Required for
+     * write.
+     */
+    mip_filter_angular_constraint angular_constraint;
+};
+
+#define MIP_FILTER_KINEMATIC_CONSTRAINT_DESCRIPTOR 0x51
+#define MIP_FILTER_KINEMATIC_CONSTRAINT_NAME "filter.kinematic_constraint"
+
+extern const struct mip_codec mip_filter_kinematic_constraint_codec;
+mip_error mip_filter_kinematic_constraint_decode(struct mip_filter_kinematic_constraint *value,
+                                                 const struct mip_field *field);
+mip_error mip_filter_kinematic_constraint_encode(
+    const struct mip_filter_kinematic_constraint *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_kinematic_constraint
+mip_filter_kinematic_constraint_write(mip_filter_accel_constraint accel_constraint,
+                                      mip_filter_velocity_constraint velocity_constraint,
+                                      mip_filter_angular_constraint angular_constraint);
+/** Send the current setting back in a response. */
+struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_save(void);
+/** Load the saved setting. */
+struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_load(void);
+/** Load the factory default setting. */
+struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_default(void);
+
+/**
+ * Kinematic constraint response: response (0x0D,0xD1).
+ *
+ * Answers mip_filter_kinematic_constraint.
+ *
+ * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
+ */
+struct mip_filter_kinematic_constraint_response {
+    /** Assumption about the acceleration. Default: MIP_FILTER_ACCEL_CONSTRAINT_NONE. */
+    mip_filter_accel_constraint accel_constraint;
+    /** Assumption about the velocity. Default: MIP_FILTER_VELOCITY_CONSTRAINT_NONE. */
+    mip_filter_velocity_constraint velocity_constraint;
+    /** Assumption about the angular rate. Default: MIP_FILTER_ANGULAR_CONSTRAINT_NONE. */
+    mip_filter_angular_constraint angular_constraint;
+};
+
+#define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_DESCRIPTOR 0xD1
+#define MIP_FILTER_KINEMATIC_CONSTRAINT_RESPONSE_NAME "filter.kinematic_constraint_response"
+
+extern const struct mip_codec mip_filter_kinematic_constraint_response_codec;
+mip_error mip_filter_kinematic_constraint_response_decode(
+    struct mip_filter_kinematic_constraint_response *value, const struct mip_field *field);
+mip_error mip_filter_kinematic_constraint_response_encode(
+    const struct mip_filter_kinematic_constraint_response *value, struct mip_builder *builder);
+
+/**
  * Navigation filter initialization: command (0x0D,0x52).
  *
  * Sources and values of the initial attitude, position and velocity of the filter.
+ *
+ * Also called `initialization_configuration`. Functions: write, read, save, load and default.
+ * Answered by mip_filter_navigation_filter_initialization_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * Single precision resolves the latitude and longitude of the initial position to about a metre
  * only.
@@ -1803,42 +3167,41 @@ mip_error mip_filter_aiding_measurement_control_response_encode(
  *
  * External alignment needs a heading at least every 5 seconds.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_navigation_filter_initialization_response. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
 struct mip_filter_navigation_filter_initialization {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
     /**
      * 1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to 1.
-     * For write.
+     * Required for write.
      */
     uint8_t wait_for_run_command;
-    /** Which initial conditions are found and which are given. For write. */
+    /** Which initial conditions are found and which are given. Required for write. */
     mip_filter_initial_condition_source initial_cond_src;
-    /** Ways in which the initial heading may be found. For write. */
+    /** Ways in which the initial heading may be found. Required for write. */
     mip_filter_heading_alignment auto_heading_alignment_selector;
-    /** Given heading. Unit: deg. For write. */
+    /** Given heading. Unit: deg. Required for write. */
     float initial_heading;
-    /** Given pitch. Unit: deg. For write. */
+    /** Given pitch. Unit: deg. Required for write. */
     float initial_pitch;
-    /** Given roll. Unit: deg. For write. */
+    /** Given roll. Unit: deg. Required for write. */
     float initial_roll;
     /**
-     * Given position. Elements: x, y, z. For write. If reference_frame_selector is ecef: unit m,
-     * frame ecef. If reference_frame_selector is llh: unit deg, deg, m, frame llh.
+     * Given position. Elements: x, y, z. Required for write. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
      */
     float initial_position[3];
     /**
-     * Given velocity. Elements: x, y, z. Unit: m/s. For write. If reference_frame_selector is ecef:
-     * frame ecef. If reference_frame_selector is llh: frame ned.
+     * Given velocity. Elements: x, y, z. Unit: m/s. Required for write. If reference_frame_selector
+     * is MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
      */
     float initial_velocity[3];
-    /** Frame of the given position and velocity. For write. */
+    /** Frame of the given position and velocity. Required for write. */
     mip_filter_reference_frame reference_frame_selector;
 };
 
@@ -1873,9 +3236,8 @@ mip_filter_navigation_filter_initialization_default(void);
 /**
  * Navigation filter initialization response: response (0x0D,0xD2).
  *
- * Answers Navigation filter initialization (0x0D,0x52).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `initialization_configuration_response`. Answers
+ * mip_filter_navigation_filter_initialization. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52)
  */
@@ -1895,13 +3257,15 @@ struct mip_filter_navigation_filter_initialization_response {
     /** Given roll. Unit: deg. */
     float initial_roll;
     /**
-     * Given position. Elements: x, y, z. If reference_frame_selector is ecef: unit m, frame ecef.
-     * If reference_frame_selector is llh: unit deg, deg, m, frame llh.
+     * Given position. Elements: x, y, z. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
      */
     float initial_position[3];
     /**
-     * Given velocity. Elements: x, y, z. Unit: m/s. If reference_frame_selector is ecef: frame
-     * ecef. If reference_frame_selector is llh: frame ned.
+     * Given velocity. Elements: x, y, z. Unit: m/s. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_ECEF: frame ecef. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_LLH: frame ned.
      */
     float initial_velocity[3];
     /** Frame of the given position and velocity. */
@@ -1925,21 +3289,21 @@ mip_error mip_filter_navigation_filter_initialization_response_encode(
  *
  * How the filter adapts to measurements that do not fit its model.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_adaptive_filter_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `adaptive_filter_options`. Functions: write, read, save, load and default. Answered
+ * by mip_filter_adaptive_filter_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
  */
 struct mip_filter_adaptive_filter_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Strength of the adaptation. Default: 2. For write. */
+    /** Strength of the adaptation. Default: 2. Required for write. */
     mip_filter_adaptive_level level;
     /**
-     * Longest time for which measurements are rejected before the filter recovers. Unit: ms. For
-     * write.
+     * Longest time for which measurements are rejected before the filter recovers. Unit: ms.
+     * Required for write.
      */
     uint16_t time_limit;
 };
@@ -1953,8 +3317,8 @@ mip_error mip_filter_adaptive_filter_control_decode(
 mip_error mip_filter_adaptive_filter_control_encode(
     const struct mip_filter_adaptive_filter_control *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_write(
-    mip_filter_adaptive_level level, uint16_t time_limit);
+struct mip_filter_adaptive_filter_control
+mip_filter_adaptive_filter_control_write(mip_filter_adaptive_level level, uint16_t time_limit);
 /** Send the current setting back in a response. */
 struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -1967,8 +3331,7 @@ struct mip_filter_adaptive_filter_control mip_filter_adaptive_filter_control_def
 /**
  * Adaptive filter control response: response (0x0D,0xD3).
  *
- * Answers Adaptive filter control (0x0D,0x53).
- *
+ * Also called `adaptive_filter_options_response`. Answers mip_filter_adaptive_filter_control.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53)
@@ -1994,23 +3357,23 @@ mip_error mip_filter_adaptive_filter_control_response_encode(
  *
  * Position of the antenna of one receiver on devices with several antennas.
  *
- * The magnitude of the vector is limited to 10.
- *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `multi_antenna_offset`. Functions: write, read, save, load and default. Answered by
  * mip_filter_gnss_multi_antenna_offset_control_response. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * The magnitude of the vector is limited to 10.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
 struct mip_filter_gnss_multi_antenna_offset_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Number of the receiver, from 1. At least 1. */
+    /** Number of the receiver, from 1. Range: at least 1. */
     uint8_t receiver_id;
     /**
      * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
-     * For write.
+     * Required for write.
      */
     float antenna_offset[3];
 };
@@ -2043,14 +3406,13 @@ mip_filter_gnss_multi_antenna_offset_control_default(uint8_t receiver_id);
 /**
  * GNSS multi-antenna offset response: response (0x0D,0xD4).
  *
- * Answers GNSS multi-antenna offset (0x0D,0x54).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `multi_antenna_offset_response`. Answers
+ * mip_filter_gnss_multi_antenna_offset_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
 struct mip_filter_gnss_multi_antenna_offset_control_response {
-    /** Number of the receiver, from 1. At least 1. */
+    /** Number of the receiver, from 1. Range: at least 1. */
     uint8_t receiver_id;
     /**
      * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
@@ -2075,23 +3437,24 @@ mip_error mip_filter_gnss_multi_antenna_offset_control_response_encode(
  *
  * Reference point of the relative position that the filter reports.
  *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `rel_pos_configuration`. Functions: write, read, save, load and default. Answered by
  * mip_filter_relative_position_configuration_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
  */
 struct mip_filter_relative_position_configuration {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Source of the reference point. For write. */
+    /** Source of the reference point. Required for write. */
     mip_filter_relative_position_source source;
-    /** Frame of the coordinates. For write. */
+    /** Frame of the coordinates. Required for write. */
     mip_filter_reference_frame reference_frame_selector;
     /**
-     * Reference point. Elements: x, y, z. For write. If reference_frame_selector is ecef: unit m,
-     * frame ecef. If reference_frame_selector is llh: unit deg, deg, m, frame llh.
+     * Reference point. Elements: x, y, z. Required for write. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
      */
     double reference_coordinates[3];
 };
@@ -2124,8 +3487,7 @@ mip_filter_relative_position_configuration_default(void);
 /**
  * Relative position configuration response: response (0x0D,0xD5).
  *
- * Answers Relative position configuration (0x0D,0x55).
- *
+ * Also called `rel_pos_configuration_response`. Answers mip_filter_relative_position_configuration.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55)
@@ -2136,8 +3498,9 @@ struct mip_filter_relative_position_configuration_response {
     /** Frame of the coordinates. */
     mip_filter_reference_frame reference_frame_selector;
     /**
-     * Reference point. Elements: x, y, z. If reference_frame_selector is ecef: unit m, frame ecef.
-     * If reference_frame_selector is llh: unit deg, deg, m, frame llh.
+     * Reference point. Elements: x, y, z. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_ECEF: unit m; frame ecef. If reference_frame_selector is
+     * MIP_FILTER_REFERENCE_FRAME_LLH: unit deg, deg, m; frame llh.
      */
     double reference_coordinates[3];
 };
@@ -2159,27 +3522,27 @@ mip_error mip_filter_relative_position_configuration_response_encode(
  *
  * Moves the point to which the position and the velocity of the filter refer.
  *
+ * Also called `ref_point_lever_arm`. Functions: write, read, save, load and default. Answered by
+ * mip_filter_reference_point_lever_arm_response. Supported by 3DM-CV7-GNSS/INS.
+ *
  * It shifts `llh_position`, `velocity_ned`, `ecef_position`, `ecef_velocity` and
  * `ned_relative_position` of set `filter_data`, depending on the attitude and, for velocities, on
  * the angular rate.
  *
  * The magnitude of the vector is limited to 10.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_reference_point_lever_arm_response. Supported by 3DM-CV7-GNSS/INS.
- *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
 struct mip_filter_reference_point_lever_arm {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Point to move; it must be 1. For write. */
+    /** Point to move; it must be 1. Required for write. */
     mip_filter_reference_point ref_point_sel;
     /**
      * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
-     * For write.
+     * Required for write.
      */
     float lever_arm_offset[3];
 };
@@ -2207,8 +3570,7 @@ struct mip_filter_reference_point_lever_arm mip_filter_reference_point_lever_arm
 /**
  * Reference point lever arm response: response (0x0D,0xD6).
  *
- * Answers Reference point lever arm (0x0D,0x56).
- *
+ * Also called `ref_point_lever_arm_response`. Answers mip_filter_reference_point_lever_arm.
  * Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
@@ -2233,27 +3595,63 @@ mip_error mip_filter_reference_point_lever_arm_response_encode(
     const struct mip_filter_reference_point_lever_arm_response *value, struct mip_builder *builder);
 
 /**
+ * Speed measurement: command (0x0D,0x60).
+ *
+ * Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
+ *
+ * Uncertain: The SDK names a response (0x0D,0xE0) but has no layout of it.
+ *
+ * It must not be used together with the odometer of the device.
+ *
+ * Single precision resolves the time of week to 0.0625 s at the end of the week.
+ *
+ * - mip-sdk-4: Speed Measurement (0x0D,0x60)
+ */
+struct mip_filter_speed_measurement {
+    /** Send 1. Reserved: send 1. */
+    uint8_t source;
+    /** GPS time of week of the measurement. Unit: s. Uncertain: The unit; the SDK prints none. */
+    float tow;
+    /** Speed, negative in reverse. Unit: m/s. Frame: vehicle. */
+    float speed;
+    /** Standard deviation of the speed. Unit: m/s. */
+    float speed_uncertainty;
+};
+
+#define MIP_FILTER_SPEED_MEASUREMENT_DESCRIPTOR 0x60
+#define MIP_FILTER_SPEED_MEASUREMENT_NAME "filter.speed_measurement"
+
+extern const struct mip_codec mip_filter_speed_measurement_codec;
+mip_error mip_filter_speed_measurement_decode(struct mip_filter_speed_measurement *value,
+                                              const struct mip_field *field);
+mip_error mip_filter_speed_measurement_encode(const struct mip_filter_speed_measurement *value,
+                                              struct mip_builder *builder);
+/** Speed measurement. */
+struct mip_filter_speed_measurement mip_filter_speed_measurement_make(float tow, float speed,
+                                                                      float speed_uncertainty);
+
+/**
  * Speed measurement lever arm: command (0x0D,0x61).
  *
  * Position of the point whose speed is measured, such as the wheel that an odometer is on.
  *
- * It corrects for the speed that such a point has only because the vehicle turns.
- *
- * Functions: write, read, save, load and default. Answered by
+ * Also called `speed_lever_arm`. Functions: write, read, save, load and default. Answered by
  * mip_filter_measurement_speed_lever_arm_response. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * It corrects for the speed that such a point has only because the vehicle turns.
  *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
 struct mip_filter_measurement_speed_lever_arm {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Send 1. Send 1. */
+    /** Reserved: send 1. */
     uint8_t source;
     /**
-     * From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle. For
-     * write.
+     * From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle.
+     * Required for write.
      */
     float lever_arm_offset[3];
 };
@@ -2267,8 +3665,8 @@ mip_error mip_filter_measurement_speed_lever_arm_decode(
 mip_error mip_filter_measurement_speed_lever_arm_encode(
     const struct mip_filter_measurement_speed_lever_arm *value, struct mip_builder *builder);
 /** Apply the new setting. */
-struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_write(
-    const float lever_arm_offset[3]);
+struct mip_filter_measurement_speed_lever_arm
+mip_filter_measurement_speed_lever_arm_write(const float lever_arm_offset[3]);
 /** Send the current setting back in a response. */
 struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever_arm_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -2281,14 +3679,13 @@ struct mip_filter_measurement_speed_lever_arm mip_filter_measurement_speed_lever
 /**
  * Speed measurement lever arm response: response (0x0D,0xE1).
  *
- * Answers Speed measurement lever arm (0x0D,0x61).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `speed_lever_arm_response`. Answers mip_filter_measurement_speed_lever_arm. Supported
+ * by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61)
  */
 struct mip_filter_measurement_speed_lever_arm_response {
-    /** Send 1. Send 1. */
+    /** Reserved. */
     uint8_t source;
     /** From the sensor to the point of measurement. Elements: x, y, z. Unit: m. Frame: vehicle. */
     float lever_arm_offset[3];
@@ -2306,24 +3703,93 @@ mip_error mip_filter_measurement_speed_lever_arm_response_encode(
     struct mip_builder *builder);
 
 /**
+ * Vertical gyro constraint: command (0x0D,0x62).
+ *
+ * Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
+ *
+ * Functions: write, read, save, load and default. Answered by
+ * mip_filter_vertical_gyro_constraint_control_response.
+ *
+ * It takes the linear acceleration as zero.
+ *
+ * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
+ */
+struct mip_filter_vertical_gyro_constraint_control {
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
+    uint8_t present;
+    /** What to do with the setting. */
+    mip_function_selector function;
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
+    uint8_t enable;
+};
+
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_DESCRIPTOR 0x62
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_NAME "filter.vertical_gyro_constraint_control"
+
+extern const struct mip_codec mip_filter_vertical_gyro_constraint_control_codec;
+mip_error mip_filter_vertical_gyro_constraint_control_decode(
+    struct mip_filter_vertical_gyro_constraint_control *value, const struct mip_field *field);
+mip_error mip_filter_vertical_gyro_constraint_control_encode(
+    const struct mip_filter_vertical_gyro_constraint_control *value, struct mip_builder *builder);
+/** Apply the new setting. */
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_write(uint8_t enable);
+/** Send the current setting back in a response. */
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_read(void);
+/** Save the current setting to non-volatile memory. */
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_save(void);
+/** Load the saved setting. */
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_load(void);
+/** Load the factory default setting. */
+struct mip_filter_vertical_gyro_constraint_control
+mip_filter_vertical_gyro_constraint_control_default(void);
+
+/**
+ * Vertical gyro constraint response: response (0x0D,0xE2).
+ *
+ * Answers mip_filter_vertical_gyro_constraint_control.
+ *
+ * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
+ */
+struct mip_filter_vertical_gyro_constraint_control_response {
+    /** 0 disables, 1 enables. Range: 0 to 1. */
+    uint8_t enable;
+};
+
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_DESCRIPTOR 0xE2
+#define MIP_FILTER_VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_NAME \
+    "filter.vertical_gyro_constraint_control_response"
+
+extern const struct mip_codec mip_filter_vertical_gyro_constraint_control_response_codec;
+mip_error mip_filter_vertical_gyro_constraint_control_response_decode(
+    struct mip_filter_vertical_gyro_constraint_control_response *value,
+    const struct mip_field *field);
+mip_error mip_filter_vertical_gyro_constraint_control_response_encode(
+    const struct mip_filter_vertical_gyro_constraint_control_response *value,
+    struct mip_builder *builder);
+
+/**
  * Wheeled vehicle constraint: command (0x0D,0x63).
  *
  * Lets the filter assume that the vehicle moves only along its x axis.
  *
- * It improves the heading of cars and the like, above all when GNSS comes and goes. It is wrong for
- * vehicles that move sideways, such as aircraft.
- *
  * Functions: write, read, save, load and default. Answered by
  * mip_filter_wheeled_vehicle_constraint_control_response. Supported by 3DM-CV7-GNSS/INS.
+ *
+ * It improves the heading of cars and the like, above all when GNSS comes and goes. It is wrong for
+ * vehicles that move sideways, such as aircraft.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
 struct mip_filter_wheeled_vehicle_constraint_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
 };
 
@@ -2355,9 +3821,7 @@ mip_filter_wheeled_vehicle_constraint_control_default(void);
 /**
  * Wheeled vehicle constraint response: response (0x0D,0xE3).
  *
- * Answers Wheeled vehicle constraint (0x0D,0x63).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Answers mip_filter_wheeled_vehicle_constraint_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: Wheeled Vehicle Constraint Control (0x0D,0x63)
  */
@@ -2383,22 +3847,22 @@ mip_error mip_filter_wheeled_vehicle_constraint_control_response_encode(
  *
  * Lets the filter track the error of the antenna offset.
  *
- * Functions: write, read, save, load and default. Answered by
- * mip_filter_gnss_antenna_offset_calibration_control_response. Supported by 3DM-CV7-GNSS/INS.
+ * Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default. Answered
+ * by mip_filter_gnss_antenna_offset_calibration_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration
  */
 struct mip_filter_gnss_antenna_offset_calibration_control {
-    /** Parameters that are there, the function selector not counted; 0: those that must be. */
+    /** Parameters that are present, the selector not counted; 0: only the required ones. */
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** 0 disables, 1 enables. Range: 0 to 1. For write. */
+    /** 0 disables, 1 enables. Range: 0 to 1. Required for write. */
     uint8_t enable;
     /**
      * Largest absolute error that is tracked; the limits are those of the 3DM-CV7. Unit: m. Frame:
-     * vehicle. Range: 0 to 0.5. Default: 0.1. For write.
+     * vehicle. Range: 0 to 0.5. Default: 0.1. Required for write.
      */
     float max_offset;
 };
@@ -2433,9 +3897,8 @@ mip_filter_gnss_antenna_offset_calibration_control_default(void);
 /**
  * GNSS antenna offset calibration response: response (0x0D,0xE4).
  *
- * Answers GNSS antenna offset calibration (0x0D,0x64).
- *
- * Supported by 3DM-CV7-GNSS/INS.
+ * Also called `gnss_antenna_cal_control_response`. Answers
+ * mip_filter_gnss_antenna_offset_calibration_control. Supported by 3DM-CV7-GNSS/INS.
  *
  * - 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64)
  * - 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration

@@ -21,11 +21,23 @@ record! {
 }
 
 record! {
+    crate::filter::VehicleDynamicsMode { function, mode }
+    "function" => value(function);
+    "mode" => some_value(mode);
+}
+
+record! {
     crate::filter::SensorToVehicleFrameTransformation { function, roll, pitch, yaw }
     "function" => value(function);
     "roll" => some_value(roll);
     "pitch" => some_value(pitch);
     "yaw" => some_value(yaw);
+}
+
+record! {
+    crate::filter::SensorToVehicleOffset { function, offset }
+    "function" => value(function);
+    "offset" => some_value(offset);
 }
 
 record! {
@@ -44,6 +56,27 @@ record! {
     crate::filter::GnssAidingSourceControl { function, source }
     "function" => value(function);
     "source" => some_value(source);
+}
+
+record! {
+    crate::filter::ExternalGnssUpdate {
+        tow,
+        week_number,
+        latitude,
+        longitude,
+        height,
+        velocity,
+        position_uncertainty,
+        velocity_uncertainty,
+    }
+    "tow" => value(tow);
+    "week_number" => value(week_number);
+    "latitude" => value(latitude);
+    "longitude" => value(longitude);
+    "height" => value(height);
+    "velocity" => value(velocity);
+    "position_uncertainty" => value(position_uncertainty);
+    "velocity_uncertainty" => value(velocity_uncertainty);
 }
 
 record! {
@@ -92,6 +125,13 @@ record! {
 }
 
 record! {
+    crate::filter::AutoZupt { function, enable, threshold }
+    "function" => value(function);
+    "enable" => some_value(enable);
+    "threshold" => some_value(threshold);
+}
+
+record! {
     crate::filter::ExternalHeadingUpdateWithTime {
         gps_time,
         gps_week,
@@ -120,6 +160,10 @@ record! {
 }
 
 record! {
+    crate::filter::CommandedZupt {}
+}
+
+record! {
     crate::filter::CommandedZeroAngularRateUpdate {}
 }
 
@@ -133,7 +177,30 @@ record! {
 }
 
 record! {
+    crate::filter::MagCaptureAutoCal { function }
+    "function" => value(function);
+}
+
+record! {
     crate::filter::GravityNoiseStandardDeviation { function, noise }
+    "function" => value(function);
+    "noise" => some_value(noise);
+}
+
+record! {
+    crate::filter::PressureAltitudeNoise { function, noise }
+    "function" => value(function);
+    "noise" => some_value(noise);
+}
+
+record! {
+    crate::filter::HardIronOffsetNoise { function, noise }
+    "function" => value(function);
+    "noise" => some_value(noise);
+}
+
+record! {
+    crate::filter::SoftIronMatrixNoise { function, noise }
     "function" => value(function);
     "noise" => some_value(noise);
 }
@@ -142,6 +209,12 @@ record! {
     crate::filter::EnableDisableMeasurements { function, control }
     "function" => value(function);
     "control" => some_value(control);
+}
+
+record! {
+    crate::filter::MagNoise { function, noise }
+    "function" => value(function);
+    "noise" => some_value(noise);
 }
 
 record! {
@@ -173,9 +246,79 @@ record! {
 }
 
 record! {
+    crate::filter::MagMagnitudeErrorAdaptiveMeasurement {
+        function,
+        adaptive_measurement,
+        frequency,
+        low_limit,
+        high_limit,
+        low_limit_uncertainty,
+        high_limit_uncertainty,
+        minimum_uncertainty,
+    }
+    "function" => value(function);
+    "adaptive_measurement" => some_value(adaptive_measurement);
+    "frequency" => some_value(frequency);
+    "low_limit" => some_value(low_limit);
+    "high_limit" => some_value(high_limit);
+    "low_limit_uncertainty" => some_value(low_limit_uncertainty);
+    "high_limit_uncertainty" => some_value(high_limit_uncertainty);
+    "minimum_uncertainty" => some_value(minimum_uncertainty);
+}
+
+record! {
+    crate::filter::MagDipAngleErrorAdaptiveMeasurement {
+        function,
+        enable,
+        frequency,
+        high_limit,
+        high_limit_uncertainty,
+        minimum_uncertainty,
+    }
+    "function" => value(function);
+    "enable" => some_value(enable);
+    "frequency" => some_value(frequency);
+    "high_limit" => some_value(high_limit);
+    "high_limit_uncertainty" => some_value(high_limit_uncertainty);
+    "minimum_uncertainty" => some_value(minimum_uncertainty);
+}
+
+record! {
+    crate::filter::AltitudeAiding { function, selector }
+    "function" => value(function);
+    "selector" => some_value(selector);
+}
+
+record! {
     crate::filter::PitchRollAidingControl { function, aiding }
     "function" => value(function);
     "aiding" => some_value(aiding);
+}
+
+record! {
+    crate::filter::InclinationSource { function, source, inclination }
+    "function" => value(function);
+    "source" => some_value(source);
+    "inclination" => some_value(inclination);
+}
+
+record! {
+    crate::filter::MagFieldMagnitudeSource { function, source, magnitude }
+    "function" => value(function);
+    "source" => some_value(source);
+    "magnitude" => some_value(magnitude);
+}
+
+record! {
+    crate::filter::SensorToVehicleRotationDcm { function, dcm }
+    "function" => value(function);
+    "dcm" => some_value(dcm);
+}
+
+record! {
+    crate::filter::SensorToVehicleRotationQuaternion { function, quat }
+    "function" => value(function);
+    "quat" => some_value(quat);
 }
 
 record! {
@@ -183,6 +326,19 @@ record! {
     "function" => value(function);
     "aiding_source" => some_value(aiding_source);
     "enable" => some_value(enable);
+}
+
+record! {
+    crate::filter::KinematicConstraint {
+        function,
+        accel_constraint,
+        velocity_constraint,
+        angular_constraint,
+    }
+    "function" => value(function);
+    "accel_constraint" => some_value(accel_constraint);
+    "velocity_constraint" => some_value(velocity_constraint);
+    "angular_constraint" => some_value(angular_constraint);
 }
 
 record! {
@@ -245,10 +401,24 @@ record! {
 }
 
 record! {
+    crate::filter::SpeedMeasurement { source, tow, speed, speed_uncertainty }
+    "source" => value(source);
+    "tow" => value(tow);
+    "speed" => value(speed);
+    "speed_uncertainty" => value(speed_uncertainty);
+}
+
+record! {
     crate::filter::MeasurementSpeedLeverArm { function, source, lever_arm_offset }
     "function" => value(function);
     "source" => some_value(source);
     "lever_arm_offset" => some_value(lever_arm_offset);
+}
+
+record! {
+    crate::filter::VerticalGyroConstraintControl { function, enable }
+    "function" => value(function);
+    "enable" => some_value(enable);
 }
 
 record! {
@@ -265,10 +435,20 @@ record! {
 }
 
 record! {
+    crate::filter::VehicleDynamicsModeResponse { mode }
+    "mode" => value(mode);
+}
+
+record! {
     crate::filter::SensorToVehicleFrameTransformationResponse { roll, pitch, yaw }
     "roll" => value(roll);
     "pitch" => value(pitch);
     "yaw" => value(yaw);
+}
+
+record! {
+    crate::filter::SensorToVehicleOffsetResponse { offset }
+    "offset" => value(offset);
 }
 
 record! {
@@ -319,6 +499,12 @@ record! {
 }
 
 record! {
+    crate::filter::AutoZuptResponse { enable, threshold }
+    "enable" => value(enable);
+    "threshold" => value(threshold);
+}
+
+record! {
     crate::filter::ZeroAngularRateUpdateControlResponse { enable, threshold }
     "enable" => value(enable);
     "threshold" => value(threshold);
@@ -338,8 +524,33 @@ record! {
 }
 
 record! {
+    crate::filter::PressureAltitudeNoiseResponse { noise }
+    "noise" => value(noise);
+}
+
+record! {
+    crate::filter::HardIronOffsetNoiseResponse { noise }
+    "noise" => value(noise);
+}
+
+record! {
+    crate::filter::SoftIronMatrixNoiseResponse { noise }
+    "noise" => value(noise);
+}
+
+record! {
+    crate::filter::TareOrientationResponse { axes }
+    "axes" => value(axes);
+}
+
+record! {
     crate::filter::EnableDisableMeasurementsResponse { control }
     "control" => value(control);
+}
+
+record! {
+    crate::filter::MagNoiseResponse { noise }
+    "noise" => value(noise);
 }
 
 record! {
@@ -368,14 +579,86 @@ record! {
 }
 
 record! {
+    crate::filter::MagMagnitudeErrorAdaptiveMeasurementResponse {
+        adaptive_measurement,
+        frequency,
+        low_limit,
+        high_limit,
+        low_limit_uncertainty,
+        high_limit_uncertainty,
+        minimum_uncertainty,
+    }
+    "adaptive_measurement" => value(adaptive_measurement);
+    "frequency" => value(frequency);
+    "low_limit" => value(low_limit);
+    "high_limit" => value(high_limit);
+    "low_limit_uncertainty" => value(low_limit_uncertainty);
+    "high_limit_uncertainty" => value(high_limit_uncertainty);
+    "minimum_uncertainty" => value(minimum_uncertainty);
+}
+
+record! {
+    crate::filter::MagDipAngleErrorAdaptiveMeasurementResponse {
+        enable,
+        frequency,
+        high_limit,
+        high_limit_uncertainty,
+        minimum_uncertainty,
+    }
+    "enable" => value(enable);
+    "frequency" => value(frequency);
+    "high_limit" => value(high_limit);
+    "high_limit_uncertainty" => value(high_limit_uncertainty);
+    "minimum_uncertainty" => value(minimum_uncertainty);
+}
+
+record! {
+    crate::filter::AltitudeAidingResponse { selector }
+    "selector" => value(selector);
+}
+
+record! {
     crate::filter::PitchRollAidingControlResponse { aiding }
     "aiding" => value(aiding);
+}
+
+record! {
+    crate::filter::InclinationSourceResponse { source, inclination }
+    "source" => value(source);
+    "inclination" => value(inclination);
+}
+
+record! {
+    crate::filter::MagFieldMagnitudeSourceResponse { source, magnitude }
+    "source" => value(source);
+    "magnitude" => value(magnitude);
+}
+
+record! {
+    crate::filter::SensorToVehicleRotationDcmResponse { dcm }
+    "dcm" => value(dcm);
+}
+
+record! {
+    crate::filter::SensorToVehicleRotationQuaternionResponse { quat }
+    "quat" => value(quat);
 }
 
 record! {
     crate::filter::AidingMeasurementControlResponse { aiding_source, enable }
     "aiding_source" => value(aiding_source);
     "enable" => value(enable);
+}
+
+record! {
+    crate::filter::KinematicConstraintResponse {
+        accel_constraint,
+        velocity_constraint,
+        angular_constraint,
+    }
+    "accel_constraint" => value(accel_constraint);
+    "velocity_constraint" => value(velocity_constraint);
+    "angular_constraint" => value(angular_constraint);
 }
 
 record! {
@@ -434,6 +717,11 @@ record! {
     crate::filter::MeasurementSpeedLeverArmResponse { source, lever_arm_offset }
     "source" => value(source);
     "lever_arm_offset" => value(lever_arm_offset);
+}
+
+record! {
+    crate::filter::VerticalGyroConstraintControlResponse { enable }
+    "enable" => value(enable);
 }
 
 record! {

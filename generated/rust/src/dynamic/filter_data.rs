@@ -159,14 +159,142 @@ record! {
 }
 
 record! {
+    crate::filter_data::GyroScaleFactor { scale_factor, valid_flags }
+    "scale_factor" => value(scale_factor);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::filter_data::AccelScaleFactor { scale_factor, valid_flags }
+    "scale_factor" => value(scale_factor);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::filter_data::GyroScaleFactorUncertainty { scale_factor_uncertainty, valid_flags }
+    "scale_factor_uncertainty" => value(scale_factor_uncertainty);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::filter_data::AccelScaleFactorUncertainty { scale_factor_uncertainty, valid_flags }
+    "scale_factor_uncertainty" => value(scale_factor_uncertainty);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::filter_data::MagBias { bias, valid_flags }
+    "bias" => value(bias);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::filter_data::MagBiasUncertainty { bias_uncertainty, valid_flags }
+    "bias_uncertainty" => value(bias_uncertainty);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
     crate::filter_data::CompensatedAcceleration { accel, valid_flags }
     "accel" => value(accel);
     "valid_flags" => value(valid_flags);
 }
 
 record! {
+    crate::filter_data::StandardAtmosphere {
+        geometric_altitude,
+        geopotential_altitude,
+        standard_temperature,
+        standard_pressure,
+        standard_density,
+        valid_flags,
+    }
+    "geometric_altitude" => value(geometric_altitude);
+    "geopotential_altitude" => value(geopotential_altitude);
+    "standard_temperature" => value(standard_temperature);
+    "standard_pressure" => value(standard_pressure);
+    "standard_density" => value(standard_density);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
     crate::filter_data::PressureAltitude { pressure_altitude, valid_flags }
     "pressure_altitude" => value(pressure_altitude);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::filter_data::DensityAltitude { density_altitude, valid_flags }
+    "density_altitude" => value(density_altitude);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::filter_data::MagOffset { hard_iron, valid_flags }
+    "hard_iron" => value(hard_iron);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::filter_data::MagMatrix { soft_iron, valid_flags }
+    "soft_iron" => value(soft_iron);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::filter_data::MagOffsetUncertainty { hard_iron_uncertainty, valid_flags }
+    "hard_iron_uncertainty" => value(hard_iron_uncertainty);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::filter_data::MagMatrixUncertainty { soft_iron_uncertainty, valid_flags }
+    "soft_iron_uncertainty" => value(soft_iron_uncertainty);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::filter_data::MagCovarianceMatrix { covariance, valid_flags }
+    "covariance" => value(covariance);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::filter_data::MagResidualVector { residual, valid_flags }
+    "residual" => value(residual);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::filter_data::AntennaOffsetCorrection { offset, valid_flags }
+    "offset" => value(offset);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::filter_data::AntennaOffsetCorrectionUncertainty { offset_uncertainty, valid_flags }
+    "offset_uncertainty" => value(offset_uncertainty);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::filter_data::ClockCorrection { receiver_id, bias, bias_drift, valid_flags }
+    "receiver_id" => value(receiver_id);
+    "bias" => value(bias);
+    "bias_drift" => value(bias_drift);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::filter_data::ClockCorrectionUncertainty {
+        receiver_id,
+        bias_uncertainty,
+        bias_drift_uncertainty,
+        valid_flags,
+    }
+    "receiver_id" => value(receiver_id);
+    "bias_uncertainty" => value(bias_uncertainty);
+    "bias_drift_uncertainty" => value(bias_drift_uncertainty);
     "valid_flags" => value(valid_flags);
 }
 
@@ -223,6 +351,20 @@ record! {
     "receiver_id" => value(receiver_id);
     "time_of_week" => value(time_of_week);
     "status" => value(status);
+    "reserved" => value(reserved);
+}
+
+record! {
+    crate::filter_data::GnssAttitudeAidingStatus { tow, status, reserved }
+    "tow" => value(tow);
+    "status" => value(status);
+    "reserved" => value(reserved);
+}
+
+record! {
+    crate::filter_data::HeadingAidingStatus { tow, type_, reserved }
+    "tow" => value(tow);
+    "type" => value(type_);
     "reserved" => value(reserved);
 }
 

@@ -29,6 +29,13 @@ record! {
 }
 
 record! {
+    crate::gnss::RtkDongleConfiguration { function, enable, reserved }
+    "function" => value(function);
+    "enable" => some_value(enable);
+    "reserved" => some_value(reserved);
+}
+
+record! {
     crate::gnss::SpartnConfiguration {
         function,
         enable,
@@ -69,6 +76,12 @@ record! {
     "glonass_enable" => value(glonass_enable);
     "galileo_enable" => value(galileo_enable);
     "beidou_enable" => value(beidou_enable);
+    "reserved" => value(reserved);
+}
+
+record! {
+    crate::gnss::RtkDongleConfigurationResponse { enable, reserved }
+    "enable" => value(enable);
     "reserved" => value(reserved);
 }
 

@@ -84,6 +84,14 @@ record! {
 }
 
 record! {
+    crate::gnss_1::ClockInfo { bias, drift, accuracy_estimate, valid_flags }
+    "bias" => value(bias);
+    "drift" => value(drift);
+    "accuracy_estimate" => value(accuracy_estimate);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
     crate::gnss_1::FixInfo { fix_type, num_sv, fix_flags, valid_flags }
     "fix_type" => value(fix_type);
     "num_sv" => value(num_sv);
@@ -92,10 +100,53 @@ record! {
 }
 
 record! {
+    crate::gnss_1::SvInfo {
+        channel,
+        satellite_id,
+        carrier_noise_ratio,
+        azimuth,
+        elevation,
+        sv_flags,
+        valid_flags,
+    }
+    "channel" => value(channel);
+    "satellite_id" => value(satellite_id);
+    "carrier_noise_ratio" => value(carrier_noise_ratio);
+    "azimuth" => value(azimuth);
+    "elevation" => value(elevation);
+    "sv_flags" => value(sv_flags);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
     crate::gnss_1::GnssHardwareStatus { receiver_state, antenna_state, antenna_power, valid_flags }
     "receiver_state" => value(receiver_state);
     "antenna_state" => value(antenna_state);
     "antenna_power" => value(antenna_power);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::gnss_1::DgpsInfo { age, base_station_id, base_station_status, num_channels, valid_flags }
+    "age" => value(age);
+    "base_station_id" => value(base_station_id);
+    "base_station_status" => value(base_station_status);
+    "num_channels" => value(num_channels);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::gnss_1::DgpsChannel {
+        satellite_id,
+        age,
+        range_correction,
+        range_rate_correction,
+        valid_flags,
+    }
+    "satellite_id" => value(satellite_id);
+    "age" => value(age);
+    "range_correction" => value(range_correction);
+    "range_rate_correction" => value(range_rate_correction);
     "valid_flags" => value(valid_flags);
 }
 
@@ -136,6 +187,46 @@ record! {
     "sbas_id" => value(sbas_id);
     "count" => value(count);
     "sbas_status" => value(sbas_status);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::gnss_1::SbasCorrection {
+        index,
+        count,
+        tow,
+        week_number,
+        gnss_id,
+        satellite_id,
+        udrei,
+        pseudorange_correction,
+        iono_correction,
+        valid_flags,
+    }
+    "index" => value(index);
+    "count" => value(count);
+    "tow" => value(tow);
+    "week_number" => value(week_number);
+    "gnss_id" => value(gnss_id);
+    "satellite_id" => value(satellite_id);
+    "udrei" => value(udrei);
+    "pseudorange_correction" => value(pseudorange_correction);
+    "iono_correction" => value(iono_correction);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::gnss_1::RfErrorDetection {
+        rf_band,
+        jamming_state,
+        spoofing_state,
+        reserved,
+        valid_flags,
+    }
+    "rf_band" => value(rf_band);
+    "jamming_state" => value(jamming_state);
+    "spoofing_state" => value(spoofing_state);
+    "reserved" => value(reserved);
     "valid_flags" => value(valid_flags);
 }
 
@@ -204,6 +295,50 @@ record! {
     "phase_uncert" => value(phase_uncert);
     "doppler_uncert" => value(doppler_uncert);
     "lock_time" => value(lock_time);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::gnss_1::BaseStationInfo {
+        time_of_week,
+        week_number,
+        ecef_pos,
+        height,
+        station_id,
+        indicators,
+        valid_flags,
+    }
+    "time_of_week" => value(time_of_week);
+    "week_number" => value(week_number);
+    "ecef_pos" => value(ecef_pos);
+    "height" => value(height);
+    "station_id" => value(station_id);
+    "indicators" => value(indicators);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::gnss_1::RtkCorrectionsStatus {
+        time_of_week,
+        week_number,
+        epoch_status,
+        dongle_status,
+        gps_correction_latency,
+        glonass_correction_latency,
+        galileo_correction_latency,
+        beidou_correction_latency,
+        reserved,
+        valid_flags,
+    }
+    "time_of_week" => value(time_of_week);
+    "week_number" => value(week_number);
+    "epoch_status" => value(epoch_status);
+    "dongle_status" => value(dongle_status);
+    "gps_correction_latency" => value(gps_correction_latency);
+    "glonass_correction_latency" => value(glonass_correction_latency);
+    "galileo_correction_latency" => value(galileo_correction_latency);
+    "beidou_correction_latency" => value(beidou_correction_latency);
+    "reserved" => value(reserved);
     "valid_flags" => value(valid_flags);
 }
 
@@ -478,5 +613,40 @@ record! {
     "c_us" => value(c_us);
     "c_rc" => value(c_rc);
     "c_rs" => value(c_rs);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::gnss_1::GpsIonoCorrection { tow, week_number, alpha, beta, valid_flags }
+    "tow" => value(tow);
+    "week_number" => value(week_number);
+    "alpha" => value(alpha);
+    "beta" => value(beta);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::gnss_1::GalileoIonoCorrection { tow, week_number, alpha, disturbance_flags, valid_flags }
+    "tow" => value(tow);
+    "week_number" => value(week_number);
+    "alpha" => value(alpha);
+    "disturbance_flags" => value(disturbance_flags);
+    "valid_flags" => value(valid_flags);
+}
+
+record! {
+    crate::gnss_1::BeidouIonoCorrection {
+        tow,
+        week_number,
+        alpha,
+        beta,
+        alpha_correction,
+        valid_flags,
+    }
+    "tow" => value(tow);
+    "week_number" => value(week_number);
+    "alpha" => value(alpha);
+    "beta" => value(beta);
+    "alpha_correction" => value(alpha_correction);
     "valid_flags" => value(valid_flags);
 }

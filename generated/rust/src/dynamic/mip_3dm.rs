@@ -8,6 +8,21 @@ record! {
 }
 
 record! {
+    crate::mip_3dm::ConstellationSettingsEntry {
+        constellation_id,
+        enable,
+        reserved_channels,
+        max_channels,
+        option_flags,
+    }
+    "constellation_id" => value(constellation_id);
+    "enable" => value(enable);
+    "reserved_channels" => value(reserved_channels);
+    "max_channels" => value(max_channels);
+    "option_flags" => value(option_flags);
+}
+
+record! {
     crate::mip_3dm::SupportedEventInfo { type_, count }
     "type" => value(type_);
     "count" => value(count);
@@ -39,6 +54,13 @@ record! {
 }
 
 record! {
+    crate::mip_3dm::PollGnssData { suppress_ack, descriptors }
+    "suppress_ack" => value(suppress_ack);
+    "num_descriptors" => counter(descriptors, "descriptors");
+    "descriptors" => value(descriptors);
+}
+
+record! {
     crate::mip_3dm::PollEstimationFilterData { suppress_ack, descriptors }
     "suppress_ack" => value(suppress_ack);
     "num_descriptors" => counter(descriptors, "descriptors");
@@ -57,7 +79,18 @@ record! {
 }
 
 record! {
+    crate::mip_3dm::GetGnssDataBaseRate {}
+}
+
+record! {
     crate::mip_3dm::ImuMessageFormat { function, descriptors }
+    "function" => value(function);
+    "num_descriptors" => some_counter(descriptors, "descriptors");
+    "descriptors" => some_value(descriptors);
+}
+
+record! {
+    crate::mip_3dm::GnssMessageFormat { function, descriptors }
     "function" => value(function);
     "num_descriptors" => some_counter(descriptors, "descriptors");
     "descriptors" => some_value(descriptors);
@@ -116,12 +149,35 @@ record! {
 }
 
 record! {
+    crate::mip_3dm::ConstellationSettings { function, max_channels, settings }
+    "function" => value(function);
+    "max_channels" => some_value(max_channels);
+    "config_count" => some_counter(settings, "settings");
+    "settings" => some_value(settings);
+}
+
+record! {
     crate::mip_3dm::GnssSbasSettings { function, enable_sbas, sbas_options, included_prns }
     "function" => value(function);
     "enable_sbas" => some_value(enable_sbas);
     "sbas_options" => some_value(sbas_options);
     "num_included_prns" => some_counter(included_prns, "included_prns");
     "included_prns" => some_value(included_prns);
+}
+
+record! {
+    crate::mip_3dm::GnssAssistedFix { function, option, flags }
+    "function" => value(function);
+    "option" => some_value(option);
+    "flags" => some_value(flags);
+}
+
+record! {
+    crate::mip_3dm::GnssTimeAssistance { function, tow, week_number, accuracy }
+    "function" => value(function);
+    "tow" => some_value(tow);
+    "week_number" => some_value(week_number);
+    "accuracy" => some_value(accuracy);
 }
 
 record! {
@@ -349,6 +405,12 @@ record! {
 }
 
 record! {
+    crate::mip_3dm::GnssMessageFormatResponse { descriptors }
+    "num_descriptors" => counter(descriptors, "descriptors");
+    "descriptors" => value(descriptors);
+}
+
+record! {
     crate::mip_3dm::EstimationFilterMessageFormatResponse { descriptors }
     "num_descriptors" => counter(descriptors, "descriptors");
     "descriptors" => value(descriptors);
@@ -356,6 +418,11 @@ record! {
 
 record! {
     crate::mip_3dm::GetImuDataBaseRateResponse { rate }
+    "rate" => value(rate);
+}
+
+record! {
+    crate::mip_3dm::GetGnssDataBaseRateResponse { rate }
     "rate" => value(rate);
 }
 
@@ -488,11 +555,36 @@ record! {
 }
 
 record! {
+    crate::mip_3dm::ConstellationSettingsResponse {
+        max_channels_available,
+        max_channels_use,
+        settings,
+    }
+    "max_channels_available" => value(max_channels_available);
+    "max_channels_use" => value(max_channels_use);
+    "config_count" => counter(settings, "settings");
+    "settings" => value(settings);
+}
+
+record! {
     crate::mip_3dm::GnssSbasSettingsResponse { enable_sbas, sbas_options, included_prns }
     "enable_sbas" => value(enable_sbas);
     "sbas_options" => value(sbas_options);
     "num_included_prns" => counter(included_prns, "included_prns");
     "included_prns" => value(included_prns);
+}
+
+record! {
+    crate::mip_3dm::GnssAssistedFixResponse { option, flags }
+    "option" => value(option);
+    "flags" => value(flags);
+}
+
+record! {
+    crate::mip_3dm::GnssTimeAssistanceResponse { tow, week_number, accuracy }
+    "tow" => value(tow);
+    "week_number" => value(week_number);
+    "accuracy" => value(accuracy);
 }
 
 record! {

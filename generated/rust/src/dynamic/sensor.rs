@@ -1,6 +1,21 @@
 use crate::dynamic::macros::record;
 
 record! {
+    crate::sensor::RawAccel { raw_accel }
+    "raw_accel" => value(raw_accel);
+}
+
+record! {
+    crate::sensor::RawGyro { raw_gyro }
+    "raw_gyro" => value(raw_gyro);
+}
+
+record! {
+    crate::sensor::RawMag { raw_mag }
+    "raw_mag" => value(raw_mag);
+}
+
+record! {
     crate::sensor::ScaledAccel { scaled_accel }
     "scaled_accel" => value(scaled_accel);
 }
@@ -36,10 +51,31 @@ record! {
 }
 
 record! {
+    crate::sensor::CompOrientationUpdateMatrix { m }
+    "m" => value(m);
+}
+
+record! {
     crate::sensor::ComplementaryFilterEulerAngles { roll, pitch, yaw }
     "roll" => value(roll);
     "pitch" => value(pitch);
     "yaw" => value(yaw);
+}
+
+record! {
+    crate::sensor::OrientationRawTemp { raw_temp }
+    "raw_temp" => value(raw_temp);
+}
+
+record! {
+    crate::sensor::InternalTimestamp { counts }
+    "counts" => value(counts);
+}
+
+record! {
+    crate::sensor::PpsTimestamp { seconds, useconds }
+    "seconds" => value(seconds);
+    "useconds" => value(useconds);
 }
 
 record! {
@@ -64,6 +100,11 @@ record! {
     "min_temp" => value(min_temp);
     "max_temp" => value(max_temp);
     "mean_temp" => value(mean_temp);
+}
+
+record! {
+    crate::sensor::RawPressure { raw_pressure }
+    "raw_pressure" => value(raw_pressure);
 }
 
 record! {

@@ -6,6 +6,16 @@ record! {
 }
 
 record! {
+    crate::shared::Ticks { ticks }
+    "ticks" => value(ticks);
+}
+
+record! {
+    crate::shared::DeltaTicks { ticks }
+    "ticks" => value(ticks);
+}
+
+record! {
     crate::shared::GpsTimestamp { tow, week_number, valid_flags }
     "tow" => value(tow);
     "week_number" => value(week_number);

@@ -15,3 +15,9 @@ record! {
     crate::system_data::GpioState { states }
     "states" => value(states);
 }
+
+record! {
+    crate::system_data::GpioAnalogValue { gpio_id, value }
+    "gpio_id" => value(gpio_id);
+    "value" => value(value);
+}

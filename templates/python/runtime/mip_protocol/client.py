@@ -14,9 +14,9 @@ Times are seconds on any clock that does not jump.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-from .errors import DecodeError, EncodeError, PacketError
+from .errors import DecodeError, EncodeError, MissingResponse, PacketError
 from .field import Command, Response
 from .packet import Packet, PacketBuilder, RawField
 from .parser import Parser
@@ -26,15 +26,17 @@ from .types import AckCode
 
 @dataclass(frozen=True)
 class Answer:
-    """The device has answered a command; `response` is there if it sent one.
+    """The device has answered a command; `response` is there if the command asks for one.
 
-    `error` says what is wrong with a response that came and could not be decoded.
+    `error` says why it is not there: the device sent none (`MissingResponse`), or one that cannot
+    be decoded. `raw` is the response as it came.
     """
 
     command: Command
     code: AckCode
     response: Response | None = None
-    error: DecodeError | None = None
+    error: DecodeError | MissingResponse | None = None
+    raw: RawField | None = None
 
     @property
     def accepted(self) -> bool:
@@ -50,9 +52,16 @@ class TimedOut:
 
 @dataclass(frozen=True)
 class Received:
-    """A packet that answers nothing: data, or a reply that nobody waits for."""
+    """A packet with something that answers nothing: data, or a reply that nobody waits for."""
 
     packet: Packet
+    taken: frozenset[int] = frozenset()
+    """The places of the fields that were part of an answer."""
+
+    @property
+    def fields(self) -> tuple[RawField, ...]:
+        """The fields that answer nothing, up to a malformed one."""
+        return tuple(f for i, f in enumerate(_fields(self.packet)[0]) if i not in self.taken)
 
 
 Event = Answer | TimedOut | Received
@@ -61,6 +70,7 @@ Event = Answer | TimedOut | Received
 @dataclass
 class _Pending:
     command: Command
+    expected: type[Response] | None
     deadline: float
 
 
@@ -100,19 +110,16 @@ class Client:
         for command in commands:
             if command.answered:
                 wait = max(self._timeout, command.TIMEOUT or 0.0)
-                self._pending.append(_Pending(command, now + wait))
+                self._pending.append(_Pending(command, command.expected, now + wait))
         return bytes(builder.build())
 
     def receive(self, data: bytes, now: float) -> list[Event]:
         """What these bytes and this moment bring: answers, other packets, time-outs."""
-        return self._events(self._parser.feed(data), now)
+        return self._events(self._parser.feed(data)) + self.poll(now)
 
     def flush(self, now: float) -> list[Event]:
-        """Gives up a packet that is not complete, after a silence say, and looks behind it.
-
-        Noise that looks like the beginning of a long packet holds an answer back until then.
-        """
-        return self._events(self._parser.flush(), now)
+        """Gives up a packet that is not complete, at the end of a file say, and looks behind it."""
+        return self._events(self._parser.flush()) + self.poll(now)
 
     @property
     def deadline(self) -> float | None:
@@ -124,53 +131,91 @@ class Client:
         self._pending = [p for p in self._pending if p.command is not command]
 
     def poll(self, now: float) -> list[Event]:
-        """The commands whose time is over."""
-        late = [p for p in self._pending if p.deadline <= now]
-        self._pending = [p for p in self._pending if p.deadline > now]
-        return [TimedOut(p.command) for p in late]
+        """The commands whose time is over.
 
-    def _events(self, packets: Iterable[Packet], now: float) -> list[Event]:
+        Noise that looks like the beginning of a long packet holds back what follows: before a
+        command is given up, such a beginning is, and what was behind it comes first.
+        """
         events: list[Event] = []
-        for packet in packets:
-            events += self._answers(packet) or [Received(packet)]
-        return events + self.poll(now)
+        while self._parser.pending and any(p.deadline <= now for p in self._pending):
+            events += self._events(self._parser.give_up())
+        events += [TimedOut(p.command) for p in self._pending if p.deadline <= now]
+        self._pending = [p for p in self._pending if p.deadline > now]
+        return events
 
-    def _answers(self, packet: Packet) -> list[Answer]:
-        if packet.set >= 0x80:
-            return []
-        answers: list[Answer] = []
-        current = False  # does the last answer take the response that follows?
-        try:
-            for raw in packet:
-                if raw.descriptor == Acknowledge.DESCRIPTOR:
-                    answer = self._acknowledged(raw)
-                    current = answer is not None
-                    if answer is not None:
-                        answers.append(answer)
-                elif current and answers[-1].response is None and answers[-1].error is None:
-                    answers[-1] = _completed(answers[-1], raw)
-        except PacketError:
-            pass  # what stands before a malformed field still counts
-        return answers
+    def _events(self, packets: Iterable[Packet]) -> list[Event]:
+        return [event for packet in packets for event in self._taken(packet)]
 
-    def _acknowledged(self, raw: RawField) -> Answer | None:
+    def _taken(self, packet: Packet) -> list[Event]:
+        """The answers in a packet, and the packet itself if it holds anything else."""
+        if packet.set >= 0x80 or not self._pending:
+            return [Received(packet)]
+        fields, malformed = _fields(packet)
+        answers: list[Event] = []
+        taken: set[int] = set()
+        for i, raw in enumerate(fields):
+            if i in taken or raw.descriptor != Acknowledge.DESCRIPTOR:
+                continue
+            answer = self._answer(raw, fields[i + 1] if i + 1 < len(fields) else None)
+            if answer is not None:
+                answers.append(answer)
+                taken.update((i,) if answer.raw is None else (i, i + 1))
+        if answers and len(taken) == len(fields) and not malformed:
+            return answers
+        return [*answers, Received(packet, frozenset(taken))]
+
+    def _answer(self, raw: RawField, behind: RawField | None) -> Answer | None:
+        """What an acknowledge field and the field behind it answer: the oldest command of that kind.
+
+        A response answers no command that does not ask for it, as it may be the late answer to
+        another one; an acknowledge without a response answers those that ask for none first.
+        """
         try:
             ack = Acknowledge.decode(raw.data)
         except DecodeError:
             return None
-        for i, waiting in enumerate(self._pending):
-            if waiting.command.SET == raw.set and waiting.command.DESCRIPTOR == ack.command:
-                del self._pending[i]
-                return Answer(waiting.command, ack.code)
+        left_alone: _Pending | None = None
+        for waiting in self._pending:
+            command = waiting.command
+            if (command.SET, command.DESCRIPTOR) != (raw.set, ack.command):
+                continue
+            if ack.code != 0:
+                return self._done(waiting, Answer(command, ack.code))
+            if behind is None or all(r.DESCRIPTOR != behind.descriptor for r in command.RESPONSES):
+                if waiting.expected is None:
+                    return self._done(waiting, Answer(command, ack.code))
+                left_alone = left_alone or waiting
+            elif (found := _response(waiting, ack.code, behind)) is not None:
+                return self._done(waiting, found)
+        if left_alone is None:
+            return None
+        error = MissingResponse(left_alone.command.NAME)
+        return self._done(left_alone, Answer(left_alone.command, ack.code, error=error))
+
+    def _done(self, waiting: _Pending, answer: Answer) -> Answer:
+        self._pending = [p for p in self._pending if p is not waiting]
+        return answer
+
+
+def _response(waiting: _Pending, code: AckCode, raw: RawField) -> Answer | None:
+    """The answer with this response, if it is the one that the command asks for."""
+    command, kind = waiting.command, waiting.expected
+    if kind is None or kind.DESCRIPTOR != raw.descriptor:
         return None
+    try:
+        return Answer(command, code, kind.decode(raw.data), None, raw)
+    except DecodeError as error:
+        if error.kind == "constant":  # another layout of the descriptor
+            return None
+        return Answer(command, code, None, error, raw)
 
 
-def _completed(answer: Answer, raw: RawField) -> Answer:
-    """The answer with its response, if the field is one."""
-    for kind in answer.command.RESPONSES:
-        if kind.DESCRIPTOR == raw.descriptor and kind.matches(raw.data):
-            try:
-                return replace(answer, response=kind.decode(raw.data))
-            except DecodeError as error:
-                return replace(answer, error=error)
-    return answer
+def _fields(packet: Packet) -> tuple[list[RawField], bool]:
+    """The fields of a packet; is there a malformed one behind them?"""
+    fields: list[RawField] = []
+    try:
+        for raw in packet:
+            fields.append(raw)
+    except PacketError:
+        return fields, True
+    return fields, False

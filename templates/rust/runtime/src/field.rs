@@ -64,8 +64,23 @@ pub trait Command: Field {
     /// Will a response follow the acknowledge?
     #[must_use]
     fn expects_response(&self) -> bool {
-        false
+        self.response_check().is_some()
     }
+
+    /// Tells the response that it asks for with these values from other fields.
+    #[must_use]
+    fn response_check(&self) -> Option<ResponseCheck> {
+        None
+    }
+}
+
+/// Tells a response from other fields, for which it gives `None`; and can it be decoded?
+pub type ResponseCheck = fn(&RawField<'_>) -> Option<Result<(), DecodeError>>;
+
+/// The check for one type of response.
+#[must_use]
+pub fn check<R: Response>(field: &RawField<'_>) -> Option<Result<(), DecodeError>> {
+    R::from_field(field).map(|found| found.map(drop))
 }
 
 /// A field that answers the command `C`.
@@ -73,19 +88,32 @@ pub trait ResponseOf<C: Command>: Field {}
 
 /// What a command can be answered with.
 pub trait Response: Sized {
+    /// The descriptors that it can have.
+    const DESCRIPTORS: &'static [u8];
+
     /// Decodes a field if it is such a response.
     fn from_field(field: &RawField<'_>) -> Option<Result<Self, DecodeError>>;
 }
 
 impl Response for () {
+    const DESCRIPTORS: &'static [u8] = &[];
+
     fn from_field(_: &RawField<'_>) -> Option<Result<Self, DecodeError>> {
         None
     }
 }
 
 impl<T: Field> Response for T {
+    const DESCRIPTORS: &'static [u8] = &[T::DESCRIPTOR];
+
     fn from_field(field: &RawField<'_>) -> Option<Result<Self, DecodeError>> {
-        field.get()
+        if !T::in_set(field.set) || field.descriptor != T::DESCRIPTOR {
+            return None;
+        }
+        match T::decode(field.data) {
+            Err(DecodeError::Constant) => None, // another layout of the descriptor
+            found => Some(found),
+        }
     }
 }
 

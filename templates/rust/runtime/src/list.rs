@@ -58,6 +58,16 @@ impl<T, const N: usize> List<T, N> {
         Ok(())
     }
 
+    /// Takes the last item off.
+    pub fn pop(&mut self) -> Option<T>
+    where
+        T: Copy,
+    {
+        let last = self.length.checked_sub(1)?;
+        self.length = last;
+        self.items.get(last).copied()
+    }
+
     /// Makes it empty.
     pub fn clear(&mut self) {
         self.length = 0;

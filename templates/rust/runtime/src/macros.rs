@@ -330,11 +330,14 @@ macro_rules! responses {
         }
 
         impl $crate::Response for $name {
+            const DESCRIPTORS: &'static [u8] = &[$(<$field as $crate::Field>::DESCRIPTOR),*];
+
             fn from_field(
                 field: &$crate::RawField<'_>,
             ) -> ::core::option::Option<::core::result::Result<Self, $crate::DecodeError>> {
                 $(
-                    if let ::core::option::Option::Some(found) = field.get::<$field>() {
+                    let found = <$field as $crate::Response>::from_field(field);
+                    if let ::core::option::Option::Some(found) = found {
                         return ::core::option::Option::Some(found.map(Self::$variant));
                     }
                 )*
@@ -391,6 +394,16 @@ macro_rules! registry {
                 }
             }
 
+            /// Puts it into a request, if it is a command.
+            pub(crate) fn add_to<const N: usize>(
+                &self,
+                request: &mut Request<'_, N>,
+            ) -> Option<Result<Ticket<()>, RequestError>> {
+                match self {
+                    $(Self::$variant(field) => $crate::macros::add_to!($role, request, field),)*
+                }
+            }
+
             /// What is known about the field.
             #[must_use]
             pub fn info(&self) -> Option<&'static FieldInfo> {
@@ -433,6 +446,17 @@ macro_rules! registry {
     };
 }
 
+/// What is put into a request: commands, and nothing else.
+macro_rules! add_to {
+    (Command, $request:ident, $field:ident) => {
+        Some($request.add($field).map(Ticket::untyped))
+    };
+    ($role:ident, $request:ident, $field:ident) => {{
+        let _ = $field;
+        None
+    }};
+}
+
 /// The fields of a device.
 macro_rules! device_fields {
     ($($set:literal $descriptor:literal $name:literal [$($function:ident)*];)*) => {
@@ -445,4 +469,4 @@ macro_rules! device_fields {
     };
 }
 
-pub(crate) use {bitfield, device_fields, newtype, open_enum, registry, responses, vector};
+pub(crate) use {add_to, bitfield, device_fields, newtype, open_enum, registry, responses, vector};

@@ -2,6 +2,7 @@
 //!
 //! It knows no field by name: everything goes through the registry and the trees of values.
 
+mod client;
 mod json;
 
 use std::io::{self, BufRead, Write};
@@ -38,6 +39,7 @@ fn answer(request: &Json) -> Answer {
         Some("parse") => parse(request),
         Some("decode") => decode(request),
         Some("encode") => encode(request),
+        Some("client") => client::play(request),
         _ => Err("request"),
     }
 }
@@ -83,12 +85,7 @@ fn decode_field(field: &RawField<'_>) -> Json {
     match AnyField::decode(field) {
         None => object([descriptor, ("raw", hex(field.data))]),
         Some(Err(error)) => {
-            let error = match error {
-                DecodeError::Truncated => "truncated",
-                DecodeError::Count => "count",
-                DecodeError::Constant => "constant",
-            };
-            object([descriptor, ("error", string(error)), ("raw", hex(field.data))])
+            object([descriptor, ("error", string(decode_error(error))), ("raw", hex(field.data))])
         }
         Some(Ok((any, trailing))) => {
             let info = any.info().expect("every field is listed");
@@ -161,6 +158,14 @@ fn to_value(json: &Json) -> Result<Value, &'static str> {
             Value::Record(values.collect::<Result<Record, _>>()?)
         }
     })
+}
+
+fn decode_error(error: DecodeError) -> &'static str {
+    match error {
+        DecodeError::Truncated => "truncated",
+        DecodeError::Count => "count",
+        DecodeError::Constant => "constant",
+    }
 }
 
 fn value_error(error: ValueError) -> &'static str {

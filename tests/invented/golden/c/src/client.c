@@ -6,6 +6,15 @@ void mip_client_init(struct mip_client *client) {
     client->timeout = MIP_DEFAULT_TIMEOUT;
 }
 
+/** The response that a command asks for with these values; NULL if it asks for none. */
+static const struct mip_codec *wanted(const struct mip_codec *codec, const void *command) {
+    const struct mip_response *r = codec->responses;
+    while (r != NULL && r->codec != NULL && r->asked != NULL && !r->asked(command)) {
+        r++;
+    }
+    return r != NULL ? r->codec : NULL;
+}
+
 mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
                          struct mip_builder *packet, const struct mip_codec *codec,
                          const void *command, uint32_t now) {
@@ -19,9 +28,8 @@ mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
     request->code = 0;
     request->responded = false;
     request->error = MIP_OK;
-    request->descriptor_set = codec->descriptor_set;
-    request->descriptor = codec->descriptor;
-    request->codec = NULL;
+    request->command = codec;
+    request->codec = wanted(codec, command);
     request->response = NULL;
     request->deadline = now + (codec->timeout > client->timeout ? codec->timeout : client->timeout);
     request->next = NULL;
@@ -37,9 +45,10 @@ mip_error mip_client_add(struct mip_client *client, struct mip_request *request,
     return MIP_OK;
 }
 
-void mip_client_expect(struct mip_request *request, const struct mip_codec *codec, void *response) {
-    request->codec = codec;
-    request->response = response;
+bool mip_client_expect(struct mip_request *request, const struct mip_codec *codec, void *response) {
+    const bool right = codec != NULL && codec == request->codec;
+    request->response = right ? response : NULL;
+    return right;
 }
 
 /** Takes a request out of those that wait. */
@@ -54,53 +63,132 @@ static void leave(struct mip_client *client, struct mip_request *request, uint8_
     }
 }
 
-/** The request that an acknowledge field answers: the oldest one of that command. */
-static struct mip_request *answer(struct mip_client *client, const struct mip_field *field) {
-    struct mip_protocol_acknowledge acknowledge;
-    if (mip_protocol_acknowledge_decode(&acknowledge, field) != MIP_OK) {
-        return NULL;
-    }
-    for (struct mip_request *r = client->waiting; r != NULL; r = r->next) {
-        if (r->descriptor_set == field->descriptor_set && r->descriptor == acknowledge.command) {
-            const bool done = acknowledge.code == 0;
-            leave(client, r, done ? MIP_REQUEST_ACKNOWLEDGED : MIP_REQUEST_REFUSED);
-            r->code = acknowledge.code;
-            return r;
+/** Is this field a response to the command, whatever the command's values are? */
+static bool may_answer(const struct mip_codec *command, const struct mip_field *field) {
+    for (const struct mip_response *r = command->responses; r != NULL && r->codec != NULL; r++) {
+        if (r->codec->descriptor == field->descriptor) {
+            return true;
         }
     }
-    return NULL;
+    return false;
+}
+
+/** Takes the response that a request asks for. False if the field is another one. */
+static bool respond(struct mip_request *request, const struct mip_field *field) {
+    if (field->descriptor != request->codec->descriptor) {
+        return false;
+    }
+    if (request->response == NULL) {
+        return true;
+    }
+    const mip_error error = mip_decode(request->codec, request->response, field, NULL);
+    if (error == MIP_ERROR_CONSTANT) {
+        return false; /* another layout of the descriptor */
+    }
+    request->error = (uint8_t)error;
+    request->responded = error == MIP_OK;
+    return true;
+}
+
+/**
+ * Finds the request that an acknowledge field and the field behind it (NULL if there is none)
+ * answer: the oldest one of that command. A response answers no request that does not ask for it,
+ * as it may be the late answer to another one; an acknowledge without a response answers those that
+ * ask for none first. Says what the state of the request is then.
+ */
+static struct mip_request *find(const struct mip_client *client, uint8_t set,
+                                const struct mip_protocol_acknowledge *acknowledge,
+                                const struct mip_field *behind, uint8_t *state) {
+    struct mip_request *left_alone = NULL;
+    for (struct mip_request *r = client->waiting; r != NULL; r = r->next) {
+        if (r->command->descriptor_set != set || r->command->descriptor != acknowledge->command) {
+            continue;
+        }
+        if (acknowledge->code != 0) {
+            *state = MIP_REQUEST_REFUSED;
+            return r;
+        }
+        const bool response = behind != NULL && may_answer(r->command, behind);
+        if (r->codec == NULL ? !response : response && respond(r, behind)) {
+            *state = r->error != MIP_OK ? MIP_REQUEST_UNDECODABLE : MIP_REQUEST_ACKNOWLEDGED;
+            return r;
+        }
+        if (!response && left_alone == NULL) {
+            left_alone = r;
+        }
+    }
+    *state = MIP_REQUEST_MISSING_RESPONSE;
+    return left_alone;
+}
+
+bool mip_client_next(struct mip_client *client, struct mip_walk *walk,
+                     struct mip_request **answered, struct mip_field *field) {
+    struct mip_protocol_acknowledge acknowledge;
+    struct mip_field behind;
+    uint8_t state;
+    *answered = NULL;
+    if (!mip_walk_next(walk, field)) {
+        return false;
+    }
+    if (field->descriptor != MIP_PROTOCOL_ACKNOWLEDGE_DESCRIPTOR ||
+        mip_protocol_acknowledge_decode(&acknowledge, field) != MIP_OK) {
+        return true;
+    }
+    struct mip_walk ahead = *walk;
+    const bool more = mip_walk_next(&ahead, &behind);
+    struct mip_request *request =
+        find(client, field->descriptor_set, &acknowledge, more ? &behind : NULL, &state);
+    if (request == NULL) {
+        return true;
+    }
+    leave(client, request, state);
+    request->code = acknowledge.code;
+    if (request->codec != NULL &&
+        (state == MIP_REQUEST_ACKNOWLEDGED || state == MIP_REQUEST_UNDECODABLE)) {
+        *walk = ahead; /* behind the response */
+        *field = behind;
+    }
+    *answered = request;
+    return true;
 }
 
 bool mip_client_receive(struct mip_client *client, const struct mip_packet *packet) {
-    bool answered = false;
-    struct mip_request *request = NULL; /* the one that the last acknowledge field answered */
     struct mip_walk walk = mip_walk_packet(packet);
+    struct mip_request *request;
     struct mip_field field;
-    while (mip_walk_next(&walk, &field)) {
-        if (field.descriptor == MIP_PROTOCOL_ACKNOWLEDGE_DESCRIPTOR) {
-            request = answer(client, &field);
-            answered = answered || request != NULL;
-        } else if (request != NULL && request->codec != NULL && !request->responded &&
-                   field.descriptor == request->codec->descriptor) {
-            request->error = (uint8_t)mip_decode(request->codec, request->response, &field, NULL);
-            request->responded = request->error == MIP_OK;
-        }
+    bool answered = false;
+    while (mip_client_next(client, &walk, &request, &field)) {
+        answered = answered || request != NULL;
     }
     return answered;
 }
 
-size_t mip_client_expire(struct mip_client *client, uint32_t now) {
-    size_t count = 0;
-    struct mip_request *r = client->waiting;
-    while (r != NULL) {
+static bool is_late(const struct mip_request *request, uint32_t now) {
+    return (uint32_t)(now - request->deadline) <
+           UINT32_C(0x80000000); /* the time may wrap around */
+}
+
+bool mip_client_poll(struct mip_client *client, struct mip_parser *parser, uint32_t now,
+                     struct mip_packet *packet) {
+    const uint8_t *nothing = NULL;
+    size_t none = 0;
+    bool late = false;
+    for (const struct mip_request *r = client->waiting; r != NULL; r = r->next) {
+        late = late || is_late(r, now);
+    }
+    /* Nothing more is given up than what an answer may hide behind. */
+    if (parser != NULL && (late ? mip_parser_flush(parser, packet)
+                                : mip_parser_next(parser, &nothing, &none, packet))) {
+        return true;
+    }
+    for (struct mip_request *r = client->waiting; r != NULL;) {
         struct mip_request *next = r->next;
-        if ((uint32_t)(now - r->deadline) < UINT32_C(0x80000000)) { /* the time may wrap around */
+        if (is_late(r, now)) {
             leave(client, r, MIP_REQUEST_TIMED_OUT);
-            count++;
         }
         r = next;
     }
-    return count;
+    return false;
 }
 
 void mip_client_cancel(struct mip_client *client, struct mip_request *request) {

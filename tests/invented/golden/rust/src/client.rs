@@ -4,10 +4,12 @@ use core::fmt;
 use core::marker::PhantomData;
 
 use crate::codec::{DecodeError, EncodeError};
-use crate::field::{Command, Field, RawField, Response};
+use crate::field::{Command, RawField, Response, ResponseCheck};
 use crate::list::List;
-use crate::packet::{Fields, Packet, PacketBuilder};
+use crate::packet::{FieldLengthError, Packet, PacketBuilder, MAX_FIELD_DATA};
+use crate::parser::Parser;
 use crate::protocol::{AckCode, Acknowledge};
+use crate::registry::AnyField;
 
 /// Keeps track of the commands that a device has not answered yet, at most `N` of them.
 ///
@@ -16,22 +18,38 @@ use crate::protocol::{AckCode, Acknowledge};
 /// 1. [`Client::request`] begins a packet, [`Request::add`] puts commands into it, and
 ///    [`Request::send`] gives the bytes to send.
 /// 2. Every packet that comes goes through [`Client::receive`], which yields an [`Event`] for each
-///    command that it answers. Other packets yield nothing.
-/// 3. From time to time [`Client::expire`] yields an event for each command that took too long.
+///    command that it answers, and tells what else is in the packet.
+/// 3. From time to time [`Client::poll`] is told the time, and commands that took too long have
+///    their events.
+///
+/// Events that are not taken stay: they come with the next ones, or from [`Client::events`] or
+/// [`Client::take`]. For that, each of the `N` places has room for the longest response.
 #[derive(Clone, Debug)]
 pub struct Client<const N: usize = 8> {
     pending: List<Pending, N>,
+    /// With those that are pending never more than `N`.
+    events: List<Event, N>,
     next: u32,
     timeout_ms: u32,
 }
 
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Default)]
 struct Pending {
     id: u32,
     set: u8,
     descriptor: u8,
+    /// The descriptors of all responses that the command has, and the one that it asks for.
+    responses: &'static [u8],
+    wanted: Option<ResponseCheck>,
     timeout_ms: u32,
     deadline: u64,
+}
+
+impl fmt::Debug for Pending {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { id, set, descriptor, deadline, .. } = self;
+        write!(f, "{id}: 0x{set:02X},0x{descriptor:02X} until {deadline}")
+    }
 }
 
 /// Stands for one command that was sent, and knows what answers it.
@@ -53,6 +71,10 @@ impl<C> Ticket<C> {
     pub const fn is_silent(&self) -> bool {
         self.silent
     }
+
+    pub(crate) const fn untyped(self) -> Ticket<()> {
+        Ticket { id: self.id, silent: self.silent, command: PhantomData }
+    }
 }
 
 impl<C> Clone for Ticket<C> {
@@ -63,9 +85,9 @@ impl<C> Clone for Ticket<C> {
 
 impl<C> Copy for Ticket<C> {}
 
-impl<C: Field> fmt::Debug for Ticket<C> {
+impl<C> fmt::Debug for Ticket<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Ticket({}, {})", self.id, C::NAME)
+        write!(f, "Ticket({})", self.id)
     }
 }
 
@@ -75,8 +97,10 @@ impl<C: Field> fmt::Debug for Ticket<C> {
 pub enum RequestError {
     /// The command does not encode, or the packet is full.
     Encode(EncodeError),
-    /// As many commands are pending as the client can hold.
+    /// The client has no place left: commands are pending, or have events that were not taken.
     Busy,
+    /// The field is no command.
+    NoCommand,
 }
 
 impl From<EncodeError> for RequestError {
@@ -90,6 +114,7 @@ impl fmt::Display for RequestError {
         match self {
             Self::Encode(error) => error.fmt(f),
             Self::Busy => f.write_str("too many commands are pending"),
+            Self::NoCommand => f.write_str("the field is no command"),
         }
     }
 }
@@ -101,46 +126,74 @@ impl std::error::Error for RequestError {}
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Answer<R> {
-    /// It was carried out; with the response, if one came.
+    /// It was carried out; with the response, if the command asks for one.
     Acknowledged(Option<R>),
     /// The device refused it.
     Refused(AckCode),
     /// Nothing came in time.
     TimedOut,
+    /// It was acknowledged, but the response that it asks for did not come.
+    MissingResponse,
+    /// It was carried out, but the response could not be decoded.
+    Undecodable(DecodeError),
+}
+
+/// What became of a command, whatever its type is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Outcome {
+    /// It was carried out, and the response is there, if the command asks for one.
+    Acknowledged,
+    /// The device refused it.
+    Refused(AckCode),
+    /// Nothing came in time.
+    #[default]
+    TimedOut,
+    /// It was acknowledged, but the response that it asks for did not come.
+    MissingResponse,
     /// It was carried out, but the response could not be decoded.
     Undecodable(DecodeError),
 }
 
 /// What became of a command, its response not decoded yet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Event<'a> {
+pub struct Event {
     /// The number of the ticket.
     pub id: u32,
     /// The descriptor set of the command.
     pub set: u8,
     /// The descriptor of the command.
     pub descriptor: u8,
-    /// How it went: `None` if nothing came in time.
-    pub code: Option<AckCode>,
-    /// The field behind the acknowledge.
-    pub response: Option<RawField<'a>>,
+    /// How it went.
+    pub outcome: Outcome,
+    /// Descriptor and data of the response.
+    response: Option<(u8, List<u8, MAX_FIELD_DATA>)>,
 }
 
-impl Event<'_> {
+impl Event {
+    /// The response as it came.
+    #[must_use]
+    pub fn response(&self) -> Option<RawField<'_>> {
+        let (descriptor, data) = self.response.as_ref()?;
+        Some(RawField { set: self.set, descriptor: *descriptor, data })
+    }
+
     /// The answer, if the event belongs to this ticket.
     #[must_use]
     pub fn answer<C: Command>(&self, ticket: &Ticket<C>) -> Option<Answer<C::Response>> {
         if self.id != ticket.id {
             return None;
         }
-        let response = self.response.as_ref().and_then(C::Response::from_field);
-        Some(match (self.code, response) {
-            (None, _) => Answer::TimedOut,
-            (Some(AckCode(0)), None) => Answer::Acknowledged(None),
-            (Some(AckCode(0)), Some(Ok(response))) => Answer::Acknowledged(Some(response)),
-            (Some(AckCode(0)), Some(Err(error))) => Answer::Undecodable(error),
-            (Some(code), _) => Answer::Refused(code),
+        let response = self.response().and_then(|field| C::Response::from_field(&field));
+        Some(match (self.outcome, response) {
+            (Outcome::Acknowledged, None) => Answer::Acknowledged(None),
+            (Outcome::Acknowledged, Some(Ok(response))) => Answer::Acknowledged(Some(response)),
+            (Outcome::Acknowledged, Some(Err(error))) => Answer::Undecodable(error),
+            (Outcome::Refused(code), _) => Answer::Refused(code),
+            (Outcome::TimedOut, _) => Answer::TimedOut,
+            (Outcome::MissingResponse, _) => Answer::MissingResponse,
+            (Outcome::Undecodable(error), _) => Answer::Undecodable(error),
         })
     }
 }
@@ -164,13 +217,19 @@ impl<const N: usize> Client<N> {
     /// A client that waits so long for a reply; longer where a command is known to take longer.
     #[must_use]
     pub fn with_timeout(timeout_ms: u32) -> Self {
-        Self { pending: List::new(), next: 1, timeout_ms }
+        Self { pending: List::new(), events: List::new(), next: 1, timeout_ms }
     }
 
     /// How many commands wait for a reply.
     #[must_use]
     pub fn pending(&self) -> usize {
         self.pending.len()
+    }
+
+    /// Does this command wait for a reply?
+    #[must_use]
+    pub fn is_pending<C>(&self, ticket: &Ticket<C>) -> bool {
+        self.pending.iter().any(|p| p.id == ticket.id)
     }
 
     /// When the next command times out.
@@ -195,40 +254,134 @@ impl<const N: usize> Client<N> {
         Ok((ticket, request.send(now_ms)))
     }
 
-    /// The events that a packet causes. Streams of data and foreign replies cause none.
-    #[must_use = "the packet is looked at while the events are taken"]
-    pub fn receive<'c, 'p>(&'c mut self, packet: &Packet<'p>) -> Events<'c, 'p, N> {
-        Events { client: self, fields: packet.fields() }
-    }
-
-    /// An event for each command whose time is over.
-    #[must_use = "commands time out while the events are taken"]
-    pub fn expire(&mut self, now_ms: u64) -> impl Iterator<Item = Event<'static>> + '_ {
-        core::iter::from_fn(move || {
-            let late = self.pending.iter().position(|p| p.deadline <= now_ms)?;
-            let Pending { id, set, descriptor, .. } = self.remove(late)?;
-            Some(Event { id, set, descriptor, code: None, response: None })
-        })
-    }
-
-    /// Stops waiting for a command; a reply that comes later causes no event.
-    pub fn cancel<C>(&mut self, ticket: &Ticket<C>) {
-        if let Some(index) = self.pending.iter().position(|p| p.id == ticket.id) {
-            self.remove(index);
+    /// Takes a packet that has come, and gives the events that have not been taken.
+    ///
+    /// Streams of data and late or foreign replies cause none; [`Events::others`] has them.
+    pub fn receive<'p>(&mut self, packet: &Packet<'p>) -> Events<'_, 'p, N> {
+        let mut taken = 0;
+        let mut fields = packet.fields().map_while(Result::ok).enumerate();
+        while let Some((at, field)) = fields.next() {
+            let Some(Ok(ack)) = field.get::<Acknowledge>() else { continue };
+            let behind = fields.clone().next().map(|(_, field)| field);
+            let Some((index, outcome, whole)) = self.find(field.set, ack, behind) else { continue };
+            let Some(Pending { id, set, descriptor, .. }) = remove(&mut self.pending, index) else {
+                continue;
+            };
+            taken |= bit(at);
+            let mut event = Event { id, set, descriptor, outcome, response: None };
+            if let (true, Some((at, field))) = (whole, fields.clone().next()) {
+                let data = List::from_slice(field.data).unwrap_or_default();
+                event.response = Some((field.descriptor, data));
+                taken |= bit(at);
+                fields.next();
+            }
+            self.happened(event);
         }
+        Events { client: self, packet: Some(*packet), taken }
     }
 
-    fn remove(&mut self, index: usize) -> Option<Pending> {
-        let found = self.pending.get(index).copied();
-        let mut kept = List::new();
-        for (i, entry) in self.pending.iter().enumerate() {
-            if i != index && kept.push(*entry).is_err() {
-                break;
+    /// The events that have not been taken: of packets before, and of commands that timed out.
+    pub fn events(&mut self) -> Events<'_, 'static, N> {
+        Events { client: self, packet: None, taken: 0 }
+    }
+
+    /// What became of this command, if that is known. Events of others stay.
+    pub fn take<C: Command>(&mut self, ticket: &Ticket<C>) -> Option<Answer<C::Response>> {
+        let index = self.events.iter().position(|event| event.id == ticket.id)?;
+        remove(&mut self.events, index)?.answer(ticket)
+    }
+
+    /// Says what time it is. To be called until it gives `None`; then the commands whose time is
+    /// over have their events.
+    ///
+    /// Noise that looks like the beginning of a packet holds back what follows: before a command is
+    /// given up, what the parser holds back is, and the packets behind it come first. They are to be
+    /// handled as any.
+    pub fn poll<'p>(&mut self, parser: &'p mut Parser, now_ms: u64) -> Option<Packet<'p>> {
+        let late = self.pending.iter().any(|p| p.deadline <= now_ms);
+        // Nothing more is given up than what an answer may hide behind.
+        let found = if late { parser.flush() } else { parser.next(&mut [].as_slice()) };
+        if found.is_none() {
+            while let Some(at) = self.pending.iter().position(|p| p.deadline <= now_ms) {
+                let Some(Pending { id, set, descriptor, .. }) = remove(&mut self.pending, at)
+                else {
+                    break;
+                };
+                let outcome = Outcome::TimedOut;
+                self.happened(Event { id, set, descriptor, outcome, response: None });
             }
         }
-        self.pending = kept;
         found
     }
+
+    /// Stops waiting for a command: there is no event for it any more.
+    pub fn cancel<C>(&mut self, ticket: &Ticket<C>) {
+        if let Some(index) = self.pending.iter().position(|p| p.id == ticket.id) {
+            remove(&mut self.pending, index);
+        }
+        if let Some(index) = self.events.iter().position(|event| event.id == ticket.id) {
+            remove(&mut self.events, index);
+        }
+    }
+
+    /// Keeps an event; there is a place for it, as its command has left one.
+    fn happened(&mut self, event: Event) {
+        let kept = self.events.push(event);
+        debug_assert!(kept.is_ok());
+    }
+
+    /// Finds the command that an acknowledge and the field behind it answer: the oldest one of its
+    /// kind. Tells how it went, and whether the field behind is its response.
+    ///
+    /// A response answers no command that does not ask for it, as it may be the late answer to
+    /// another one; an acknowledge without a response answers those that ask for none first.
+    fn find(
+        &self,
+        set: u8,
+        ack: Acknowledge,
+        behind: Option<RawField<'_>>,
+    ) -> Option<(usize, Outcome, bool)> {
+        let mut left_alone = None;
+        for (index, pending) in self.pending.iter().enumerate() {
+            if pending.set != set || pending.descriptor != ack.command {
+                continue;
+            }
+            if ack.code.0 != 0 {
+                return Some((index, Outcome::Refused(ack.code), false));
+            }
+            let response = behind.filter(|field| pending.responses.contains(&field.descriptor));
+            match (pending.wanted, response) {
+                (None, None) => return Some((index, Outcome::Acknowledged, false)),
+                (None, Some(_)) => {}
+                (Some(_), None) => left_alone = left_alone.or(Some(index)),
+                (Some(check), Some(field)) => match check(&field) {
+                    Some(Ok(())) => return Some((index, Outcome::Acknowledged, true)),
+                    Some(Err(error)) => return Some((index, Outcome::Undecodable(error), true)),
+                    None => {}
+                },
+            }
+        }
+        left_alone.map(|index| (index, Outcome::MissingResponse, false))
+    }
+}
+
+/// Takes an item out of a list; those behind it move up.
+fn remove<T: Copy, const N: usize>(list: &mut List<T, N>, index: usize) -> Option<T> {
+    let found = list.get(index).copied()?;
+    let mut at = index;
+    while let Some(next) = list.get(at.saturating_add(1)).copied() {
+        if let Some(place) = list.get_mut(at) {
+            *place = next;
+        }
+        at = at.saturating_add(1);
+    }
+    list.pop();
+    Some(found)
+}
+
+/// One bit for each field of a packet; it has at most 127.
+fn bit(at: usize) -> u128 {
+    u32::try_from(at).ok().and_then(|at| 1_u128.checked_shl(at)).unwrap_or_default()
 }
 
 /// A packet with commands that is not sent yet. Dropping it forgets them.
@@ -243,8 +396,8 @@ impl<const N: usize> Request<'_, N> {
     /// Appends a command. If it is refused, the request stays as it was.
     pub fn add<C: Command>(&mut self, command: &C) -> Result<Ticket<C>, RequestError> {
         let silent = !command.expects_reply();
-        let waiting = self.client.pending.len().saturating_add(self.added.len());
-        if !silent && waiting >= N {
+        let places = [self.client.pending.len(), self.client.events.len(), self.added.len()];
+        if !silent && places.iter().sum::<usize>() >= N {
             return Err(RequestError::Busy);
         }
         self.packet.push(command)?;
@@ -253,10 +406,16 @@ impl<const N: usize> Request<'_, N> {
         if !silent {
             let timeout_ms = C::TIMEOUT_MS.unwrap_or(0).max(self.client.timeout_ms);
             let (set, descriptor) = (self.packet.set(), C::DESCRIPTOR);
-            let entry = Pending { id, set, descriptor, timeout_ms, deadline: 0 };
+            let (responses, wanted) = (C::Response::DESCRIPTORS, command.response_check());
+            let entry = Pending { id, set, descriptor, responses, wanted, timeout_ms, deadline: 0 };
             self.added.push(entry).map_err(|_| RequestError::Busy)?;
         }
         Ok(Ticket { id, silent, command: PhantomData })
+    }
+
+    /// Appends a command whose type is not known before the program runs.
+    pub fn add_any(&mut self, field: &AnyField) -> Result<Ticket<()>, RequestError> {
+        field.add_to(self).unwrap_or(Err(RequestError::NoCommand))
     }
 
     /// The packet to send. From now on its commands are pending.
@@ -272,26 +431,27 @@ impl<const N: usize> Request<'_, N> {
     }
 }
 
-/// The events of one packet, in order.
+/// The events that have not been taken, oldest first. Those that are left stay in the client.
 #[derive(Debug)]
 pub struct Events<'c, 'p, const N: usize> {
     client: &'c mut Client<N>,
-    fields: Fields<'p>,
+    packet: Option<Packet<'p>>,
+    taken: u128,
 }
 
-impl<'p, const N: usize> Iterator for Events<'_, 'p, N> {
-    type Item = Event<'p>;
+impl<'p, const N: usize> Events<'_, 'p, N> {
+    /// The fields of the packet that answer nothing: data, and replies that nobody waits for.
+    pub fn others(&self) -> impl Iterator<Item = Result<RawField<'p>, FieldLengthError>> + Clone {
+        let taken = self.taken;
+        let fields = self.packet.into_iter().flat_map(|packet| packet.fields()).enumerate();
+        fields.filter(move |(at, _)| taken & bit(*at) == 0).map(|(_, field)| field)
+    }
+}
 
-    fn next(&mut self) -> Option<Event<'p>> {
-        loop {
-            let field = self.fields.next()?.ok()?;
-            let Some(Ok(ack)) = field.get::<Acknowledge>() else { continue };
-            let answered = |p: &Pending| p.set == field.set && p.descriptor == ack.command;
-            let Some(index) = self.client.pending.iter().position(answered) else { continue };
-            let Pending { id, set, descriptor, .. } = self.client.remove(index)?;
-            let behind = self.fields.clone().next().and_then(Result::ok);
-            let response = behind.filter(|f| !f.is::<Acknowledge>());
-            return Some(Event { id, set, descriptor, code: Some(ack.code), response });
-        }
+impl<const N: usize> Iterator for Events<'_, '_, N> {
+    type Item = Event;
+
+    fn next(&mut self) -> Option<Event> {
+        remove(&mut self.client.events, 0)
     }
 }

@@ -158,6 +158,7 @@ pub static MODEL_A: Device = Device {
         0x80 0x04 "measurements.health" [];
         0x80 0x05 "measurements.arrays" [];
         0x80 0x06 "measurements.growing" [];
+        0x80 0x07 "measurements.cloud" [];
         0x81 0x01 "more.accel" [];
         0x81 0x03 "more.strings" [];
         0x81 0x07 "more.own" [];

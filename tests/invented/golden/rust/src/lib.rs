@@ -39,6 +39,7 @@ pub mod protocol;
 pub mod registry;
 pub mod types;
 
+pub mod copy;
 pub mod measurements;
 pub mod mip_3d;
 pub mod more;

@@ -82,8 +82,12 @@ pub struct Numbers {
     /// Signed.
     pub s64: i64,
     /// Four bytes.
+    ///
+    /// Unit: 1.
     pub float: f32,
     /// Eight bytes.
+    ///
+    /// Unit: 1.
     pub double: f64,
     /// True or false.
     pub bool: crate::Bool,
@@ -238,6 +242,8 @@ pub struct Arrays {
     /// Bitfields.
     pub flags: [types::StateFlags; 2],
     /// Vectors.
+    ///
+    /// Unit: m.
     pub vectors: [types::Vector3f; 2],
     /// Structures.
     ///
@@ -297,6 +303,8 @@ pub struct Growing {
     /// From version 2 on.
     pub second: Option<u16>,
     /// From version 3 on.
+    ///
+    /// Unit: deg.
     pub third: Option<f32>,
 }
 

@@ -106,6 +106,10 @@ registry! {
     ToolsPin(crate::tools::Pin),
         Command 0x01, 0x0B, in 0x01..=0x01, of 1,
         "tools.pin", "Pin", ["tools.pin_response"];
+    /// Hello (0x01,0x0C).
+    ToolsHello(crate::tools::Hello),
+        Command 0x01, 0x0C, in 0x01..=0x01, of 1,
+        "tools.hello", "Hello", ["tools.hello_response"];
     /// Settings response (0x01,0x82).
     ToolsSettingsResponse(crate::tools::SettingsResponse),
         Response 0x01, 0x82, in 0x01..=0x01, of 1,
@@ -134,6 +138,10 @@ registry! {
     ToolsPinResponse(crate::tools::PinResponse),
         Response 0x01, 0x8B, in 0x01..=0x01, of 1,
         "tools.pin_response", "Pin response", ["tools.pin"];
+    /// Hello response (0x01,0x8C).
+    ToolsHelloResponse(crate::tools::HelloResponse),
+        Response 0x01, 0x8C, in 0x01..=0x01, of 1,
+        "tools.hello_response", "Hello response", ["tools.hello"];
     /// Status response (0x01,0x90).
     ToolsStatusShort(crate::tools::StatusShort),
         Response 0x01, 0x90, in 0x01..=0x01, of 2,
@@ -174,6 +182,10 @@ registry! {
     MeasurementsGrowing(crate::measurements::Growing),
         Data 0x80, 0x06, in 0x80..=0x80, of 1,
         "measurements.growing", "Growing", [];
+    /// Radio (0x80,0x07).
+    MeasurementsRadio(crate::measurements::Radio),
+        Data 0x80, 0x07, in 0x80..=0x80, of 1,
+        "measurements.radio", "Radio", [];
     /// Second acceleration (0x81,0x01).
     MoreAccel(crate::more::Accel),
         Data 0x81, 0x01, in 0x81..=0x81, of 1,
@@ -186,6 +198,34 @@ registry! {
     MoreOwn(crate::more::Own),
         Data 0x81, 0x07, in 0x81..=0x81, of 1,
         "more.own", "Own", [];
+    /// Third acceleration (0x92,0x01).
+    CopyAccel(crate::copy::Accel),
+        Data 0x92, 0x01, in 0x92..=0x92, of 1,
+        "copy.accel", "Third acceleration", [];
+    /// Numbers (0x92,0x02).
+    CopyNumbers(crate::copy::Numbers),
+        Data 0x92, 0x02, in 0x92..=0x92, of 1,
+        "copy.numbers", "Numbers", [];
+    /// Strings (0x92,0x03).
+    CopyStrings(crate::copy::Strings),
+        Data 0x92, 0x03, in 0x92..=0x92, of 1,
+        "copy.strings", "Strings", [];
+    /// Health (0x92,0x04).
+    CopyHealth(crate::copy::Health),
+        Data 0x92, 0x04, in 0x92..=0x92, of 1,
+        "copy.health", "Health", [];
+    /// Arrays (0x92,0x05).
+    CopyArrays(crate::copy::Arrays),
+        Data 0x92, 0x05, in 0x92..=0x92, of 1,
+        "copy.arrays", "Arrays", [];
+    /// Growing (0x92,0x06).
+    CopyGrowing(crate::copy::Growing),
+        Data 0x92, 0x06, in 0x92..=0x92, of 1,
+        "copy.growing", "Growing", [];
+    /// Radio (0x92,0x07).
+    CopyRadio(crate::copy::Radio),
+        Data 0x92, 0x07, in 0x92..=0x92, of 1,
+        "copy.radio", "Radio", [];
     /// Timestamp (0xFF,0xD3).
     SharedTimestamp(crate::shared::Timestamp),
         Data 0xFF, 0xD3, in 0x80..=0xFF, of 1,

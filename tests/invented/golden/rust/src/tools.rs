@@ -1281,6 +1281,80 @@ impl Command for Pin {
 
 impl ResponseOf<Pin> for PinResponse {}
 
+/// Hello (0x01,0x0C).
+///
+/// The device asks and a host answers.
+///
+/// Response: [`HelloResponse`].
+///
+/// - Manual sheet: Hello
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Hello {
+    /// Reserved.
+    ///
+    /// Send 1.0.
+    pub reserved: f32,
+    /// Reserved.
+    ///
+    /// Send 0.0.
+    pub later: Option<[f64; 2]>,
+}
+
+impl core::default::Default for Hello {
+    fn default() -> Self {
+        Self { reserved: 1.0, later: None }
+    }
+}
+
+impl Hello {
+    /// The command with its parameters.
+    #[must_use]
+    pub fn new() -> Self {
+        Self { reserved: 1.0, later: None }
+    }
+
+    /// With `later`, which is optional.
+    #[must_use]
+    pub fn with_later(mut self, later: [f64; 2]) -> Self {
+        self.later = Some(later);
+        self
+    }
+}
+
+impl Wire for Hello {
+    const SIZE: usize = 20;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let reserved = reader.read()?;
+        let later = reader.group(false, Reader::read)?;
+        Ok(Self { reserved, later })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.reserved)?;
+        writer.some(false, &self.later)?;
+        Ok(())
+    }
+}
+
+impl Field for Hello {
+    const SET: u8 = 0x01;
+    const DESCRIPTOR: u8 = 0x0C;
+    const NAME: &'static str = "tools.hello";
+}
+
+impl Command for Hello {
+    type Response = HelloResponse;
+
+    fn expects_response(&self) -> bool {
+        true
+    }
+}
+
+impl ResponseOf<Hello> for HelloResponse {}
+
 /// Settings response (0x01,0x82).
 ///
 /// Answers Settings (0x01,0x02).
@@ -1600,6 +1674,43 @@ impl Field for PinResponse {
     const SET: u8 = 0x01;
     const DESCRIPTOR: u8 = 0x8B;
     const NAME: &'static str = "tools.pin_response";
+}
+
+/// Hello response (0x01,0x8C).
+///
+/// Answers Hello (0x01,0x0C).
+///
+/// Command: [`Hello`].
+///
+/// - Manual sheet: Hello
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct HelloResponse {
+    /// When the device was seen.
+    ///
+    /// Unit: s.
+    pub seen: u32,
+}
+
+impl Wire for HelloResponse {
+    const SIZE: usize = 4;
+
+    fn decode_from(reader: &mut Reader<'_>) -> Result<Self, DecodeError> {
+        let seen = reader.read()?;
+        Ok(Self { seen })
+    }
+
+    fn encode_to(&self, writer: &mut Writer<'_>) -> Result<(), EncodeError> {
+        writer.write(&self.seen)?;
+        Ok(())
+    }
+}
+
+impl Field for HelloResponse {
+    const SET: u8 = 0x01;
+    const DESCRIPTOR: u8 = 0x8C;
+    const NAME: &'static str = "tools.hello_response";
 }
 
 /// Status response (0x01,0x90).

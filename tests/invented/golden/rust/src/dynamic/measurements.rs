@@ -52,3 +52,12 @@ record! {
     "second" => some_value(second);
     "third" => some_value(third);
 }
+
+record! {
+    crate::measurements::Radio { connected, strength, noise, gap, gaps }
+    "connected" => value(connected);
+    "strength" => value(strength);
+    "noise" => value(noise);
+    "gap" => value(gap);
+    "gaps" => value(gaps);
+}

@@ -108,6 +108,12 @@ record! {
 }
 
 record! {
+    crate::tools::Hello { reserved, later }
+    "reserved" => value(reserved);
+    "later" => some_value(later);
+}
+
+record! {
     crate::tools::SettingsResponse { port, mode, baud, limit, reserved }
     "port" => value(port);
     "mode" => value(mode);
@@ -148,6 +154,11 @@ record! {
     crate::tools::PinResponse { drive, use_ }
     "drive" => value(drive);
     "use" => value(use_);
+}
+
+record! {
+    crate::tools::HelloResponse { seen }
+    "seen" => value(seen);
 }
 
 record! {

@@ -1,0 +1,31 @@
+/* What the parts of the driver share. Functions that can fail give what is wrong, NULL if nothing is. */
+#ifndef DRIVER_H
+#define DRIVER_H
+
+#include "json.h"
+
+#include "mip/core.h"
+#include "mip/registry.h"
+
+/* What is wrong with a request that is none. */
+extern const char *const REQUEST;
+
+/* Bytes in memory of exactly their size, so that a sanitizer sees the first one too many; or NULL. */
+uint8_t *bytes_of(struct arena *arena, const struct json *j, size_t *size);
+
+/* A whole number from 0 on. */
+const char *get_whole(const struct json *j, uint32_t *number);
+
+/* A field of a request by its name, with its values in a structure. */
+const char *get_named(struct arena *arena, const struct json *field, uint8_t set, const struct mip_entry **entry, uint8_t **record);
+
+/* The values of a structure. */
+void put_values(struct output *out, const struct mip_codec *codec, const uint8_t *value);
+
+/* A field of a packet, decoded. */
+void put_field(struct output *out, struct arena *arena, const struct mip_field *field);
+
+/* The `client` request. */
+const char *play(struct output *out, struct arena *arena, const struct json *request);
+
+#endif

@@ -1,0 +1,185 @@
+//! The `client` request: steps in, events out.
+
+use mip_protocol::dynamic::Value;
+use mip_protocol::{
+    AnyField, Client, Event, Outcome, Packet, Parser, RawField, RequestError, Role, Ticket,
+};
+
+use crate::json::Json;
+use crate::{
+    bytes, decode_error, decode_field, encode_error, hex, object, string, to_value, value_error,
+    Answer,
+};
+
+/// A client, and what has happened.
+struct Session {
+    client: Client<400>,
+    now: u64,
+    sent: Vec<Ticket<()>>,
+    events: Vec<Json>,
+}
+
+pub fn play(request: &Json) -> Answer {
+    let mut parser = Parser::new();
+    let mut session =
+        Session { client: Client::new(), now: 0, sent: Vec::new(), events: Vec::new() };
+    for step in request.get("steps").and_then(Json::array).ok_or("request")? {
+        match step.get("step").and_then(Json::string) {
+            Some("send") => session.send(step)?,
+            Some("receive") => session.receive(step, &mut parser)?,
+            Some("time") => {
+                let passed = step.get("milliseconds").and_then(Json::integer::<u32>);
+                session.now += u64::from(passed.ok_or("request")?);
+                session.poll(&mut parser);
+            }
+            Some("end") => session.end(&mut parser),
+            _ => return Err("request"),
+        }
+    }
+    Ok(object([("events", Json::Array(session.events))]))
+}
+
+fn number(of: usize) -> Json {
+    Json::Integer(of as i128)
+}
+
+impl Session {
+    fn happens<const N: usize>(&mut self, event: &str, what: [(&str, Json); N]) {
+        let head = ("event".to_owned(), string(event));
+        let what = what.into_iter().map(|(key, value)| (key.to_owned(), value));
+        self.events.push(Json::Object(std::iter::once(head).chain(what).collect()));
+    }
+
+    fn send(&mut self, step: &Json) -> Result<(), &'static str> {
+        let set = step.get("set").and_then(Json::integer).filter(|set| *set > 0_u8);
+        let set = set.ok_or("request")?;
+        let fields = step.get("fields").and_then(Json::array).ok_or("request")?;
+        if fields.is_empty() {
+            return Err("request");
+        }
+        let mut request = self.client.request(set);
+        let mut tickets: Vec<Ticket<()>> = Vec::new();
+        for field in fields {
+            let added = command(set, field).and_then(|command| {
+                request.add_any(&command).map_err(|error| match error {
+                    RequestError::Encode(error) => encode_error(error),
+                    RequestError::NoCommand => "unknown",
+                    RequestError::Busy => panic!("more commands than any scenario sends"),
+                })
+            });
+            match added {
+                Ok(ticket) => tickets.push(ticket),
+                Err("request") => return Err("request"),
+                Err(error) => {
+                    self.happens("not_sent", [("error", string(error))]);
+                    return Ok(());
+                }
+            }
+        }
+        let packet = hex(request.send(self.now).bytes());
+        let first = self.sent.len();
+        self.sent.extend_from_slice(&tickets);
+        let commands = Json::Array((first..self.sent.len()).map(number).collect());
+        self.happens("sent", [("packet", packet), ("commands", commands)]);
+        for (at, _) in tickets.iter().enumerate().filter(|(_, ticket)| ticket.is_silent()) {
+            self.happens("silent", [("command", number(first + at))]);
+        }
+        Ok(())
+    }
+
+    fn receive(&mut self, step: &Json, parser: &mut Parser) -> Result<(), &'static str> {
+        let stream = bytes(step.get("bytes"))?;
+        let chunk = match step.get("chunk") {
+            Some(chunk) => chunk.integer().filter(|n| *n > 0).ok_or("request")?,
+            None => stream.len().max(1),
+        };
+        for mut chunk in stream.chunks(chunk) {
+            while let Some(packet) = parser.next(&mut chunk) {
+                self.take(&packet);
+            }
+            self.poll(parser);
+        }
+        Ok(())
+    }
+
+    fn poll(&mut self, parser: &mut Parser) {
+        while let Some(packet) = self.client.poll(parser, self.now) {
+            self.take(&packet);
+        }
+        let events: Vec<Event> = self.client.events().collect();
+        for event in events {
+            self.answer(&event);
+        }
+    }
+
+    fn end(&mut self, parser: &mut Parser) {
+        while let Some(packet) = parser.flush() {
+            self.take(&packet);
+        }
+        self.poll(parser);
+        let sent = self.sent.iter().enumerate();
+        let waiting = sent.filter(|(_, t)| self.client.is_pending(t)).map(|(at, _)| number(at));
+        let waiting = Json::Array(waiting.collect());
+        let skipped = Json::Integer(parser.skipped().into());
+        self.happens("end", [("waiting", waiting), ("skipped", skipped)]);
+    }
+
+    fn take(&mut self, packet: &Packet<'_>) {
+        let events = self.client.receive(packet);
+        let others: Vec<Json> = events
+            .others()
+            .map(|field| match field {
+                Ok(field) => decode_field(&field),
+                Err(_) => object([("error", string("field_length"))]),
+            })
+            .collect();
+        let events: Vec<Event> = events.collect();
+        for event in &events {
+            self.answer(event);
+        }
+        if events.is_empty() || !others.is_empty() {
+            let set = Json::Integer(packet.set().into());
+            self.happens("received", [("set", set), ("fields", Json::Array(others))]);
+        }
+    }
+
+    fn answer(&mut self, event: &Event) {
+        let at = self.sent.iter().position(|t| t.id() == event.id).expect("it was sent");
+        let command = ("command", number(at));
+        match (event.outcome, event.response()) {
+            (Outcome::Acknowledged, None) => self.happens("acknowledged", [command]),
+            (Outcome::Acknowledged, Some(field)) => {
+                self.happens("acknowledged", [command, ("response", decode_field(&field))]);
+            }
+            (Outcome::Refused(code), _) => {
+                self.happens("refused", [command, ("code", Json::Integer(code.0.into()))]);
+            }
+            (Outcome::TimedOut, _) => self.happens("timed_out", [command]),
+            (Outcome::MissingResponse, _) => self.happens("missing_response", [command]),
+            (Outcome::Undecodable(error), field) => {
+                let RawField { descriptor, data, .. } = field.expect("there is one");
+                let response = object([
+                    ("descriptor", Json::Integer(descriptor.into())),
+                    ("error", string(decode_error(error))),
+                    ("raw", hex(data)),
+                ]);
+                self.happens("undecodable", [command, ("response", response)]);
+            }
+        }
+    }
+}
+
+/// A command of the set by its name.
+fn command(set: u8, field: &Json) -> Result<AnyField, &'static str> {
+    let name = field.get("name").and_then(Json::string).ok_or("request")?;
+    let values: Value = to_value(field.get("values").ok_or("request")?)?;
+    let any = AnyField::from_value(name, &values).map_err(value_error)?;
+    let info = any.info().expect("every field is listed");
+    let descriptor = field.get("descriptor").map(Json::integer::<u8>);
+    let right = info.in_set(set) && descriptor.map_or(true, |d| d == Some(info.descriptor));
+    if right && info.role == Role::Command {
+        Ok(any)
+    } else {
+        Err("unknown")
+    }
+}
