@@ -134,7 +134,7 @@ def lengths(longest: int = 33) -> str:
       - response: {0x80 + number}
         parameters:
           - {{name: r_{w}, type: u16, reserved: 3}}
-          - {{name: x, type: u8, read_as: {{by: device, types: {{model-a: e{w}}}}}}}
+          - {{name: x, type: u8}}
           - {{name: s, type: s{w}}}"""
         )
     return (

@@ -71,7 +71,7 @@ def field(f: m.Field, model: m.Model) -> list[Fact]:
     """What there is to say of a field beside its description."""
     found: list[Fact] = []
     if f.deprecated:
-        found.append(_fact("deprecated", prose(f.deprecated, model), "Deprecated: {}"))
+        found.append(_fact("deprecated", prose(f.deprecated.rstrip("."), model), "Deprecated: {}."))
     if f.advanced:
         found.append(_fact("advanced", (), "For advanced use."))
     if f.definition:
@@ -114,7 +114,7 @@ def condition(c: m.Condition, command: m.Field) -> Text:
 
 
 def parameter(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
-    """What there is to say of a parameter beside its description."""
+    """What there is to say of a parameter, or of the parameter of a union's case, beside its description."""
     beside = {q.name: q for q in record.parameters}
     found: list[Fact] = []
     if p.deprecated:
@@ -123,7 +123,8 @@ def parameter(p: m.Parameter, record: Record, model: m.Model) -> list[Fact]:
         found.append(_fact("constant", (str(p.constant),), "Always {}."))
     if p.reserved is not None:
         sent = not isinstance(record, m.Field) or record.role == m.COMMAND
-        found.append(_fact("reserved", (str(p.reserved),), "Reserved: send {}." if sent else "Reserved."))
+        value = (str(p.reserved),) if sent else ()
+        found.append(_fact("reserved", value, "Reserved: send {}." if sent else "Reserved."))
     if p.counts:
         found.append(_fact("counts", (Ref(beside[p.counts], p.counts, record),), "The number of elements of {}."))
     if p.tag:
@@ -197,8 +198,16 @@ def _presence(p: m.Parameter, record: Record) -> Iterator[Fact]:
     """When it may be left out."""
     if p.optional:
         yield _fact("optional", (), "Optional.")
-    elif isinstance(record, m.Field) and not p.selector and len(p.required_for) < len(record.functions):
+    elif isinstance(record, m.Field) and p in record.counted and len(p.required_for) < len(record.functions):
         yield _fact("required", _functions(p.required_for), "Required for {}.")
+
+
+def case(c: m.Case, union: m.Parameter, record: Record) -> Fact:
+    """When a union has one of its alternatives."""
+    tag = next(q for q in record.parameters if q.name == union.tag)
+    assert isinstance(tag.element, m.Enum)
+    value = (Ref(tag, tag.name, record), " is ", Ref(c.tag, c.tag.name, tag.element))
+    return _fact("case", value, "If {}." if c.parameter else "Empty if {}.")
 
 
 def _variant(v: m.Variant, p: m.Parameter, record: Record, model: m.Model) -> Fact:
@@ -238,7 +247,8 @@ def bits_place(b: m.Bits) -> str:
 
 
 def bits(b: m.Bits, model: m.Model) -> list[Fact]:
-    found = [_fact("place", (bits_place(b),), "{}.")]
+    place = bits_place(b)
+    found = [Fact("place", (place,), (f"{place.capitalize()}.",))]
     if b.enum is not None:
         found.append(_fact("values", (Ref(b.enum, b.enum.name),), "A value of {}."))
     if b.alias:

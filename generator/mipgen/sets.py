@@ -111,12 +111,11 @@ class Sets:
                 self.problems.add(
                     lengths.keys[manual], f"the command cites no manual '{manual}'{nearest(manual, known)}"
                 )
-        answers = f"Answers {command.title} (0x{command.set:02X},0x{command.descriptor:02X})."
         return m.Field(
             set=command.set, set_name=command.set_name, name=node.scalar("name", f"{command.name}_response"),
             descriptor=node["response"].value, role=m.RESPONSE,
             title=node.scalar("title", f"{command.title} response"),
-            description=node.scalar("description", answers),
+            description=node.scalar("description", ""),
             parameters=record.parameters, operations=record.operations,
             min_size=record.min_size, max_size=record.max_size,
             sources=tuple(
