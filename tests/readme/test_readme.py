@@ -57,7 +57,7 @@ def test_python() -> None:
 
 
 def test_rust() -> None:
-    source = (ROOT / "tests/readme/taste.rs").read_text("utf-8")
+    source = (ROOT / "generated/rust/examples/taste.rs").read_text("utf-8")
     assert source == block("rust")
     crate = BUILD / "readme-rust"
     with locked(crate):
