@@ -185,7 +185,7 @@ def compare(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
 
 
 def write(made: Mapping[str, bytes], folder: Path) -> list[Difference]:
-    """Makes the folder hold these files. What a user put beside them stays."""
+    """Makes the folder hold these files. Files that a user added are kept."""
     done = []
     for d in compare(made, folder):
         path = folder / d.path
