@@ -31,10 +31,10 @@ def validate(options: Namespace) -> int:
         return 0
     from . import build
 
-    model = _load(options)
+    model, summary = _load(options)
     build.check_names(model, sources)
-    print(_summary(model))
-    _remember(options, key, model, [])
+    print(summary)
+    _remember(options, key, summary, [])
     return 0
 
 
@@ -47,11 +47,11 @@ def generate(options: Namespace) -> int:
     else:
         from . import build, render
 
-        model = _load(options)
+        model, summary = _load(options)
         outputs = build.make(model, sources)
-        print(_summary(model))
+        print(summary)
         rows = [(o.name, o.title, len(o.files), len(render.write(o.files, options.out / o.name))) for o in outputs]
-        _remember(options, key, model, outputs)
+        _remember(options, key, summary, outputs)
     for name, title, files, changed in rows:
         print(f"{name:10} {files:4} files, {changed} changed  ({title})")
     others = discovery.sources(options.target_path).keys() - {source.name for source in sources}
@@ -64,9 +64,9 @@ def check(options: Namespace) -> int:
     from . import build, render
 
     sources, _ = _asked(options)
-    model = _load(options)
+    model, summary = _load(options)
     outputs = build.make(model, sources)
-    print(_summary(model))
+    print(summary)
     found = 0
     for output in outputs:
         for difference in render.compare(output.files, options.out / output.name):
@@ -101,23 +101,17 @@ def _specs(options: Namespace) -> list[Path]:
     return specs
 
 
-def _load(options: Namespace) -> Model:
-    """The specification, or the part of it that is asked for."""
+def _load(options: Namespace) -> tuple[Model, str]:
+    """The specification, or the part of it that is asked for, and what to say of it."""
     from . import subset
     from .resolve import load_model
 
     whole = load_model(*_specs(options))
     asked = subset.Selection(*(tuple(getattr(options, name, ())) for name in PARTS))
     if not asked:
-        return whole
+        return whole, _summary(whole)
     part = subset.select(whole, asked)
-    print(subset.left_out(whole, part))
-    return part
-
-
-def _remember(options: Namespace, key: str | None, model: Model, outputs: list[Output]) -> None:
-    if key == _asked(options)[1]:  # nothing was changed meanwhile
-        stamp.remember(key, _summary(model), {output.name: (output.title, output.files) for output in outputs})
+    return part, f"{subset.left_out(whole, part)}\n{_summary(part)}"
 
 
 def _summary(model: Model) -> str:
@@ -128,6 +122,11 @@ def _summary(model: Model) -> str:
         f"{len(model.sets)} sets: {len(model.fields) - responses} commands and data fields, {responses} responses; "
         f"{len(model.devices)} devices, {len(model.examples)} examples, {len(model.errata)} errata"
     )
+
+
+def _remember(options: Namespace, key: str | None, summary: str, outputs: list[Output]) -> None:
+    if key == _asked(options)[1]:  # nothing was changed meanwhile
+        stamp.remember(key, summary, {output.name: (output.title, output.files) for output in outputs})
 
 
 def diff(options: Namespace) -> int:
@@ -191,7 +190,7 @@ def audit(options: Namespace) -> int:
 
     if not options.manual and options.sdk is None:
         raise Failure("nothing to compare with; give --manual ID=FILE, --sdk FOLDER or both")
-    model = _load(options)
+    model, _ = _load(options)
     known = [x.id for x in model.protocol.manuals]
     findings = []
     for argument in options.manual:

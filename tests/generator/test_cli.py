@@ -242,6 +242,12 @@ def test_the_last_line_says_what_was_made_and_what_was_left_out(work: Path) -> N
     assert mipgen("generate", cwd=work).stdout.endswith("nothing was left out\n")
 
 
+def test_another_part_of_the_specification_is_other_work(work: Path) -> None:
+    shown = [mipgen("generate", "--set", "tools", cwd=work).stdout for _ in range(2)]
+    assert shown[0].splitlines()[0] == shown[1].splitlines()[0] != mipgen("generate", cwd=work).stdout.splitlines()[0]
+    assert tree(work / "generated") == tree(GOLDEN)
+
+
 def test_other_targets_are_other_work(work: Path) -> None:
     shutil.rmtree(work / "generated")
     assert set(generated(work, True, "--target", "c")) == {f"c/{p}" for p in tree(GOLDEN / "c")}
