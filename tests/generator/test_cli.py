@@ -141,7 +141,8 @@ def completed(script: Path, words: str, folder: Path) -> list[str]:
         $(complete -p mipgen | sed 's/.*-F \\([^ ]*\\).*/\\1/') mipgen "${{COMP_WORDS[COMP_CWORD]}}"
         printf '%s\\n' "${{COMPREPLY[@]}}"
     """
-    done = subprocess.run(["bash", "-c", program], capture_output=True, text=True, cwd=folder)
+    environment = {**os.environ, "PATH": f"{script.parent / 'bin'}:{os.environ['PATH']}"}
+    done = subprocess.run(["bash", "-c", program], capture_output=True, text=True, cwd=folder, env=environment)
     return done.stdout.split()
 
 
@@ -149,11 +150,16 @@ def test_completion_in_bash(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert cli.main(["completion", "bash"]) == 0
     script = tmp_path / "mipgen.bash"
     script.write_text(capsys.readouterr().out)
+    program = tmp_path / "bin/mipgen"
+    program.parent.mkdir()
+    program.write_text(f'#!/bin/sh\nPYTHONPATH={ROOT}/generator exec {sys.executable} -m mipgen "$@"\n')
+    program.chmod(0o755)
     (tmp_path / "folder").mkdir()
+    assert completed(script, "mipgen generate --target p", tmp_path) == ["python"]
     assert completed(script, "mipgen gen", tmp_path) == ["generate"]
     assert completed(script, "mipgen generate --targ", tmp_path) == ["--target", "--target-path"]
     assert completed(script, "mipgen new f", tmp_path) == ["folder"]
-    assert completed(script, "mipgen generate --spec ", tmp_path) == ["folder"]
+    assert sorted(completed(script, "mipgen generate --spec ", tmp_path)) == ["bin", "folder"]
     assert completed(script, "mipgen completion z", tmp_path) == ["zsh"]
 
 
