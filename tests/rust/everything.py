@@ -331,10 +331,10 @@ class _Writer:
             yield f"let limit = &{of}.limits[{i}];"
             yield f"assert_eq!((limit.unit, limit.description), ({unit}, {text(x.description)}));"
             yield f'assert_eq!({of}.limit("{x.name}"), Some({float(x.value)!r}));'
-        readings = [(v.path, v.variant.type.name) for v in d.variants if v.variant.type]
-        read = ", ".join(f"({text(path)}, {text(name)})" for path, name in readings)
-        pairs = f"{of}.readings.iter().map(|r| (r.of, r.read_as)).collect::<Vec<(&str, &str)>>()"
-        yield f"assert_eq!({pairs}, [{read}] as [(&str, &str); {len(readings)}]);"
+        kinds = [(v.path, v.variant.type and v.variant.type.name) for v in d.variants]
+        pairs = ", ".join(f"({text(path)}, {f'Some({text(kind)})' if kind else 'None'})" for path, kind in kinds)
+        found = f"{of}.variants.iter().map(|v| (v.parameter, v.read_as)).collect::<Vec<(&str, Option<&str>)>>()"
+        yield f"assert_eq!({found}, [{pairs}] as [(&str, Option<&str>); {len(kinds)}]);"
         counts = [len(d.base_rates), len(d.ports), len(d.limits)]
         yield f"assert_eq!([{of}.base_rates.len(), {of}.ports.len(), {of}.limits.len()], {counts});"
         codes = list(d.ack_codes)
