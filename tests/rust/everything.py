@@ -6,6 +6,7 @@ here as a user would write it. Nothing is listed by hand, so nothing can be forg
 
 from __future__ import annotations
 
+import json
 import random
 from collections.abc import Iterator
 from typing import Any
@@ -82,6 +83,11 @@ def test(name: str, lines: Iterator[str]) -> str:
 def path(t: m.Type | m.Field) -> str:
     """The name of a type for a user of the crate."""
     return f"mip_protocol::{rust.path(t, '').removeprefix('crate::')}"
+
+
+def text(words: str) -> str:
+    """A string literal."""
+    return json.dumps(" ".join(words.split()), ensure_ascii=False)
 
 
 def data_literal(data: bytes) -> str:
@@ -304,8 +310,33 @@ class _Writer:
             yield f'assert_eq!(field.name, "{s.field.full_name}");'
             yield f"assert_eq!(field.functions.iter().map(|f| f.0).collect::<Vec<u8>>(), {functions});"
         yield f"assert_eq!({of}.fields.len(), {len(d.supports)});"
-        for x in d.limits:
+        number = "None" if d.model_number is None else f"Some({d.model_number})"
+        yield f"assert_eq!(({of}.id, {of}.title, {of}.model_number), ({text(d.id)}, {text(d.title)}, {number}));"
+        yield f"assert_eq!({of}.description, {text(d.description)});"
+        rates = {r.set.number: f"Some({float(r.hertz)!r})" for r in d.base_rates}
+        for s in self.model.sets:
+            yield f"assert_eq!({of}.base_rate({s.number}), {rates.get(s.number)});"
+        for i, port in enumerate(d.ports):
+            identity = "None" if port.id is None else f"Some({port.id})"
+            protocols = ", ".join(map(text, port.protocols))
+            yield f"let port = &{of}.ports[{i}];"
+            yield f"assert_eq!((port.name, port.id), ({text(port.name)}, {identity}));"
+            yield f"assert_eq!(port.baud_rates, [{', '.join(map(str, port.baud_rates))}]);"
+            yield f"assert_eq!(port.protocols, [{protocols}] as [&str; {len(port.protocols)}]);"
+        for i, x in enumerate(d.limits):
+            unit = f"Some({text(x.unit)})" if x.unit else "None"
+            yield f"let limit = &{of}.limits[{i}];"
+            yield f"assert_eq!((limit.unit, limit.description), ({unit}, {text(x.description)}));"
             yield f'assert_eq!({of}.limit("{x.name}"), Some({float(x.value)!r}));'
+        for i, v in enumerate(d.variants):
+            read_as = f"Some({text(v.variant.type.name)})" if v.variant.type else "None"
+            yield f"let variant = &{of}.variants[{i}];"
+            yield f"assert_eq!((variant.parameter, variant.read_as), ({text(v.path)}, {read_as}));"
+            for fact in (*v.variant.units, v.variant.frame, v.variant.description):
+                yield f"assert!(variant.difference.contains({text((fact or '').rstrip('.'))}));"
+        counts = [len(d.base_rates), len(d.ports), len(d.limits), len(d.variants)]
+        tables = ", ".join(f"{of}.{name}.len()" for name in ("base_rates", "ports", "limits", "variants"))
+        yield f"assert_eq!([{tables}], {counts});"
         codes = list(d.ack_codes)
         yield f"assert_eq!({of}.ack_codes.iter().map(|c| c.0).collect::<Vec<u8>>(), {codes});"
 

@@ -9,8 +9,8 @@ from ... import model as m
 from ...naming import Identifier
 from ...render import File
 from . import commands, docs, names, records, tables
-from .names import LANGUAGE, constant, home, member, method, module, type_name, variant
-from .records import Record, Records
+from .names import LANGUAGE, Record, constant, home, member, method, module, type_name, variant
+from .records import Records
 
 TITLE = "Rust, no_std"
 

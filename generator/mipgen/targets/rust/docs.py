@@ -201,6 +201,4 @@ def comment(blocks: Iterable[Block], indent: int = 0, marker: str = "///") -> st
 
 
 def wrapped(text: str, width: int, hanging: str = "") -> list[str]:
-    return textwrap.wrap(
-        text, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False
-    )
+    return textwrap.wrap(text, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False)
