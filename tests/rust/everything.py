@@ -315,28 +315,30 @@ class _Writer:
         number = "None" if d.model_number is None else f"Some({d.model_number})"
         yield f"assert_eq!(({of}.id, {of}.title, {of}.model_number), ({text(d.id)}, {text(d.title)}, {number}));"
         yield f"assert_eq!({of}.description, {text(d.description)});"
-        rates = {rate.set.name: rate.hertz for rate in d.base_rates}
+        rates = {r.set.number: f"Some({float(r.hertz)!r})" for r in d.base_rates}
         for s in self.model.sets:
-            rate = f"Some({float(rates[s.name])!r})" if s.name in rates else "None"
-            yield f"assert_eq!({of}.base_rate({s.number}), {rate});"
+            yield f"assert_eq!({of}.base_rate({s.number}), {rates.get(s.number)});"
         for i, port in enumerate(d.ports):
-            yield f"let port = &{of}.ports[{i}];"
             identity = "None" if port.id is None else f"Some({port.id})"
+            protocols = ", ".join(map(text, port.protocols))
+            yield f"let port = &{of}.ports[{i}];"
             yield f"assert_eq!((port.name, port.id), ({text(port.name)}, {identity}));"
             yield f"assert_eq!(port.baud_rates, [{', '.join(map(str, port.baud_rates))}]);"
-            protocols = ", ".join(map(text, port.protocols))
             yield f"assert_eq!(port.protocols, [{protocols}] as [&str; {len(port.protocols)}]);"
         for i, x in enumerate(d.limits):
             unit = f"Some({text(x.unit)})" if x.unit else "None"
             yield f"let limit = &{of}.limits[{i}];"
             yield f"assert_eq!((limit.unit, limit.description), ({unit}, {text(x.description)}));"
             yield f'assert_eq!({of}.limit("{x.name}"), Some({float(x.value)!r}));'
-        kinds = [(v.path, v.variant.type and v.variant.type.name) for v in d.variants]
-        pairs = ", ".join(f"({text(path)}, {f'Some({text(kind)})' if kind else 'None'})" for path, kind in kinds)
-        found = f"{of}.variants.iter().map(|v| (v.parameter, v.read_as)).collect::<Vec<(&str, Option<&str>)>>()"
-        yield f"assert_eq!({found}, [{pairs}] as [(&str, Option<&str>); {len(kinds)}]);"
-        counts = [len(d.base_rates), len(d.ports), len(d.limits)]
-        yield f"assert_eq!([{of}.base_rates.len(), {of}.ports.len(), {of}.limits.len()], {counts});"
+        for i, v in enumerate(d.variants):
+            read_as = f"Some({text(v.variant.type.name)})" if v.variant.type else "None"
+            yield f"let variant = &{of}.variants[{i}];"
+            yield f"assert_eq!((variant.parameter, variant.read_as), ({text(v.path)}, {read_as}));"
+            for fact in (*v.variant.units, v.variant.frame, v.variant.description):
+                yield f"assert!(variant.difference.contains({text((fact or '').rstrip('.'))}));"
+        counts = [len(d.base_rates), len(d.ports), len(d.limits), len(d.variants)]
+        tables = ", ".join(f"{of}.{name}.len()" for name in ("base_rates", "ports", "limits", "variants"))
+        yield f"assert_eq!([{tables}], {counts});"
         codes = list(d.ack_codes)
         yield f"assert_eq!({of}.ack_codes.iter().map(|c| c.0).collect::<Vec<u8>>(), {codes});"
 
