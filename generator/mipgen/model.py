@@ -714,6 +714,14 @@ class Word:
 
 
 @dataclass(frozen=True, slots=True)
+class Usage:
+    """The word that names use for a thing, and those that they do not use."""
+
+    word: str
+    instead_of: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Protocol:
     name: str
     version: str
@@ -726,6 +734,7 @@ class Protocol:
     units: tuple[Word, ...]
     frames: tuple[Word, ...]
     manuals: tuple[Manual, ...]
+    vocabulary: tuple[Usage, ...] = ()
 
 
 @dataclass(frozen=True)

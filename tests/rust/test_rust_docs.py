@@ -131,7 +131,7 @@ class Expected:
                 yield from self.parameters(t)
             case m.Enum():
                 for v in t.values:
-                    texts = [v.description, *(said(fact.sentence, here) for fact in describe.value(v, of))]
+                    texts = [v.description, *(said(fact.sentence, here) for fact in describe.value(v, self.model))]
                     yield from (((here, owner, names.constant(v.name)), text) for text in texts)
             case m.Bitfield():
                 for b in t.bits:
