@@ -1,7 +1,7 @@
-use mip_protocol::{base::GetDeviceInformation, sensor::ScaledAccel, PacketBuilder, Parser};
+use mip_protocol::{base::GetDeviceInfo, sensor::ScaledAccel, PacketBuilder, Parser};
 
 fn main() -> Result<(), mip_protocol::EncodeError> {
-    let packet = PacketBuilder::with(&GetDeviceInformation::new())?; // now send packet.bytes()
+    let packet = PacketBuilder::with(&GetDeviceInfo::new())?; // now send packet.bytes()
     println!("{} bytes to send", packet.bytes().len());
 
     let mut stream: &[u8] = b"$GPGGA noise\r\n\x75\x65\x80\x0E\x0E\x04\x3E\x7A\x63\xA0\

@@ -27,11 +27,11 @@ bitfield! {
         WATCHDOG_RESET: bool = 0,
             watchdog_reset, set_watchdog_reset, with_watchdog_reset;
         /// No communication with the inertial sensor. Bit 8.
-        IMU_COMMUNICATION_FAULT: bool = 8,
-            imu_communication_fault, set_imu_communication_fault, with_imu_communication_fault;
+        IMU_COMM_FAULT: bool = 8,
+            imu_comm_fault, set_imu_comm_fault, with_imu_comm_fault;
         /// Magnetometer fault, on devices that have one. Bit 9.
-        MAGNETOMETER_FAULT: bool = 9,
-            magnetometer_fault, set_magnetometer_fault, with_magnetometer_fault;
+        MAG_FAULT: bool = 9,
+            mag_fault, set_mag_fault, with_mag_fault;
         /// Pressure sensor fault, on devices that have one. Bit 10.
         PRESSURE_SENSOR_FAULT: bool = 10,
             pressure_sensor_fault, set_pressure_sensor_fault, with_pressure_sensor_fault;
@@ -59,14 +59,14 @@ bitfield! {
         BUFFER_OVERRUN: bool = 3,
             buffer_overrun, set_buffer_overrun, with_buffer_overrun;
         /// The accelerometer is damaged or does not work. Bit 12.
-        ACCELEROMETER_FAULT: bool = 12,
-            accelerometer_fault, set_accelerometer_fault, with_accelerometer_fault;
+        ACCEL_FAULT: bool = 12,
+            accel_fault, set_accel_fault, with_accel_fault;
         /// The gyroscope is damaged or does not work. Bit 13.
-        GYROSCOPE_FAULT: bool = 13,
-            gyroscope_fault, set_gyroscope_fault, with_gyroscope_fault;
+        GYRO_FAULT: bool = 13,
+            gyro_fault, set_gyro_fault, with_gyro_fault;
         /// The magnetometer is damaged or does not work. Bit 14.
-        MAGNETOMETER_FAULT: bool = 14,
-            magnetometer_fault, set_magnetometer_fault, with_magnetometer_fault;
+        MAG_FAULT: bool = 14,
+            mag_fault, set_mag_fault, with_mag_fault;
         /// The pressure sensor is damaged or does not work. Bit 15.
         PRESSURE_SENSOR_FAULT: bool = 15,
             pressure_sensor_fault, set_pressure_sensor_fault, with_pressure_sensor_fault;
@@ -146,47 +146,47 @@ bitfield! {
         GNSS_RECEIVER_2_STALL: bool = 26,
             gnss_receiver_2_stall, set_gnss_receiver_2_stall, with_gnss_receiver_2_stall;
         /// No communication with the inertial sensors. Bit 33.
-        IMU_COMMUNICATION_FAULT: bool = 33,
-            imu_communication_fault, set_imu_communication_fault, with_imu_communication_fault;
+        IMU_COMM_FAULT: bool = 33,
+            imu_comm_fault, set_imu_comm_fault, with_imu_comm_fault;
         /// Inertial sensor processes take longer than their time. Bit 34.
         IMU_TIMING_OVERRUN: bool = 34,
             imu_timing_overrun, set_imu_timing_overrun, with_imu_timing_overrun;
         /// Fault of the accelerometer calibration. Bit 36.
-        IMU_CALIBRATION_ERROR_ACCELEROMETER: bool = 36,
-            imu_calibration_error_accelerometer, set_imu_calibration_error_accelerometer, with_imu_calibration_error_accelerometer;
+        IMU_CALIBRATION_ERROR_ACCEL: bool = 36,
+            imu_calibration_error_accel, set_imu_calibration_error_accel, with_imu_calibration_error_accel;
         /// Fault of the gyroscope calibration. Bit 37.
-        IMU_CALIBRATION_ERROR_GYROSCOPE: bool = 37,
-            imu_calibration_error_gyroscope, set_imu_calibration_error_gyroscope, with_imu_calibration_error_gyroscope;
+        IMU_CALIBRATION_ERROR_GYRO: bool = 37,
+            imu_calibration_error_gyro, set_imu_calibration_error_gyro, with_imu_calibration_error_gyro;
         /// Fault of the magnetometer calibration. Bit 38.
-        IMU_CALIBRATION_ERROR_MAGNETOMETER: bool = 38,
-            imu_calibration_error_magnetometer, set_imu_calibration_error_magnetometer, with_imu_calibration_error_magnetometer;
+        IMU_CALIBRATION_ERROR_MAG: bool = 38,
+            imu_calibration_error_mag, set_imu_calibration_error_mag, with_imu_calibration_error_mag;
         /// The accelerometer does not initialize. Bit 40.
-        ACCELEROMETER_GENERAL_FAULT: bool = 40,
-            accelerometer_general_fault, set_accelerometer_general_fault, with_accelerometer_general_fault;
+        ACCEL_GENERAL_FAULT: bool = 40,
+            accel_general_fault, set_accel_general_fault, with_accel_general_fault;
         /// An axis is near or outside the selected range. Bit 41.
-        ACCELEROMETER_OVER_RANGE: bool = 41,
-            accelerometer_over_range, set_accelerometer_over_range, with_accelerometer_over_range;
+        ACCEL_OVER_RANGE: bool = 41,
+            accel_over_range, set_accel_over_range, with_accel_over_range;
         /// The self test failed; updated by the commanded test. Bit 42.
-        ACCELEROMETER_SELF_TEST_FAIL: bool = 42,
-            accelerometer_self_test_fail, set_accelerometer_self_test_fail, with_accelerometer_self_test_fail;
+        ACCEL_SELF_TEST_FAIL: bool = 42,
+            accel_self_test_fail, set_accel_self_test_fail, with_accel_self_test_fail;
         /// The gyroscope does not initialize. Bit 44.
-        GYROSCOPE_GENERAL_FAULT: bool = 44,
-            gyroscope_general_fault, set_gyroscope_general_fault, with_gyroscope_general_fault;
+        GYRO_GENERAL_FAULT: bool = 44,
+            gyro_general_fault, set_gyro_general_fault, with_gyro_general_fault;
         /// An axis is near or outside the selected range. Bit 45.
-        GYROSCOPE_OVER_RANGE: bool = 45,
-            gyroscope_over_range, set_gyroscope_over_range, with_gyroscope_over_range;
+        GYRO_OVER_RANGE: bool = 45,
+            gyro_over_range, set_gyro_over_range, with_gyro_over_range;
         /// The self test failed; updated by the commanded test. Bit 46.
-        GYROSCOPE_SELF_TEST_FAIL: bool = 46,
-            gyroscope_self_test_fail, set_gyroscope_self_test_fail, with_gyroscope_self_test_fail;
+        GYRO_SELF_TEST_FAIL: bool = 46,
+            gyro_self_test_fail, set_gyro_self_test_fail, with_gyro_self_test_fail;
         /// The magnetometer does not initialize. Bit 48.
-        MAGNETOMETER_GENERAL_FAULT: bool = 48,
-            magnetometer_general_fault, set_magnetometer_general_fault, with_magnetometer_general_fault;
+        MAG_GENERAL_FAULT: bool = 48,
+            mag_general_fault, set_mag_general_fault, with_mag_general_fault;
         /// An axis is near or outside the supported range. Bit 49.
-        MAGNETOMETER_OVER_RANGE: bool = 49,
-            magnetometer_over_range, set_magnetometer_over_range, with_magnetometer_over_range;
+        MAG_OVER_RANGE: bool = 49,
+            mag_over_range, set_mag_over_range, with_mag_over_range;
         /// The self test failed; updated by the commanded test. Bit 50.
-        MAGNETOMETER_SELF_TEST_FAIL: bool = 50,
-            magnetometer_self_test_fail, set_magnetometer_self_test_fail, with_magnetometer_self_test_fail;
+        MAG_SELF_TEST_FAIL: bool = 50,
+            mag_self_test_fail, set_mag_self_test_fail, with_mag_self_test_fail;
         /// The pressure sensor does not initialize. Bit 52.
         PRESSURE_SENSOR_GENERAL_FAULT: bool = 52,
             pressure_sensor_general_fault, set_pressure_sensor_general_fault, with_pressure_sensor_general_fault;
@@ -364,10 +364,10 @@ record! {
     #[derive(Default)]
     pub struct EventThresholdWindow {
         /// Lower threshold, in the unit of the watched value.
-        pub low_thres: f64,
+        pub low_threshold: f64,
         /// Upper threshold, in the unit of the watched value. If it is below the lower one, the
         /// trigger is active outside of the window.
-        pub high_thres: f64,
+        pub high_threshold: f64,
     }
 }
 
@@ -375,7 +375,7 @@ constructors! {
     EventThresholdWindow
 
     /// Puts the values together.
-    fn new(low_thres: f64, high_thres: f64);
+    fn new(low_threshold: f64, high_threshold: f64);
 }
 
 record! {
@@ -384,10 +384,10 @@ record! {
     pub struct EventThresholdInterval {
         /// The trigger is active while the remainder is at most this, in the unit of the watched
         /// value.
-        pub int_thres: f64,
+        pub interval_threshold: f64,
         /// Divisor of the remainder, in the unit of the watched value. If it is below the
-        /// threshold, the two swap roles: the trigger is active while the value modulo int_thres is
-        /// above this.
+        /// threshold, the two swap roles: the trigger is active while the value modulo
+        /// interval_threshold is above this.
         pub interval: f64,
     }
 }
@@ -396,7 +396,7 @@ constructors! {
     EventThresholdInterval
 
     /// Puts the values together.
-    fn new(int_thres: f64, interval: f64);
+    fn new(interval_threshold: f64, interval: f64);
 }
 
 record! {
@@ -407,13 +407,13 @@ record! {
     #[derive(Default)]
     pub struct EventTriggerThreshold {
         /// Data descriptor set of the watched value.
-        pub desc_set: u8,
+        pub descriptor_set: u8,
         /// Field descriptor of the watched value.
-        pub field_desc: u8,
+        pub field_descriptor: u8,
         /// Number of the value in its field, counted from 1; each element of a vector counts.
         ///
         /// Range: at least 1.
-        pub param_id: u8,
+        pub parameter_id: u8,
         /// Kind of comparison.
         pub type_: EventThresholdType,
         /// What the value is compared with.
@@ -422,9 +422,9 @@ record! {
         pub thresholds: EventTriggerThresholdThresholds,
     }
     wire 20 {
-        [desc_set]
-        [field_desc]
-        [param_id]
+        [descriptor_set]
+        [field_descriptor]
+        [parameter_id]
         [type_ "type"]
         [thresholds as type_]
     }
@@ -450,9 +450,9 @@ constructors! {
 
     /// Puts the values together.
     fn new(
-        desc_set: u8,
-        field_desc: u8,
-        param_id: u8,
+        descriptor_set: u8,
+        field_descriptor: u8,
+        parameter_id: u8,
         thresholds: EventTriggerThresholdThresholds,
     ), type_: thresholds.tag();
 }
@@ -512,7 +512,7 @@ record! {
     #[derive(Default)]
     pub struct EventActionMessage {
         /// Data descriptor set of the packet.
-        pub desc_set: u8,
+        pub descriptor_set: u8,
         /// 0 sends one packet per activation. Any other value streams while the trigger is active,
         /// at the base rate of the descriptor set divided by it.
         pub decimation: u16,
@@ -520,7 +520,7 @@ record! {
         pub descriptors: crate::List<u8, 249>,
     }
     wire 253 {
-        [desc_set]
+        [descriptor_set]
         [decimation]
         [num_fields: u8 counts descriptors]
         [descriptors by num_fields]
@@ -532,7 +532,7 @@ constructors! {
 
     /// Puts the values together.
     fn new(
-        desc_set: u8,
+        descriptor_set: u8,
         decimation: u16,
         descriptors: impl Into<crate::List<u8, 249>>,
     );
@@ -884,7 +884,7 @@ record! {
         /// The talker that the sentence names.
         pub talker_id: NmeaTalkerId,
         /// Data descriptor set that the contents are taken from.
-        pub source_desc_set: u8,
+        pub source_descriptor_set: u8,
         /// Base rate of the source descriptor set divided by the wanted rate; a poll ignores it.
         pub decimation: u16,
     }
@@ -897,7 +897,7 @@ constructors! {
     fn new(
         message_id: NmeaMessageId,
         talker_id: NmeaTalkerId,
-        source_desc_set: u8,
+        source_descriptor_set: u8,
         decimation: u16,
     );
 }

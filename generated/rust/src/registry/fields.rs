@@ -8,13 +8,13 @@ registry! {
         Command 0x01, 0x01, in 0x01..=0x01, of 1,
         "base.ping", "Ping", [];
     /// Set to idle (0x01,0x02).
-    BaseSetToIdle(crate::base::SetToIdle),
+    BaseSetIdle(crate::base::SetIdle),
         Command 0x01, 0x02, in 0x01..=0x01, of 1,
-        "base.set_to_idle", "Set to idle", [];
+        "base.set_idle", "Set to idle", [];
     /// Get device information (0x01,0x03).
-    BaseGetDeviceInformation(crate::base::GetDeviceInformation),
+    BaseGetDeviceInfo(crate::base::GetDeviceInfo),
         Command 0x01, 0x03, in 0x01..=0x01, of 1,
-        "base.get_device_information", "Get device information", ["base.get_device_information_response"];
+        "base.get_device_info", "Get device information", ["base.get_device_info_response"];
     /// Get device descriptors (0x01,0x04).
     BaseGetDeviceDescriptors(crate::base::GetDeviceDescriptors),
         Command 0x01, 0x04, in 0x01..=0x01, of 1,
@@ -28,29 +28,29 @@ registry! {
         Command 0x01, 0x06, in 0x01..=0x01, of 1,
         "base.resume", "Resume", [];
     /// Get device descriptors (extended) (0x01,0x07).
-    BaseGetDeviceDescriptorsExtended(crate::base::GetDeviceDescriptorsExtended),
+    BaseGetExtendedDescriptors(crate::base::GetExtendedDescriptors),
         Command 0x01, 0x07, in 0x01..=0x01, of 1,
-        "base.get_device_descriptors_extended", "Get device descriptors (extended)", ["base.get_device_descriptors_extended_response"];
+        "base.get_extended_descriptors", "Get device descriptors (extended)", ["base.get_extended_descriptors_response"];
     /// Continuous built-in test (0x01,0x08).
     BaseContinuousBuiltInTest(crate::base::ContinuousBuiltInTest),
         Command 0x01, 0x08, in 0x01..=0x01, of 1,
         "base.continuous_built_in_test", "Continuous built-in test", ["base.continuous_built_in_test_response"];
     /// Comm port speed (0x01,0x09).
-    BaseCommPortSpeed(crate::base::CommPortSpeed),
+    BaseCommSpeed(crate::base::CommSpeed),
         Command 0x01, 0x09, in 0x01..=0x01, of 1,
-        "base.comm_port_speed", "Comm port speed", ["base.comm_port_speed_response"];
+        "base.comm_speed", "Comm port speed", ["base.comm_speed_response"];
     /// GPS time update (0x01,0x72).
     BaseGpsTimeUpdate(crate::base::GpsTimeUpdate),
         Command 0x01, 0x72, in 0x01..=0x01, of 1,
-        "base.gps_time_update", "GPS time update", ["base.gps_time_update_week_number_response", "base.gps_time_update_time_of_week_response"];
+        "base.gps_time_update", "GPS time update", ["base.gps_time_update_week_number_response", "base.gps_time_update_tow_response"];
     /// Reset device (0x01,0x7E).
-    BaseResetDevice(crate::base::ResetDevice),
+    BaseSoftReset(crate::base::SoftReset),
         Command 0x01, 0x7E, in 0x01..=0x01, of 1,
-        "base.reset_device", "Reset device", [];
+        "base.soft_reset", "Reset device", [];
     /// Get device information response (0x01,0x81).
-    BaseGetDeviceInformationResponse(crate::base::GetDeviceInformationResponse),
+    BaseGetDeviceInfoResponse(crate::base::GetDeviceInfoResponse),
         Response 0x01, 0x81, in 0x01..=0x01, of 1,
-        "base.get_device_information_response", "Get device information response", ["base.get_device_information"];
+        "base.get_device_info_response", "Get device information response", ["base.get_device_info"];
     /// Get device descriptors response (0x01,0x82).
     BaseGetDeviceDescriptorsResponse(crate::base::GetDeviceDescriptorsResponse),
         Response 0x01, 0x82, in 0x01..=0x01, of 1,
@@ -64,21 +64,21 @@ registry! {
         Response 0x01, 0x84, in 0x01..=0x01, of 1,
         "base.gps_time_update_week_number_response", "GPS time update, week number", ["base.gps_time_update"];
     /// GPS time update, time of week (0x01,0x85).
-    BaseGpsTimeUpdateTimeOfWeekResponse(crate::base::GpsTimeUpdateTimeOfWeekResponse),
+    BaseGpsTimeUpdateTowResponse(crate::base::GpsTimeUpdateTowResponse),
         Response 0x01, 0x85, in 0x01..=0x01, of 1,
-        "base.gps_time_update_time_of_week_response", "GPS time update, time of week", ["base.gps_time_update"];
+        "base.gps_time_update_tow_response", "GPS time update, time of week", ["base.gps_time_update"];
     /// Get device descriptors (extended) response (0x01,0x86).
-    BaseGetDeviceDescriptorsExtendedResponse(crate::base::GetDeviceDescriptorsExtendedResponse),
+    BaseGetExtendedDescriptorsResponse(crate::base::GetExtendedDescriptorsResponse),
         Response 0x01, 0x86, in 0x01..=0x01, of 1,
-        "base.get_device_descriptors_extended_response", "Get device descriptors (extended) response", ["base.get_device_descriptors_extended"];
+        "base.get_extended_descriptors_response", "Get device descriptors (extended) response", ["base.get_extended_descriptors"];
     /// Continuous built-in test response (0x01,0x88).
     BaseContinuousBuiltInTestResponse(crate::base::ContinuousBuiltInTestResponse),
         Response 0x01, 0x88, in 0x01..=0x01, of 1,
         "base.continuous_built_in_test_response", "Continuous built-in test response", ["base.continuous_built_in_test"];
     /// Comm port speed response (0x01,0x89).
-    BaseCommPortSpeedResponse(crate::base::CommPortSpeedResponse),
+    BaseCommSpeedResponse(crate::base::CommSpeedResponse),
         Response 0x01, 0x89, in 0x01..=0x01, of 1,
-        "base.comm_port_speed_response", "Comm port speed response", ["base.comm_port_speed"];
+        "base.comm_speed_response", "Comm port speed response", ["base.comm_speed"];
     /// Poll IMU Data (0x0C,0x01).
     Mip3dmPollImuData(crate::mip_3dm::PollImuData),
         Command 0x0C, 0x01, in 0x0C..=0x0C, of 1,
@@ -88,21 +88,21 @@ registry! {
         Command 0x0C, 0x02, in 0x0C..=0x0C, of 1,
         "3dm.poll_gnss_data", "Poll GNSS Data", [];
     /// Poll Estimation Filter Data (0x0C,0x03).
-    Mip3dmPollEstimationFilterData(crate::mip_3dm::PollEstimationFilterData),
+    Mip3dmPollFilterData(crate::mip_3dm::PollFilterData),
         Command 0x0C, 0x03, in 0x0C..=0x0C, of 1,
-        "3dm.poll_estimation_filter_data", "Poll Estimation Filter Data", [];
+        "3dm.poll_filter_data", "Poll Estimation Filter Data", [];
     /// Poll NMEA Data (0x0C,0x04).
     Mip3dmPollNmeaData(crate::mip_3dm::PollNmeaData),
         Command 0x0C, 0x04, in 0x0C..=0x0C, of 1,
         "3dm.poll_nmea_data", "Poll NMEA Data", [];
     /// Get IMU Data Base Rate (0x0C,0x06).
-    Mip3dmGetImuDataBaseRate(crate::mip_3dm::GetImuDataBaseRate),
+    Mip3dmGetImuBaseRate(crate::mip_3dm::GetImuBaseRate),
         Command 0x0C, 0x06, in 0x0C..=0x0C, of 1,
-        "3dm.get_imu_data_base_rate", "Get IMU Data Base Rate", ["3dm.get_imu_data_base_rate_response"];
+        "3dm.get_imu_base_rate", "Get IMU Data Base Rate", ["3dm.get_imu_base_rate_response"];
     /// Get GNSS Data Base Rate (0x0C,0x07).
-    Mip3dmGetGnssDataBaseRate(crate::mip_3dm::GetGnssDataBaseRate),
+    Mip3dmGetGnssBaseRate(crate::mip_3dm::GetGnssBaseRate),
         Command 0x0C, 0x07, in 0x0C..=0x0C, of 1,
-        "3dm.get_gnss_data_base_rate", "Get GNSS Data Base Rate", ["3dm.get_gnss_data_base_rate_response"];
+        "3dm.get_gnss_base_rate", "Get GNSS Data Base Rate", ["3dm.get_gnss_base_rate_response"];
     /// IMU Message Format (0x0C,0x08).
     Mip3dmImuMessageFormat(crate::mip_3dm::ImuMessageFormat),
         Command 0x0C, 0x08, in 0x0C..=0x0C, of 1,
@@ -112,13 +112,13 @@ registry! {
         Command 0x0C, 0x09, in 0x0C..=0x0C, of 1,
         "3dm.gnss_message_format", "GNSS Message Format", ["3dm.gnss_message_format_response"];
     /// Estimation Filter Message Format (0x0C,0x0A).
-    Mip3dmEstimationFilterMessageFormat(crate::mip_3dm::EstimationFilterMessageFormat),
+    Mip3dmFilterMessageFormat(crate::mip_3dm::FilterMessageFormat),
         Command 0x0C, 0x0A, in 0x0C..=0x0C, of 1,
-        "3dm.estimation_filter_message_format", "Estimation Filter Message Format", ["3dm.estimation_filter_message_format_response"];
+        "3dm.filter_message_format", "Estimation Filter Message Format", ["3dm.filter_message_format_response"];
     /// Get Estimation Filter Data Base Rate (0x0C,0x0B).
-    Mip3dmGetEstimationFilterDataBaseRate(crate::mip_3dm::GetEstimationFilterDataBaseRate),
+    Mip3dmGetFilterBaseRate(crate::mip_3dm::GetFilterBaseRate),
         Command 0x0C, 0x0B, in 0x0C..=0x0C, of 1,
-        "3dm.get_estimation_filter_data_base_rate", "Get Estimation Filter Data Base Rate", ["3dm.get_estimation_filter_data_base_rate_response"];
+        "3dm.get_filter_base_rate", "Get Estimation Filter Data Base Rate", ["3dm.get_filter_base_rate_response"];
     /// NMEA Message Format (0x0C,0x0C).
     Mip3dmNmeaMessageFormat(crate::mip_3dm::NmeaMessageFormat),
         Command 0x0C, 0x0C, in 0x0C..=0x0C, of 1,
@@ -128,9 +128,9 @@ registry! {
         Command 0x0C, 0x0D, in 0x0C..=0x0C, of 1,
         "3dm.poll_data", "Poll Data", [];
     /// Get Data Base Rate (0x0C,0x0E).
-    Mip3dmGetDataBaseRate(crate::mip_3dm::GetDataBaseRate),
+    Mip3dmGetBaseRate(crate::mip_3dm::GetBaseRate),
         Command 0x0C, 0x0E, in 0x0C..=0x0C, of 1,
-        "3dm.get_data_base_rate", "Get Data Base Rate", ["3dm.get_data_base_rate_response"];
+        "3dm.get_base_rate", "Get Data Base Rate", ["3dm.get_base_rate_response"];
     /// Message Format (0x0C,0x0F).
     Mip3dmMessageFormat(crate::mip_3dm::MessageFormat),
         Command 0x0C, 0x0F, in 0x0C..=0x0C, of 1,
@@ -164,9 +164,9 @@ registry! {
         Command 0x0C, 0x28, in 0x0C..=0x0C, of 1,
         "3dm.pps_source_control", "PPS Source Control", ["3dm.pps_source_control_response"];
     /// Get Supported Events (0x0C,0x2A).
-    Mip3dmGetSupportedEvents(crate::mip_3dm::GetSupportedEvents),
+    Mip3dmGetEventSupport(crate::mip_3dm::GetEventSupport),
         Command 0x0C, 0x2A, in 0x0C..=0x0C, of 1,
-        "3dm.get_supported_events", "Get Supported Events", ["3dm.get_supported_events_response"];
+        "3dm.get_event_support", "Get Supported Events", ["3dm.get_event_support_response"];
     /// Event Control (0x0C,0x2B).
     Mip3dmEventControl(crate::mip_3dm::EventControl),
         Command 0x0C, 0x2B, in 0x0C..=0x0C, of 1,
@@ -180,77 +180,77 @@ registry! {
         Command 0x0C, 0x2D, in 0x0C..=0x0C, of 1,
         "3dm.get_event_action_status", "Get Event Action Status", ["3dm.get_event_action_status_response"];
     /// Event Trigger Configuration (0x0C,0x2E).
-    Mip3dmEventTriggerConfiguration(crate::mip_3dm::EventTriggerConfiguration),
+    Mip3dmEventTriggerConfig(crate::mip_3dm::EventTriggerConfig),
         Command 0x0C, 0x2E, in 0x0C..=0x0C, of 1,
-        "3dm.event_trigger_configuration", "Event Trigger Configuration", ["3dm.event_trigger_configuration_response"];
+        "3dm.event_trigger_config", "Event Trigger Configuration", ["3dm.event_trigger_config_response"];
     /// Event Action Configuration (0x0C,0x2F).
-    Mip3dmEventActionConfiguration(crate::mip_3dm::EventActionConfiguration),
+    Mip3dmEventActionConfig(crate::mip_3dm::EventActionConfig),
         Command 0x0C, 0x2F, in 0x0C..=0x0C, of 1,
-        "3dm.event_action_configuration", "Event Action Configuration", ["3dm.event_action_configuration_response"];
+        "3dm.event_action_config", "Event Action Configuration", ["3dm.event_action_config_response"];
     /// Device Start Up Settings (0x0C,0x30).
-    Mip3dmDeviceStartUpSettings(crate::mip_3dm::DeviceStartUpSettings),
+    Mip3dmDeviceSettings(crate::mip_3dm::DeviceSettings),
         Command 0x0C, 0x30, in 0x0C..=0x0C, of 1,
-        "3dm.device_start_up_settings", "Device Start Up Settings", [];
+        "3dm.device_settings", "Device Start Up Settings", [];
     /// Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
-    Mip3dmSensorToVehicleFrameTransformationEuler(crate::mip_3dm::SensorToVehicleFrameTransformationEuler),
+    Mip3dmSensorToVehicleTransformEuler(crate::mip_3dm::SensorToVehicleTransformEuler),
         Command 0x0C, 0x31, in 0x0C..=0x0C, of 1,
-        "3dm.sensor_to_vehicle_frame_transformation_euler", "Sensor-to-Vehicle Frame Transformation Euler", ["3dm.sensor_to_vehicle_frame_transformation_euler_response"];
+        "3dm.sensor_to_vehicle_transform_euler", "Sensor-to-Vehicle Frame Transformation Euler", ["3dm.sensor_to_vehicle_transform_euler_response"];
     /// Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
-    Mip3dmSensorToVehicleFrameTransformationQuaternion(crate::mip_3dm::SensorToVehicleFrameTransformationQuaternion),
+    Mip3dmSensorToVehicleTransformQuaternion(crate::mip_3dm::SensorToVehicleTransformQuaternion),
         Command 0x0C, 0x32, in 0x0C..=0x0C, of 1,
-        "3dm.sensor_to_vehicle_frame_transformation_quaternion", "Sensor-to-Vehicle Frame Transformation Quaternion", ["3dm.sensor_to_vehicle_frame_transformation_quaternion_response"];
+        "3dm.sensor_to_vehicle_transform_quaternion", "Sensor-to-Vehicle Frame Transformation Quaternion", ["3dm.sensor_to_vehicle_transform_quaternion_response"];
     /// Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33).
-    Mip3dmSensorToVehicleFrameTransformationDirectionCosineMatrix(crate::mip_3dm::SensorToVehicleFrameTransformationDirectionCosineMatrix),
+    Mip3dmSensorToVehicleTransformDcm(crate::mip_3dm::SensorToVehicleTransformDcm),
         Command 0x0C, 0x33, in 0x0C..=0x0C, of 1,
-        "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix", "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix", ["3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response"];
+        "3dm.sensor_to_vehicle_transform_dcm", "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix", ["3dm.sensor_to_vehicle_transform_dcm_response"];
     /// Accelerometer Bias Configuration (0x0C,0x37).
-    Mip3dmAccelerometerBiasConfiguration(crate::mip_3dm::AccelerometerBiasConfiguration),
+    Mip3dmAccelBias(crate::mip_3dm::AccelBias),
         Command 0x0C, 0x37, in 0x0C..=0x0C, of 1,
-        "3dm.accelerometer_bias_configuration", "Accelerometer Bias Configuration", ["3dm.accelerometer_bias_configuration_response"];
+        "3dm.accel_bias", "Accelerometer Bias Configuration", ["3dm.accel_bias_response"];
     /// Gyroscope Bias Configuration (0x0C,0x38).
-    Mip3dmGyroscopeBiasConfiguration(crate::mip_3dm::GyroscopeBiasConfiguration),
+    Mip3dmGyroBias(crate::mip_3dm::GyroBias),
         Command 0x0C, 0x38, in 0x0C..=0x0C, of 1,
-        "3dm.gyroscope_bias_configuration", "Gyroscope Bias Configuration", ["3dm.gyroscope_bias_configuration_response"];
+        "3dm.gyro_bias", "Gyroscope Bias Configuration", ["3dm.gyro_bias_response"];
     /// Capture Gyroscope Bias (0x0C,0x39).
-    Mip3dmCaptureGyroscopeBias(crate::mip_3dm::CaptureGyroscopeBias),
+    Mip3dmCaptureGyroBias(crate::mip_3dm::CaptureGyroBias),
         Command 0x0C, 0x39, in 0x0C..=0x0C, of 1,
-        "3dm.capture_gyroscope_bias", "Capture Gyroscope Bias", ["3dm.gyroscope_bias_configuration_response"];
+        "3dm.capture_gyro_bias", "Capture Gyroscope Bias", ["3dm.gyro_bias_response"];
     /// Magnetometer Hard Iron Offset (0x0C,0x3A).
-    Mip3dmMagnetometerHardIronOffset(crate::mip_3dm::MagnetometerHardIronOffset),
+    Mip3dmMagHardIronOffset(crate::mip_3dm::MagHardIronOffset),
         Command 0x0C, 0x3A, in 0x0C..=0x0C, of 1,
-        "3dm.magnetometer_hard_iron_offset", "Magnetometer Hard Iron Offset", ["3dm.magnetometer_hard_iron_offset_response"];
+        "3dm.mag_hard_iron_offset", "Magnetometer Hard Iron Offset", ["3dm.mag_hard_iron_offset_response"];
     /// Magnetometer Soft Iron Matrix (0x0C,0x3B).
-    Mip3dmMagnetometerSoftIronMatrix(crate::mip_3dm::MagnetometerSoftIronMatrix),
+    Mip3dmMagSoftIronMatrix(crate::mip_3dm::MagSoftIronMatrix),
         Command 0x0C, 0x3B, in 0x0C..=0x0C, of 1,
-        "3dm.magnetometer_soft_iron_matrix", "Magnetometer Soft Iron Matrix", ["3dm.magnetometer_soft_iron_matrix_response"];
+        "3dm.mag_soft_iron_matrix", "Magnetometer Soft Iron Matrix", ["3dm.mag_soft_iron_matrix_response"];
     /// Coning and Sculling Enable (0x0C,0x3E).
-    Mip3dmConingAndScullingEnable(crate::mip_3dm::ConingAndScullingEnable),
+    Mip3dmConingScullingEnable(crate::mip_3dm::ConingScullingEnable),
         Command 0x0C, 0x3E, in 0x0C..=0x0C, of 1,
-        "3dm.coning_and_sculling_enable", "Coning and Sculling Enable", ["3dm.coning_and_sculling_enable_response"];
+        "3dm.coning_sculling_enable", "Coning and Sculling Enable", ["3dm.coning_sculling_enable_response"];
     /// UART Baud Rate (0x0C,0x40).
     Mip3dmUartBaudRate(crate::mip_3dm::UartBaudRate),
         Command 0x0C, 0x40, in 0x0C..=0x0C, of 1,
         "3dm.uart_baud_rate", "UART Baud Rate", ["3dm.uart_baud_rate_response"];
     /// GPIO Configuration (0x0C,0x41).
-    Mip3dmGpioConfiguration(crate::mip_3dm::GpioConfiguration),
+    Mip3dmGpioConfig(crate::mip_3dm::GpioConfig),
         Command 0x0C, 0x41, in 0x0C..=0x0C, of 1,
-        "3dm.gpio_configuration", "GPIO Configuration", ["3dm.gpio_configuration_response"];
+        "3dm.gpio_config", "GPIO Configuration", ["3dm.gpio_config_response"];
     /// GPIO State (0x0C,0x42).
     Mip3dmGpioState(crate::mip_3dm::GpioState),
         Command 0x0C, 0x42, in 0x0C..=0x0C, of 1,
         "3dm.gpio_state", "GPIO State", ["3dm.gpio_state_response"];
     /// Odometer Configuration (0x0C,0x43).
-    Mip3dmOdometerConfiguration(crate::mip_3dm::OdometerConfiguration),
+    Mip3dmOdometerConfig(crate::mip_3dm::OdometerConfig),
         Command 0x0C, 0x43, in 0x0C..=0x0C, of 1,
-        "3dm.odometer_configuration", "Odometer Configuration", ["3dm.odometer_configuration_response"];
+        "3dm.odometer_config", "Odometer Configuration", ["3dm.odometer_config_response"];
     /// Advanced Low-Pass Filter Settings (0x0C,0x50).
-    Mip3dmAdvancedLowPassFilterSettings(crate::mip_3dm::AdvancedLowPassFilterSettings),
+    Mip3dmImuLowPassFilter(crate::mip_3dm::ImuLowPassFilter),
         Command 0x0C, 0x50, in 0x0C..=0x0C, of 1,
-        "3dm.advanced_low_pass_filter_settings", "Advanced Low-Pass Filter Settings", ["3dm.advanced_low_pass_filter_settings_response"];
+        "3dm.imu_low_pass_filter", "Advanced Low-Pass Filter Settings", ["3dm.imu_low_pass_filter_response"];
     /// Complementary Filter Configuration (0x0C,0x51).
-    Mip3dmComplementaryFilterConfiguration(crate::mip_3dm::ComplementaryFilterConfiguration),
+    Mip3dmComplementaryFilter(crate::mip_3dm::ComplementaryFilter),
         Command 0x0C, 0x51, in 0x0C..=0x0C, of 1,
-        "3dm.complementary_filter_configuration", "Complementary Filter Configuration", ["3dm.complementary_filter_configuration_response"];
+        "3dm.complementary_filter", "Complementary Filter Configuration", ["3dm.complementary_filter_response"];
     /// Sensor Range (0x0C,0x52).
     Mip3dmSensorRange(crate::mip_3dm::SensorRange),
         Command 0x0C, 0x52, in 0x0C..=0x0C, of 1,
@@ -260,9 +260,9 @@ registry! {
         Command 0x0C, 0x53, in 0x0C..=0x0C, of 1,
         "3dm.get_calibrated_sensor_ranges", "Get Calibrated Sensor Ranges", ["3dm.get_calibrated_sensor_ranges_response"];
     /// Low-Pass Anti-Aliasing Filter (0x0C,0x54).
-    Mip3dmLowPassAntiAliasingFilter(crate::mip_3dm::LowPassAntiAliasingFilter),
+    Mip3dmLowPassFilter(crate::mip_3dm::LowPassFilter),
         Command 0x0C, 0x54, in 0x0C..=0x0C, of 1,
-        "3dm.low_pass_anti_aliasing_filter", "Low-Pass Anti-Aliasing Filter", ["3dm.low_pass_anti_aliasing_filter_response"];
+        "3dm.low_pass_filter", "Low-Pass Anti-Aliasing Filter", ["3dm.low_pass_filter_response"];
     /// Device Status (0x0C,0x64).
     Mip3dmDeviceStatus(crate::mip_3dm::DeviceStatus),
         Command 0x0C, 0x64, in 0x0C..=0x0C, of 1,
@@ -276,17 +276,17 @@ registry! {
         Response 0x0C, 0x81, in 0x0C..=0x0C, of 1,
         "3dm.gnss_message_format_response", "GNSS Message Format response", ["3dm.gnss_message_format"];
     /// Estimation Filter Message Format response (0x0C,0x82).
-    Mip3dmEstimationFilterMessageFormatResponse(crate::mip_3dm::EstimationFilterMessageFormatResponse),
+    Mip3dmFilterMessageFormatResponse(crate::mip_3dm::FilterMessageFormatResponse),
         Response 0x0C, 0x82, in 0x0C..=0x0C, of 1,
-        "3dm.estimation_filter_message_format_response", "Estimation Filter Message Format response", ["3dm.estimation_filter_message_format"];
+        "3dm.filter_message_format_response", "Estimation Filter Message Format response", ["3dm.filter_message_format"];
     /// Get IMU Data Base Rate response (0x0C,0x83).
-    Mip3dmGetImuDataBaseRateResponse(crate::mip_3dm::GetImuDataBaseRateResponse),
+    Mip3dmGetImuBaseRateResponse(crate::mip_3dm::GetImuBaseRateResponse),
         Response 0x0C, 0x83, in 0x0C..=0x0C, of 1,
-        "3dm.get_imu_data_base_rate_response", "Get IMU Data Base Rate response", ["3dm.get_imu_data_base_rate"];
+        "3dm.get_imu_base_rate_response", "Get IMU Data Base Rate response", ["3dm.get_imu_base_rate"];
     /// Get GNSS Data Base Rate response (0x0C,0x84).
-    Mip3dmGetGnssDataBaseRateResponse(crate::mip_3dm::GetGnssDataBaseRateResponse),
+    Mip3dmGetGnssBaseRateResponse(crate::mip_3dm::GetGnssBaseRateResponse),
         Response 0x0C, 0x84, in 0x0C..=0x0C, of 1,
-        "3dm.get_gnss_data_base_rate_response", "Get GNSS Data Base Rate response", ["3dm.get_gnss_data_base_rate"];
+        "3dm.get_gnss_base_rate_response", "Get GNSS Data Base Rate response", ["3dm.get_gnss_base_rate"];
     /// Data Stream Control response (0x0C,0x85).
     Mip3dmDataStreamControlResponse(crate::mip_3dm::DataStreamControlResponse),
         Response 0x0C, 0x85, in 0x0C..=0x0C, of 1,
@@ -296,21 +296,21 @@ registry! {
         Response 0x0C, 0x87, in 0x0C..=0x0C, of 1,
         "3dm.uart_baud_rate_response", "UART Baud Rate response", ["3dm.uart_baud_rate"];
     /// Get Estimation Filter Data Base Rate response (0x0C,0x8A).
-    Mip3dmGetEstimationFilterDataBaseRateResponse(crate::mip_3dm::GetEstimationFilterDataBaseRateResponse),
+    Mip3dmGetFilterBaseRateResponse(crate::mip_3dm::GetFilterBaseRateResponse),
         Response 0x0C, 0x8A, in 0x0C..=0x0C, of 1,
-        "3dm.get_estimation_filter_data_base_rate_response", "Get Estimation Filter Data Base Rate response", ["3dm.get_estimation_filter_data_base_rate"];
+        "3dm.get_filter_base_rate_response", "Get Estimation Filter Data Base Rate response", ["3dm.get_filter_base_rate"];
     /// Advanced Low-Pass Filter Settings response (0x0C,0x8B).
-    Mip3dmAdvancedLowPassFilterSettingsResponse(crate::mip_3dm::AdvancedLowPassFilterSettingsResponse),
+    Mip3dmImuLowPassFilterResponse(crate::mip_3dm::ImuLowPassFilterResponse),
         Response 0x0C, 0x8B, in 0x0C..=0x0C, of 1,
-        "3dm.advanced_low_pass_filter_settings_response", "Advanced Low-Pass Filter Settings response", ["3dm.advanced_low_pass_filter_settings"];
+        "3dm.imu_low_pass_filter_response", "Advanced Low-Pass Filter Settings response", ["3dm.imu_low_pass_filter"];
     /// NMEA Message Format response (0x0C,0x8C).
     Mip3dmNmeaMessageFormatResponse(crate::mip_3dm::NmeaMessageFormatResponse),
         Response 0x0C, 0x8C, in 0x0C..=0x0C, of 1,
         "3dm.nmea_message_format_response", "NMEA Message Format response", ["3dm.nmea_message_format"];
     /// Get Data Base Rate response (0x0C,0x8E).
-    Mip3dmGetDataBaseRateResponse(crate::mip_3dm::GetDataBaseRateResponse),
+    Mip3dmGetBaseRateResponse(crate::mip_3dm::GetBaseRateResponse),
         Response 0x0C, 0x8E, in 0x0C..=0x0C, of 1,
-        "3dm.get_data_base_rate_response", "Get Data Base Rate response", ["3dm.get_data_base_rate"];
+        "3dm.get_base_rate_response", "Get Data Base Rate response", ["3dm.get_base_rate"];
     /// Message Format response (0x0C,0x8F).
     Mip3dmMessageFormatResponse(crate::mip_3dm::MessageFormatResponse),
         Response 0x0C, 0x8F, in 0x0C..=0x0C, of 1,
@@ -324,29 +324,29 @@ registry! {
         Response 0x0C, 0x90, in 0x0C..=0x0C, of 2,
         "3dm.device_status_diagnostic_response", "Diagnostic Device Status", ["3dm.device_status"];
     /// Complementary Filter Configuration response (0x0C,0x97).
-    Mip3dmComplementaryFilterConfigurationResponse(crate::mip_3dm::ComplementaryFilterConfigurationResponse),
+    Mip3dmComplementaryFilterResponse(crate::mip_3dm::ComplementaryFilterResponse),
         Response 0x0C, 0x97, in 0x0C..=0x0C, of 1,
-        "3dm.complementary_filter_configuration_response", "Complementary Filter Configuration response", ["3dm.complementary_filter_configuration"];
+        "3dm.complementary_filter_response", "Complementary Filter Configuration response", ["3dm.complementary_filter"];
     /// Accelerometer Bias Configuration response (0x0C,0x9A).
-    Mip3dmAccelerometerBiasConfigurationResponse(crate::mip_3dm::AccelerometerBiasConfigurationResponse),
+    Mip3dmAccelBiasResponse(crate::mip_3dm::AccelBiasResponse),
         Response 0x0C, 0x9A, in 0x0C..=0x0C, of 1,
-        "3dm.accelerometer_bias_configuration_response", "Accelerometer Bias Configuration response", ["3dm.accelerometer_bias_configuration"];
+        "3dm.accel_bias_response", "Accelerometer Bias Configuration response", ["3dm.accel_bias"];
     /// Gyroscope Bias Configuration response (0x0C,0x9B).
-    Mip3dmGyroscopeBiasConfigurationResponse(crate::mip_3dm::GyroscopeBiasConfigurationResponse),
+    Mip3dmGyroBiasResponse(crate::mip_3dm::GyroBiasResponse),
         Response 0x0C, 0x9B, in 0x0C..=0x0C, of 1,
-        "3dm.gyroscope_bias_configuration_response", "Gyroscope Bias Configuration response", ["3dm.gyroscope_bias_configuration", "3dm.capture_gyroscope_bias"];
+        "3dm.gyro_bias_response", "Gyroscope Bias Configuration response", ["3dm.gyro_bias", "3dm.capture_gyro_bias"];
     /// Magnetometer Hard Iron Offset response (0x0C,0x9C).
-    Mip3dmMagnetometerHardIronOffsetResponse(crate::mip_3dm::MagnetometerHardIronOffsetResponse),
+    Mip3dmMagHardIronOffsetResponse(crate::mip_3dm::MagHardIronOffsetResponse),
         Response 0x0C, 0x9C, in 0x0C..=0x0C, of 1,
-        "3dm.magnetometer_hard_iron_offset_response", "Magnetometer Hard Iron Offset response", ["3dm.magnetometer_hard_iron_offset"];
+        "3dm.mag_hard_iron_offset_response", "Magnetometer Hard Iron Offset response", ["3dm.mag_hard_iron_offset"];
     /// Magnetometer Soft Iron Matrix response (0x0C,0x9D).
-    Mip3dmMagnetometerSoftIronMatrixResponse(crate::mip_3dm::MagnetometerSoftIronMatrixResponse),
+    Mip3dmMagSoftIronMatrixResponse(crate::mip_3dm::MagSoftIronMatrixResponse),
         Response 0x0C, 0x9D, in 0x0C..=0x0C, of 1,
-        "3dm.magnetometer_soft_iron_matrix_response", "Magnetometer Soft Iron Matrix response", ["3dm.magnetometer_soft_iron_matrix"];
+        "3dm.mag_soft_iron_matrix_response", "Magnetometer Soft Iron Matrix response", ["3dm.mag_soft_iron_matrix"];
     /// Coning and Sculling Enable response (0x0C,0x9E).
-    Mip3dmConingAndScullingEnableResponse(crate::mip_3dm::ConingAndScullingEnableResponse),
+    Mip3dmConingScullingEnableResponse(crate::mip_3dm::ConingScullingEnableResponse),
         Response 0x0C, 0x9E, in 0x0C..=0x0C, of 1,
-        "3dm.coning_and_sculling_enable_response", "Coning and Sculling Enable response", ["3dm.coning_and_sculling_enable"];
+        "3dm.coning_sculling_enable_response", "Coning and Sculling Enable response", ["3dm.coning_sculling_enable"];
     /// Constellation Settings response (0x0C,0xA0).
     Mip3dmConstellationSettingsResponse(crate::mip_3dm::ConstellationSettingsResponse),
         Response 0x0C, 0xA0, in 0x0C..=0x0C, of 1,
@@ -368,21 +368,21 @@ registry! {
         Response 0x0C, 0xA8, in 0x0C..=0x0C, of 1,
         "3dm.pps_source_control_response", "PPS Source Control response", ["3dm.pps_source_control"];
     /// Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
-    Mip3dmSensorToVehicleFrameTransformationEulerResponse(crate::mip_3dm::SensorToVehicleFrameTransformationEulerResponse),
+    Mip3dmSensorToVehicleTransformEulerResponse(crate::mip_3dm::SensorToVehicleTransformEulerResponse),
         Response 0x0C, 0xB1, in 0x0C..=0x0C, of 1,
-        "3dm.sensor_to_vehicle_frame_transformation_euler_response", "Sensor-to-Vehicle Frame Transformation Euler response", ["3dm.sensor_to_vehicle_frame_transformation_euler"];
+        "3dm.sensor_to_vehicle_transform_euler_response", "Sensor-to-Vehicle Frame Transformation Euler response", ["3dm.sensor_to_vehicle_transform_euler"];
     /// Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
-    Mip3dmSensorToVehicleFrameTransformationQuaternionResponse(crate::mip_3dm::SensorToVehicleFrameTransformationQuaternionResponse),
+    Mip3dmSensorToVehicleTransformQuaternionResponse(crate::mip_3dm::SensorToVehicleTransformQuaternionResponse),
         Response 0x0C, 0xB2, in 0x0C..=0x0C, of 1,
-        "3dm.sensor_to_vehicle_frame_transformation_quaternion_response", "Sensor-to-Vehicle Frame Transformation Quaternion response", ["3dm.sensor_to_vehicle_frame_transformation_quaternion"];
+        "3dm.sensor_to_vehicle_transform_quaternion_response", "Sensor-to-Vehicle Frame Transformation Quaternion response", ["3dm.sensor_to_vehicle_transform_quaternion"];
     /// Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
-    Mip3dmSensorToVehicleFrameTransformationDirectionCosineMatrixResponse(crate::mip_3dm::SensorToVehicleFrameTransformationDirectionCosineMatrixResponse),
+    Mip3dmSensorToVehicleTransformDcmResponse(crate::mip_3dm::SensorToVehicleTransformDcmResponse),
         Response 0x0C, 0xB3, in 0x0C..=0x0C, of 1,
-        "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response", "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response", ["3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix"];
+        "3dm.sensor_to_vehicle_transform_dcm_response", "Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response", ["3dm.sensor_to_vehicle_transform_dcm"];
     /// Get Supported Events response (0x0C,0xB4).
-    Mip3dmGetSupportedEventsResponse(crate::mip_3dm::GetSupportedEventsResponse),
+    Mip3dmGetEventSupportResponse(crate::mip_3dm::GetEventSupportResponse),
         Response 0x0C, 0xB4, in 0x0C..=0x0C, of 1,
-        "3dm.get_supported_events_response", "Get Supported Events response", ["3dm.get_supported_events"];
+        "3dm.get_event_support_response", "Get Supported Events response", ["3dm.get_event_support"];
     /// Event Control response (0x0C,0xB5).
     Mip3dmEventControlResponse(crate::mip_3dm::EventControlResponse),
         Response 0x0C, 0xB5, in 0x0C..=0x0C, of 1,
@@ -396,25 +396,25 @@ registry! {
         Response 0x0C, 0xB7, in 0x0C..=0x0C, of 1,
         "3dm.get_event_action_status_response", "Get Event Action Status response", ["3dm.get_event_action_status"];
     /// Event Trigger Configuration response (0x0C,0xB8).
-    Mip3dmEventTriggerConfigurationResponse(crate::mip_3dm::EventTriggerConfigurationResponse),
+    Mip3dmEventTriggerConfigResponse(crate::mip_3dm::EventTriggerConfigResponse),
         Response 0x0C, 0xB8, in 0x0C..=0x0C, of 1,
-        "3dm.event_trigger_configuration_response", "Event Trigger Configuration response", ["3dm.event_trigger_configuration"];
+        "3dm.event_trigger_config_response", "Event Trigger Configuration response", ["3dm.event_trigger_config"];
     /// Event Action Configuration response (0x0C,0xB9).
-    Mip3dmEventActionConfigurationResponse(crate::mip_3dm::EventActionConfigurationResponse),
+    Mip3dmEventActionConfigResponse(crate::mip_3dm::EventActionConfigResponse),
         Response 0x0C, 0xB9, in 0x0C..=0x0C, of 1,
-        "3dm.event_action_configuration_response", "Event Action Configuration response", ["3dm.event_action_configuration"];
+        "3dm.event_action_config_response", "Event Action Configuration response", ["3dm.event_action_config"];
     /// GPIO Configuration response (0x0C,0xC1).
-    Mip3dmGpioConfigurationResponse(crate::mip_3dm::GpioConfigurationResponse),
+    Mip3dmGpioConfigResponse(crate::mip_3dm::GpioConfigResponse),
         Response 0x0C, 0xC1, in 0x0C..=0x0C, of 1,
-        "3dm.gpio_configuration_response", "GPIO Configuration response", ["3dm.gpio_configuration"];
+        "3dm.gpio_config_response", "GPIO Configuration response", ["3dm.gpio_config"];
     /// GPIO State response (0x0C,0xC2).
     Mip3dmGpioStateResponse(crate::mip_3dm::GpioStateResponse),
         Response 0x0C, 0xC2, in 0x0C..=0x0C, of 1,
         "3dm.gpio_state_response", "GPIO State response", ["3dm.gpio_state"];
     /// Odometer Configuration response (0x0C,0xC3).
-    Mip3dmOdometerConfigurationResponse(crate::mip_3dm::OdometerConfigurationResponse),
+    Mip3dmOdometerConfigResponse(crate::mip_3dm::OdometerConfigResponse),
         Response 0x0C, 0xC3, in 0x0C..=0x0C, of 1,
-        "3dm.odometer_configuration_response", "Odometer Configuration response", ["3dm.odometer_configuration"];
+        "3dm.odometer_config_response", "Odometer Configuration response", ["3dm.odometer_config"];
     /// Sensor Range response (0x0C,0xD2).
     Mip3dmSensorRangeResponse(crate::mip_3dm::SensorRangeResponse),
         Response 0x0C, 0xD2, in 0x0C..=0x0C, of 1,
@@ -424,49 +424,49 @@ registry! {
         Response 0x0C, 0xD3, in 0x0C..=0x0C, of 1,
         "3dm.get_calibrated_sensor_ranges_response", "Get Calibrated Sensor Ranges response", ["3dm.get_calibrated_sensor_ranges"];
     /// Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
-    Mip3dmLowPassAntiAliasingFilterResponse(crate::mip_3dm::LowPassAntiAliasingFilterResponse),
+    Mip3dmLowPassFilterResponse(crate::mip_3dm::LowPassFilterResponse),
         Response 0x0C, 0xD4, in 0x0C..=0x0C, of 1,
-        "3dm.low_pass_anti_aliasing_filter_response", "Low-Pass Anti-Aliasing Filter response", ["3dm.low_pass_anti_aliasing_filter"];
+        "3dm.low_pass_filter_response", "Low-Pass Anti-Aliasing Filter response", ["3dm.low_pass_filter"];
     /// Reset navigation filter (0x0D,0x01).
-    FilterResetNavigationFilter(crate::filter::ResetNavigationFilter),
+    FilterReset(crate::filter::Reset),
         Command 0x0D, 0x01, in 0x0D..=0x0D, of 1,
-        "filter.reset_navigation_filter", "Reset navigation filter", [];
+        "filter.reset", "Reset navigation filter", [];
     /// Set initial attitude (0x0D,0x02).
     FilterSetInitialAttitude(crate::filter::SetInitialAttitude),
         Command 0x0D, 0x02, in 0x0D..=0x0D, of 1,
         "filter.set_initial_attitude", "Set initial attitude", [];
     /// Set initial heading (0x0D,0x03).
-    FilterSetInitialHeadingControl(crate::filter::SetInitialHeadingControl),
+    FilterSetInitialHeading(crate::filter::SetInitialHeading),
         Command 0x0D, 0x03, in 0x0D..=0x0D, of 1,
-        "filter.set_initial_heading_control", "Set initial heading", [];
+        "filter.set_initial_heading", "Set initial heading", [];
     /// Run navigation filter (0x0D,0x05).
-    FilterRunNavigationFilter(crate::filter::RunNavigationFilter),
+    FilterRun(crate::filter::Run),
         Command 0x0D, 0x05, in 0x0D..=0x0D, of 1,
-        "filter.run_navigation_filter", "Run navigation filter", [];
+        "filter.run", "Run navigation filter", [];
     /// Vehicle dynamics mode (0x0D,0x10).
     FilterVehicleDynamicsMode(crate::filter::VehicleDynamicsMode),
         Command 0x0D, 0x10, in 0x0D..=0x0D, of 1,
         "filter.vehicle_dynamics_mode", "Vehicle dynamics mode", ["filter.vehicle_dynamics_mode_response"];
     /// Sensor to vehicle frame transformation (0x0D,0x11).
-    FilterSensorToVehicleFrameTransformation(crate::filter::SensorToVehicleFrameTransformation),
+    FilterSensorToVehicleRotationEuler(crate::filter::SensorToVehicleRotationEuler),
         Command 0x0D, 0x11, in 0x0D..=0x0D, of 1,
-        "filter.sensor_to_vehicle_frame_transformation", "Sensor to vehicle frame transformation", ["filter.sensor_to_vehicle_frame_transformation_response"];
+        "filter.sensor_to_vehicle_rotation_euler", "Sensor to vehicle frame transformation", ["filter.sensor_to_vehicle_rotation_euler_response"];
     /// Sensor to vehicle offset (0x0D,0x12).
     FilterSensorToVehicleOffset(crate::filter::SensorToVehicleOffset),
         Command 0x0D, 0x12, in 0x0D..=0x0D, of 1,
         "filter.sensor_to_vehicle_offset", "Sensor to vehicle offset", ["filter.sensor_to_vehicle_offset_response"];
     /// GNSS antenna offset (0x0D,0x13).
-    FilterGnssAntennaOffsetControl(crate::filter::GnssAntennaOffsetControl),
+    FilterAntennaOffset(crate::filter::AntennaOffset),
         Command 0x0D, 0x13, in 0x0D..=0x0D, of 1,
-        "filter.gnss_antenna_offset_control", "GNSS antenna offset", ["filter.gnss_antenna_offset_control_response"];
+        "filter.antenna_offset", "GNSS antenna offset", ["filter.antenna_offset_response"];
     /// Estimation control flags (0x0D,0x14).
-    FilterEstimationControlFlags(crate::filter::EstimationControlFlags),
+    FilterEstimationControl(crate::filter::EstimationControl),
         Command 0x0D, 0x14, in 0x0D..=0x0D, of 1,
-        "filter.estimation_control_flags", "Estimation control flags", ["filter.estimation_control_flags_response"];
+        "filter.estimation_control", "Estimation control flags", ["filter.estimation_control_response"];
     /// GNSS aiding source (0x0D,0x15).
-    FilterGnssAidingSourceControl(crate::filter::GnssAidingSourceControl),
+    FilterGnssSource(crate::filter::GnssSource),
         Command 0x0D, 0x15, in 0x0D..=0x0D, of 1,
-        "filter.gnss_aiding_source_control", "GNSS aiding source", ["filter.gnss_aiding_source_control_response"];
+        "filter.gnss_source", "GNSS aiding source", ["filter.gnss_source_response"];
     /// External GNSS update (0x0D,0x16).
     FilterExternalGnssUpdate(crate::filter::ExternalGnssUpdate),
         Command 0x0D, 0x16, in 0x0D..=0x0D, of 1,
@@ -476,29 +476,29 @@ registry! {
         Command 0x0D, 0x17, in 0x0D..=0x0D, of 1,
         "filter.external_heading_update", "External heading update", [];
     /// Heading update control (0x0D,0x18).
-    FilterHeadingUpdateControl(crate::filter::HeadingUpdateControl),
+    FilterHeadingSource(crate::filter::HeadingSource),
         Command 0x0D, 0x18, in 0x0D..=0x0D, of 1,
-        "filter.heading_update_control", "Heading update control", ["filter.heading_update_control_response"];
+        "filter.heading_source", "Heading update control", ["filter.heading_source_response"];
     /// Automatic initialization (0x0D,0x19).
     FilterAutoInitializationControl(crate::filter::AutoInitializationControl),
         Command 0x0D, 0x19, in 0x0D..=0x0D, of 1,
         "filter.auto_initialization_control", "Automatic initialization", ["filter.auto_initialization_control_response"];
     /// Accelerometer noise (0x0D,0x1A).
-    FilterAccelerometerNoiseStandardDeviation(crate::filter::AccelerometerNoiseStandardDeviation),
+    FilterAccelNoise(crate::filter::AccelNoise),
         Command 0x0D, 0x1A, in 0x0D..=0x0D, of 1,
-        "filter.accelerometer_noise_standard_deviation", "Accelerometer noise", ["filter.accelerometer_noise_standard_deviation_response"];
+        "filter.accel_noise", "Accelerometer noise", ["filter.accel_noise_response"];
     /// Gyroscope noise (0x0D,0x1B).
-    FilterGyroscopeNoiseStandardDeviation(crate::filter::GyroscopeNoiseStandardDeviation),
+    FilterGyroNoise(crate::filter::GyroNoise),
         Command 0x0D, 0x1B, in 0x0D..=0x0D, of 1,
-        "filter.gyroscope_noise_standard_deviation", "Gyroscope noise", ["filter.gyroscope_noise_standard_deviation_response"];
+        "filter.gyro_noise", "Gyroscope noise", ["filter.gyro_noise_response"];
     /// Accelerometer bias model (0x0D,0x1C).
-    FilterAccelerometerBiasModelParameters(crate::filter::AccelerometerBiasModelParameters),
+    FilterAccelBiasModel(crate::filter::AccelBiasModel),
         Command 0x0D, 0x1C, in 0x0D..=0x0D, of 1,
-        "filter.accelerometer_bias_model_parameters", "Accelerometer bias model", ["filter.accelerometer_bias_model_parameters_response"];
+        "filter.accel_bias_model", "Accelerometer bias model", ["filter.accel_bias_model_response"];
     /// Gyroscope bias model (0x0D,0x1D).
-    FilterGyroscopeBiasModelParameters(crate::filter::GyroscopeBiasModelParameters),
+    FilterGyroBiasModel(crate::filter::GyroBiasModel),
         Command 0x0D, 0x1D, in 0x0D..=0x0D, of 1,
-        "filter.gyroscope_bias_model_parameters", "Gyroscope bias model", ["filter.gyroscope_bias_model_parameters_response"];
+        "filter.gyro_bias_model", "Gyroscope bias model", ["filter.gyro_bias_model_response"];
     /// Automatic zero velocity update (0x0D,0x1E).
     FilterAutoZupt(crate::filter::AutoZupt),
         Command 0x0D, 0x1E, in 0x0D..=0x0D, of 1,
@@ -508,9 +508,9 @@ registry! {
         Command 0x0D, 0x1F, in 0x0D..=0x0D, of 1,
         "filter.external_heading_update_with_time", "External heading update with time", [];
     /// Zero angular rate update (0x0D,0x20).
-    FilterZeroAngularRateUpdateControl(crate::filter::ZeroAngularRateUpdateControl),
+    FilterAutoAngularZupt(crate::filter::AutoAngularZupt),
         Command 0x0D, 0x20, in 0x0D..=0x0D, of 1,
-        "filter.zero_angular_rate_update_control", "Zero angular rate update", ["filter.zero_angular_rate_update_control_response"];
+        "filter.auto_angular_zupt", "Zero angular rate update", ["filter.auto_angular_zupt_response"];
     /// Tare orientation (0x0D,0x21).
     FilterTareOrientation(crate::filter::TareOrientation),
         Command 0x0D, 0x21, in 0x0D..=0x0D, of 1,
@@ -520,21 +520,21 @@ registry! {
         Command 0x0D, 0x22, in 0x0D..=0x0D, of 1,
         "filter.commanded_zupt", "Commanded zero velocity update", [];
     /// Commanded zero angular rate update (0x0D,0x23).
-    FilterCommandedZeroAngularRateUpdate(crate::filter::CommandedZeroAngularRateUpdate),
+    FilterCommandedAngularZupt(crate::filter::CommandedAngularZupt),
         Command 0x0D, 0x23, in 0x0D..=0x0D, of 1,
-        "filter.commanded_zero_angular_rate_update", "Commanded zero angular rate update", [];
+        "filter.commanded_angular_zupt", "Commanded zero angular rate update", [];
     /// Set reference position (0x0D,0x26).
-    FilterSetReferencePosition(crate::filter::SetReferencePosition),
+    FilterReferencePosition(crate::filter::ReferencePosition),
         Command 0x0D, 0x26, in 0x0D..=0x0D, of 1,
-        "filter.set_reference_position", "Set reference position", ["filter.set_reference_position_response"];
+        "filter.reference_position", "Set reference position", ["filter.reference_position_response"];
     /// Capture automatic magnetometer calibration (0x0D,0x27).
-    FilterMagCaptureAutoCal(crate::filter::MagCaptureAutoCal),
+    FilterMagCaptureAutoCalibration(crate::filter::MagCaptureAutoCalibration),
         Command 0x0D, 0x27, in 0x0D..=0x0D, of 1,
-        "filter.mag_capture_auto_cal", "Capture automatic magnetometer calibration", [];
+        "filter.mag_capture_auto_calibration", "Capture automatic magnetometer calibration", [];
     /// Gravity noise (0x0D,0x28).
-    FilterGravityNoiseStandardDeviation(crate::filter::GravityNoiseStandardDeviation),
+    FilterGravityNoise(crate::filter::GravityNoise),
         Command 0x0D, 0x28, in 0x0D..=0x0D, of 1,
-        "filter.gravity_noise_standard_deviation", "Gravity noise", ["filter.gravity_noise_standard_deviation_response"];
+        "filter.gravity_noise", "Gravity noise", ["filter.gravity_noise_response"];
     /// Pressure altitude noise (0x0D,0x29).
     FilterPressureAltitudeNoise(crate::filter::PressureAltitudeNoise),
         Command 0x0D, 0x29, in 0x0D..=0x0D, of 1,
@@ -548,21 +548,21 @@ registry! {
         Command 0x0D, 0x2C, in 0x0D..=0x0D, of 1,
         "filter.soft_iron_matrix_noise", "Soft iron matrix noise", ["filter.soft_iron_matrix_noise_response"];
     /// Enable or disable measurements (0x0D,0x41).
-    FilterEnableDisableMeasurements(crate::filter::EnableDisableMeasurements),
+    FilterEnableMeasurements(crate::filter::EnableMeasurements),
         Command 0x0D, 0x41, in 0x0D..=0x0D, of 1,
-        "filter.enable_disable_measurements", "Enable or disable measurements", ["filter.enable_disable_measurements_response"];
+        "filter.enable_measurements", "Enable or disable measurements", ["filter.enable_measurements_response"];
     /// Magnetometer noise (0x0D,0x42).
     FilterMagNoise(crate::filter::MagNoise),
         Command 0x0D, 0x42, in 0x0D..=0x0D, of 1,
         "filter.mag_noise", "Magnetometer noise", ["filter.mag_noise_response"];
     /// Magnetic declination source (0x0D,0x43).
-    FilterMagneticFieldDeclinationSourceControl(crate::filter::MagneticFieldDeclinationSourceControl),
+    FilterMagneticDeclinationSource(crate::filter::MagneticDeclinationSource),
         Command 0x0D, 0x43, in 0x0D..=0x0D, of 1,
-        "filter.magnetic_field_declination_source_control", "Magnetic declination source", ["filter.magnetic_field_declination_source_control_response"];
+        "filter.magnetic_declination_source", "Magnetic declination source", ["filter.magnetic_declination_source_response"];
     /// Gravity magnitude error adaptive measurement (0x0D,0x44).
-    FilterGravityMagnitudeErrorAdaptiveMeasurement(crate::filter::GravityMagnitudeErrorAdaptiveMeasurement),
+    FilterAccelMagnitudeErrorAdaptiveMeasurement(crate::filter::AccelMagnitudeErrorAdaptiveMeasurement),
         Command 0x0D, 0x44, in 0x0D..=0x0D, of 1,
-        "filter.gravity_magnitude_error_adaptive_measurement", "Gravity magnitude error adaptive measurement", ["filter.gravity_magnitude_error_adaptive_measurement_response"];
+        "filter.accel_magnitude_error_adaptive_measurement", "Gravity magnitude error adaptive measurement", ["filter.accel_magnitude_error_adaptive_measurement_response"];
     /// Magnetometer magnitude error adaptive measurement (0x0D,0x45).
     FilterMagMagnitudeErrorAdaptiveMeasurement(crate::filter::MagMagnitudeErrorAdaptiveMeasurement),
         Command 0x0D, 0x45, in 0x0D..=0x0D, of 1,
@@ -576,17 +576,17 @@ registry! {
         Command 0x0D, 0x47, in 0x0D..=0x0D, of 1,
         "filter.altitude_aiding", "Altitude aiding", ["filter.altitude_aiding_response"];
     /// Pitch and roll aiding (0x0D,0x4B).
-    FilterPitchRollAidingControl(crate::filter::PitchRollAidingControl),
+    FilterPitchRollAiding(crate::filter::PitchRollAiding),
         Command 0x0D, 0x4B, in 0x0D..=0x0D, of 1,
-        "filter.pitch_roll_aiding_control", "Pitch and roll aiding", ["filter.pitch_roll_aiding_control_response"];
+        "filter.pitch_roll_aiding", "Pitch and roll aiding", ["filter.pitch_roll_aiding_response"];
     /// Magnetic inclination source (0x0D,0x4C).
-    FilterInclinationSource(crate::filter::InclinationSource),
+    FilterMagneticInclinationSource(crate::filter::MagneticInclinationSource),
         Command 0x0D, 0x4C, in 0x0D..=0x0D, of 1,
-        "filter.inclination_source", "Magnetic inclination source", ["filter.inclination_source_response"];
+        "filter.magnetic_inclination_source", "Magnetic inclination source", ["filter.magnetic_inclination_source_response"];
     /// Magnetic field magnitude source (0x0D,0x4D).
-    FilterMagFieldMagnitudeSource(crate::filter::MagFieldMagnitudeSource),
+    FilterMagneticMagnitudeSource(crate::filter::MagneticMagnitudeSource),
         Command 0x0D, 0x4D, in 0x0D..=0x0D, of 1,
-        "filter.mag_field_magnitude_source", "Magnetic field magnitude source", ["filter.mag_field_magnitude_source_response"];
+        "filter.magnetic_magnitude_source", "Magnetic field magnitude source", ["filter.magnetic_magnitude_source_response"];
     /// Sensor to vehicle rotation, matrix (0x0D,0x4E).
     FilterSensorToVehicleRotationDcm(crate::filter::SensorToVehicleRotationDcm),
         Command 0x0D, 0x4E, in 0x0D..=0x0D, of 1,
@@ -596,29 +596,29 @@ registry! {
         Command 0x0D, 0x4F, in 0x0D..=0x0D, of 1,
         "filter.sensor_to_vehicle_rotation_quaternion", "Sensor to vehicle rotation, quaternion", ["filter.sensor_to_vehicle_rotation_quaternion_response"];
     /// Aiding measurement control (0x0D,0x50).
-    FilterAidingMeasurementControl(crate::filter::AidingMeasurementControl),
+    FilterAidingMeasurementEnable(crate::filter::AidingMeasurementEnable),
         Command 0x0D, 0x50, in 0x0D..=0x0D, of 1,
-        "filter.aiding_measurement_control", "Aiding measurement control", ["filter.aiding_measurement_control_response"];
+        "filter.aiding_measurement_enable", "Aiding measurement control", ["filter.aiding_measurement_enable_response"];
     /// Kinematic constraint (0x0D,0x51).
     FilterKinematicConstraint(crate::filter::KinematicConstraint),
         Command 0x0D, 0x51, in 0x0D..=0x0D, of 1,
         "filter.kinematic_constraint", "Kinematic constraint", ["filter.kinematic_constraint_response"];
     /// Navigation filter initialization (0x0D,0x52).
-    FilterNavigationFilterInitialization(crate::filter::NavigationFilterInitialization),
+    FilterInitializationConfig(crate::filter::InitializationConfig),
         Command 0x0D, 0x52, in 0x0D..=0x0D, of 1,
-        "filter.navigation_filter_initialization", "Navigation filter initialization", ["filter.navigation_filter_initialization_response"];
+        "filter.initialization_config", "Navigation filter initialization", ["filter.initialization_config_response"];
     /// Adaptive filter control (0x0D,0x53).
-    FilterAdaptiveFilterControl(crate::filter::AdaptiveFilterControl),
+    FilterAdaptiveFilterOptions(crate::filter::AdaptiveFilterOptions),
         Command 0x0D, 0x53, in 0x0D..=0x0D, of 1,
-        "filter.adaptive_filter_control", "Adaptive filter control", ["filter.adaptive_filter_control_response"];
+        "filter.adaptive_filter_options", "Adaptive filter control", ["filter.adaptive_filter_options_response"];
     /// GNSS multi-antenna offset (0x0D,0x54).
-    FilterGnssMultiAntennaOffsetControl(crate::filter::GnssMultiAntennaOffsetControl),
+    FilterMultiAntennaOffset(crate::filter::MultiAntennaOffset),
         Command 0x0D, 0x54, in 0x0D..=0x0D, of 1,
-        "filter.gnss_multi_antenna_offset_control", "GNSS multi-antenna offset", ["filter.gnss_multi_antenna_offset_control_response"];
+        "filter.multi_antenna_offset", "GNSS multi-antenna offset", ["filter.multi_antenna_offset_response"];
     /// Relative position configuration (0x0D,0x55).
-    FilterRelativePositionConfiguration(crate::filter::RelativePositionConfiguration),
+    FilterRelativePositionConfig(crate::filter::RelativePositionConfig),
         Command 0x0D, 0x55, in 0x0D..=0x0D, of 1,
-        "filter.relative_position_configuration", "Relative position configuration", ["filter.relative_position_configuration_response"];
+        "filter.relative_position_config", "Relative position configuration", ["filter.relative_position_config_response"];
     /// Reference point lever arm (0x0D,0x56).
     FilterReferencePointLeverArm(crate::filter::ReferencePointLeverArm),
         Command 0x0D, 0x56, in 0x0D..=0x0D, of 1,
@@ -628,9 +628,9 @@ registry! {
         Command 0x0D, 0x60, in 0x0D..=0x0D, of 1,
         "filter.speed_measurement", "Speed measurement", [];
     /// Speed measurement lever arm (0x0D,0x61).
-    FilterMeasurementSpeedLeverArm(crate::filter::MeasurementSpeedLeverArm),
+    FilterSpeedLeverArm(crate::filter::SpeedLeverArm),
         Command 0x0D, 0x61, in 0x0D..=0x0D, of 1,
-        "filter.measurement_speed_lever_arm", "Speed measurement lever arm", ["filter.measurement_speed_lever_arm_response"];
+        "filter.speed_lever_arm", "Speed measurement lever arm", ["filter.speed_lever_arm_response"];
     /// Vertical gyro constraint (0x0D,0x62).
     FilterVerticalGyroConstraintControl(crate::filter::VerticalGyroConstraintControl),
         Command 0x0D, 0x62, in 0x0D..=0x0D, of 1,
@@ -640,73 +640,73 @@ registry! {
         Command 0x0D, 0x63, in 0x0D..=0x0D, of 1,
         "filter.wheeled_vehicle_constraint_control", "Wheeled vehicle constraint", ["filter.wheeled_vehicle_constraint_control_response"];
     /// GNSS antenna offset calibration (0x0D,0x64).
-    FilterGnssAntennaOffsetCalibrationControl(crate::filter::GnssAntennaOffsetCalibrationControl),
+    FilterGnssAntennaCalibrationControl(crate::filter::GnssAntennaCalibrationControl),
         Command 0x0D, 0x64, in 0x0D..=0x0D, of 1,
-        "filter.gnss_antenna_offset_calibration_control", "GNSS antenna offset calibration", ["filter.gnss_antenna_offset_calibration_control_response"];
+        "filter.gnss_antenna_calibration_control", "GNSS antenna offset calibration", ["filter.gnss_antenna_calibration_control_response"];
     /// Vehicle dynamics mode response (0x0D,0x80).
     FilterVehicleDynamicsModeResponse(crate::filter::VehicleDynamicsModeResponse),
         Response 0x0D, 0x80, in 0x0D..=0x0D, of 1,
         "filter.vehicle_dynamics_mode_response", "Vehicle dynamics mode response", ["filter.vehicle_dynamics_mode"];
     /// Sensor to vehicle frame transformation response (0x0D,0x81).
-    FilterSensorToVehicleFrameTransformationResponse(crate::filter::SensorToVehicleFrameTransformationResponse),
+    FilterSensorToVehicleRotationEulerResponse(crate::filter::SensorToVehicleRotationEulerResponse),
         Response 0x0D, 0x81, in 0x0D..=0x0D, of 1,
-        "filter.sensor_to_vehicle_frame_transformation_response", "Sensor to vehicle frame transformation response", ["filter.sensor_to_vehicle_frame_transformation"];
+        "filter.sensor_to_vehicle_rotation_euler_response", "Sensor to vehicle frame transformation response", ["filter.sensor_to_vehicle_rotation_euler"];
     /// Sensor to vehicle offset response (0x0D,0x82).
     FilterSensorToVehicleOffsetResponse(crate::filter::SensorToVehicleOffsetResponse),
         Response 0x0D, 0x82, in 0x0D..=0x0D, of 1,
         "filter.sensor_to_vehicle_offset_response", "Sensor to vehicle offset response", ["filter.sensor_to_vehicle_offset"];
     /// GNSS antenna offset response (0x0D,0x83).
-    FilterGnssAntennaOffsetControlResponse(crate::filter::GnssAntennaOffsetControlResponse),
+    FilterAntennaOffsetResponse(crate::filter::AntennaOffsetResponse),
         Response 0x0D, 0x83, in 0x0D..=0x0D, of 1,
-        "filter.gnss_antenna_offset_control_response", "GNSS antenna offset response", ["filter.gnss_antenna_offset_control"];
+        "filter.antenna_offset_response", "GNSS antenna offset response", ["filter.antenna_offset"];
     /// Estimation control flags response (0x0D,0x84).
-    FilterEstimationControlFlagsResponse(crate::filter::EstimationControlFlagsResponse),
+    FilterEstimationControlResponse(crate::filter::EstimationControlResponse),
         Response 0x0D, 0x84, in 0x0D..=0x0D, of 1,
-        "filter.estimation_control_flags_response", "Estimation control flags response", ["filter.estimation_control_flags"];
+        "filter.estimation_control_response", "Estimation control flags response", ["filter.estimation_control"];
     /// GNSS aiding source response (0x0D,0x86).
-    FilterGnssAidingSourceControlResponse(crate::filter::GnssAidingSourceControlResponse),
+    FilterGnssSourceResponse(crate::filter::GnssSourceResponse),
         Response 0x0D, 0x86, in 0x0D..=0x0D, of 1,
-        "filter.gnss_aiding_source_control_response", "GNSS aiding source response", ["filter.gnss_aiding_source_control"];
+        "filter.gnss_source_response", "GNSS aiding source response", ["filter.gnss_source"];
     /// Heading update control response (0x0D,0x87).
-    FilterHeadingUpdateControlResponse(crate::filter::HeadingUpdateControlResponse),
+    FilterHeadingSourceResponse(crate::filter::HeadingSourceResponse),
         Response 0x0D, 0x87, in 0x0D..=0x0D, of 1,
-        "filter.heading_update_control_response", "Heading update control response", ["filter.heading_update_control"];
+        "filter.heading_source_response", "Heading update control response", ["filter.heading_source"];
     /// Automatic initialization response (0x0D,0x88).
     FilterAutoInitializationControlResponse(crate::filter::AutoInitializationControlResponse),
         Response 0x0D, 0x88, in 0x0D..=0x0D, of 1,
         "filter.auto_initialization_control_response", "Automatic initialization response", ["filter.auto_initialization_control"];
     /// Accelerometer noise response (0x0D,0x89).
-    FilterAccelerometerNoiseStandardDeviationResponse(crate::filter::AccelerometerNoiseStandardDeviationResponse),
+    FilterAccelNoiseResponse(crate::filter::AccelNoiseResponse),
         Response 0x0D, 0x89, in 0x0D..=0x0D, of 1,
-        "filter.accelerometer_noise_standard_deviation_response", "Accelerometer noise response", ["filter.accelerometer_noise_standard_deviation"];
+        "filter.accel_noise_response", "Accelerometer noise response", ["filter.accel_noise"];
     /// Gyroscope noise response (0x0D,0x8A).
-    FilterGyroscopeNoiseStandardDeviationResponse(crate::filter::GyroscopeNoiseStandardDeviationResponse),
+    FilterGyroNoiseResponse(crate::filter::GyroNoiseResponse),
         Response 0x0D, 0x8A, in 0x0D..=0x0D, of 1,
-        "filter.gyroscope_noise_standard_deviation_response", "Gyroscope noise response", ["filter.gyroscope_noise_standard_deviation"];
+        "filter.gyro_noise_response", "Gyroscope noise response", ["filter.gyro_noise"];
     /// Accelerometer bias model response (0x0D,0x8B).
-    FilterAccelerometerBiasModelParametersResponse(crate::filter::AccelerometerBiasModelParametersResponse),
+    FilterAccelBiasModelResponse(crate::filter::AccelBiasModelResponse),
         Response 0x0D, 0x8B, in 0x0D..=0x0D, of 1,
-        "filter.accelerometer_bias_model_parameters_response", "Accelerometer bias model response", ["filter.accelerometer_bias_model_parameters"];
+        "filter.accel_bias_model_response", "Accelerometer bias model response", ["filter.accel_bias_model"];
     /// Gyroscope bias model response (0x0D,0x8C).
-    FilterGyroscopeBiasModelParametersResponse(crate::filter::GyroscopeBiasModelParametersResponse),
+    FilterGyroBiasModelResponse(crate::filter::GyroBiasModelResponse),
         Response 0x0D, 0x8C, in 0x0D..=0x0D, of 1,
-        "filter.gyroscope_bias_model_parameters_response", "Gyroscope bias model response", ["filter.gyroscope_bias_model_parameters"];
+        "filter.gyro_bias_model_response", "Gyroscope bias model response", ["filter.gyro_bias_model"];
     /// Automatic zero velocity update response (0x0D,0x8D).
     FilterAutoZuptResponse(crate::filter::AutoZuptResponse),
         Response 0x0D, 0x8D, in 0x0D..=0x0D, of 1,
         "filter.auto_zupt_response", "Automatic zero velocity update response", ["filter.auto_zupt"];
     /// Zero angular rate update response (0x0D,0x8E).
-    FilterZeroAngularRateUpdateControlResponse(crate::filter::ZeroAngularRateUpdateControlResponse),
+    FilterAutoAngularZuptResponse(crate::filter::AutoAngularZuptResponse),
         Response 0x0D, 0x8E, in 0x0D..=0x0D, of 1,
-        "filter.zero_angular_rate_update_control_response", "Zero angular rate update response", ["filter.zero_angular_rate_update_control"];
+        "filter.auto_angular_zupt_response", "Zero angular rate update response", ["filter.auto_angular_zupt"];
     /// Set reference position response (0x0D,0x90).
-    FilterSetReferencePositionResponse(crate::filter::SetReferencePositionResponse),
+    FilterReferencePositionResponse(crate::filter::ReferencePositionResponse),
         Response 0x0D, 0x90, in 0x0D..=0x0D, of 1,
-        "filter.set_reference_position_response", "Set reference position response", ["filter.set_reference_position"];
+        "filter.reference_position_response", "Set reference position response", ["filter.reference_position"];
     /// Gravity noise response (0x0D,0x93).
-    FilterGravityNoiseStandardDeviationResponse(crate::filter::GravityNoiseStandardDeviationResponse),
+    FilterGravityNoiseResponse(crate::filter::GravityNoiseResponse),
         Response 0x0D, 0x93, in 0x0D..=0x0D, of 1,
-        "filter.gravity_noise_standard_deviation_response", "Gravity noise response", ["filter.gravity_noise_standard_deviation"];
+        "filter.gravity_noise_response", "Gravity noise response", ["filter.gravity_noise"];
     /// Pressure altitude noise response (0x0D,0x94).
     FilterPressureAltitudeNoiseResponse(crate::filter::PressureAltitudeNoiseResponse),
         Response 0x0D, 0x94, in 0x0D..=0x0D, of 1,
@@ -724,21 +724,21 @@ registry! {
         Response 0x0D, 0xA1, in 0x0D..=0x0D, of 1,
         "filter.tare_orientation_response", "Tare orientation response", ["filter.tare_orientation"];
     /// Enable or disable measurements response (0x0D,0xB0).
-    FilterEnableDisableMeasurementsResponse(crate::filter::EnableDisableMeasurementsResponse),
+    FilterEnableMeasurementsResponse(crate::filter::EnableMeasurementsResponse),
         Response 0x0D, 0xB0, in 0x0D..=0x0D, of 1,
-        "filter.enable_disable_measurements_response", "Enable or disable measurements response", ["filter.enable_disable_measurements"];
+        "filter.enable_measurements_response", "Enable or disable measurements response", ["filter.enable_measurements"];
     /// Magnetometer noise response (0x0D,0xB1).
     FilterMagNoiseResponse(crate::filter::MagNoiseResponse),
         Response 0x0D, 0xB1, in 0x0D..=0x0D, of 1,
         "filter.mag_noise_response", "Magnetometer noise response", ["filter.mag_noise"];
     /// Magnetic declination source response (0x0D,0xB2).
-    FilterMagneticFieldDeclinationSourceControlResponse(crate::filter::MagneticFieldDeclinationSourceControlResponse),
+    FilterMagneticDeclinationSourceResponse(crate::filter::MagneticDeclinationSourceResponse),
         Response 0x0D, 0xB2, in 0x0D..=0x0D, of 1,
-        "filter.magnetic_field_declination_source_control_response", "Magnetic declination source response", ["filter.magnetic_field_declination_source_control"];
+        "filter.magnetic_declination_source_response", "Magnetic declination source response", ["filter.magnetic_declination_source"];
     /// Gravity magnitude error adaptive measurement response (0x0D,0xB3).
-    FilterGravityMagnitudeErrorAdaptiveMeasurementResponse(crate::filter::GravityMagnitudeErrorAdaptiveMeasurementResponse),
+    FilterAccelMagnitudeErrorAdaptiveMeasurementResponse(crate::filter::AccelMagnitudeErrorAdaptiveMeasurementResponse),
         Response 0x0D, 0xB3, in 0x0D..=0x0D, of 1,
-        "filter.gravity_magnitude_error_adaptive_measurement_response", "Gravity magnitude error adaptive measurement response", ["filter.gravity_magnitude_error_adaptive_measurement"];
+        "filter.accel_magnitude_error_adaptive_measurement_response", "Gravity magnitude error adaptive measurement response", ["filter.accel_magnitude_error_adaptive_measurement"];
     /// Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
     FilterMagMagnitudeErrorAdaptiveMeasurementResponse(crate::filter::MagMagnitudeErrorAdaptiveMeasurementResponse),
         Response 0x0D, 0xB4, in 0x0D..=0x0D, of 1,
@@ -752,17 +752,17 @@ registry! {
         Response 0x0D, 0xB7, in 0x0D..=0x0D, of 1,
         "filter.altitude_aiding_response", "Altitude aiding response", ["filter.altitude_aiding"];
     /// Pitch and roll aiding response (0x0D,0xBB).
-    FilterPitchRollAidingControlResponse(crate::filter::PitchRollAidingControlResponse),
+    FilterPitchRollAidingResponse(crate::filter::PitchRollAidingResponse),
         Response 0x0D, 0xBB, in 0x0D..=0x0D, of 1,
-        "filter.pitch_roll_aiding_control_response", "Pitch and roll aiding response", ["filter.pitch_roll_aiding_control"];
+        "filter.pitch_roll_aiding_response", "Pitch and roll aiding response", ["filter.pitch_roll_aiding"];
     /// Magnetic inclination source response (0x0D,0xBC).
-    FilterInclinationSourceResponse(crate::filter::InclinationSourceResponse),
+    FilterMagneticInclinationSourceResponse(crate::filter::MagneticInclinationSourceResponse),
         Response 0x0D, 0xBC, in 0x0D..=0x0D, of 1,
-        "filter.inclination_source_response", "Magnetic inclination source response", ["filter.inclination_source"];
+        "filter.magnetic_inclination_source_response", "Magnetic inclination source response", ["filter.magnetic_inclination_source"];
     /// Magnetic field magnitude source response (0x0D,0xBD).
-    FilterMagFieldMagnitudeSourceResponse(crate::filter::MagFieldMagnitudeSourceResponse),
+    FilterMagneticMagnitudeSourceResponse(crate::filter::MagneticMagnitudeSourceResponse),
         Response 0x0D, 0xBD, in 0x0D..=0x0D, of 1,
-        "filter.mag_field_magnitude_source_response", "Magnetic field magnitude source response", ["filter.mag_field_magnitude_source"];
+        "filter.magnetic_magnitude_source_response", "Magnetic field magnitude source response", ["filter.magnetic_magnitude_source"];
     /// Sensor to vehicle rotation, matrix response (0x0D,0xBE).
     FilterSensorToVehicleRotationDcmResponse(crate::filter::SensorToVehicleRotationDcmResponse),
         Response 0x0D, 0xBE, in 0x0D..=0x0D, of 1,
@@ -772,37 +772,37 @@ registry! {
         Response 0x0D, 0xBF, in 0x0D..=0x0D, of 1,
         "filter.sensor_to_vehicle_rotation_quaternion_response", "Sensor to vehicle rotation, quaternion response", ["filter.sensor_to_vehicle_rotation_quaternion"];
     /// Aiding measurement control response (0x0D,0xD0).
-    FilterAidingMeasurementControlResponse(crate::filter::AidingMeasurementControlResponse),
+    FilterAidingMeasurementEnableResponse(crate::filter::AidingMeasurementEnableResponse),
         Response 0x0D, 0xD0, in 0x0D..=0x0D, of 1,
-        "filter.aiding_measurement_control_response", "Aiding measurement control response", ["filter.aiding_measurement_control"];
+        "filter.aiding_measurement_enable_response", "Aiding measurement control response", ["filter.aiding_measurement_enable"];
     /// Kinematic constraint response (0x0D,0xD1).
     FilterKinematicConstraintResponse(crate::filter::KinematicConstraintResponse),
         Response 0x0D, 0xD1, in 0x0D..=0x0D, of 1,
         "filter.kinematic_constraint_response", "Kinematic constraint response", ["filter.kinematic_constraint"];
     /// Navigation filter initialization response (0x0D,0xD2).
-    FilterNavigationFilterInitializationResponse(crate::filter::NavigationFilterInitializationResponse),
+    FilterInitializationConfigResponse(crate::filter::InitializationConfigResponse),
         Response 0x0D, 0xD2, in 0x0D..=0x0D, of 1,
-        "filter.navigation_filter_initialization_response", "Navigation filter initialization response", ["filter.navigation_filter_initialization"];
+        "filter.initialization_config_response", "Navigation filter initialization response", ["filter.initialization_config"];
     /// Adaptive filter control response (0x0D,0xD3).
-    FilterAdaptiveFilterControlResponse(crate::filter::AdaptiveFilterControlResponse),
+    FilterAdaptiveFilterOptionsResponse(crate::filter::AdaptiveFilterOptionsResponse),
         Response 0x0D, 0xD3, in 0x0D..=0x0D, of 1,
-        "filter.adaptive_filter_control_response", "Adaptive filter control response", ["filter.adaptive_filter_control"];
+        "filter.adaptive_filter_options_response", "Adaptive filter control response", ["filter.adaptive_filter_options"];
     /// GNSS multi-antenna offset response (0x0D,0xD4).
-    FilterGnssMultiAntennaOffsetControlResponse(crate::filter::GnssMultiAntennaOffsetControlResponse),
+    FilterMultiAntennaOffsetResponse(crate::filter::MultiAntennaOffsetResponse),
         Response 0x0D, 0xD4, in 0x0D..=0x0D, of 1,
-        "filter.gnss_multi_antenna_offset_control_response", "GNSS multi-antenna offset response", ["filter.gnss_multi_antenna_offset_control"];
+        "filter.multi_antenna_offset_response", "GNSS multi-antenna offset response", ["filter.multi_antenna_offset"];
     /// Relative position configuration response (0x0D,0xD5).
-    FilterRelativePositionConfigurationResponse(crate::filter::RelativePositionConfigurationResponse),
+    FilterRelativePositionConfigResponse(crate::filter::RelativePositionConfigResponse),
         Response 0x0D, 0xD5, in 0x0D..=0x0D, of 1,
-        "filter.relative_position_configuration_response", "Relative position configuration response", ["filter.relative_position_configuration"];
+        "filter.relative_position_config_response", "Relative position configuration response", ["filter.relative_position_config"];
     /// Reference point lever arm response (0x0D,0xD6).
     FilterReferencePointLeverArmResponse(crate::filter::ReferencePointLeverArmResponse),
         Response 0x0D, 0xD6, in 0x0D..=0x0D, of 1,
         "filter.reference_point_lever_arm_response", "Reference point lever arm response", ["filter.reference_point_lever_arm"];
     /// Speed measurement lever arm response (0x0D,0xE1).
-    FilterMeasurementSpeedLeverArmResponse(crate::filter::MeasurementSpeedLeverArmResponse),
+    FilterSpeedLeverArmResponse(crate::filter::SpeedLeverArmResponse),
         Response 0x0D, 0xE1, in 0x0D..=0x0D, of 1,
-        "filter.measurement_speed_lever_arm_response", "Speed measurement lever arm response", ["filter.measurement_speed_lever_arm"];
+        "filter.speed_lever_arm_response", "Speed measurement lever arm response", ["filter.speed_lever_arm"];
     /// Vertical gyro constraint response (0x0D,0xE2).
     FilterVerticalGyroConstraintControlResponse(crate::filter::VerticalGyroConstraintControlResponse),
         Response 0x0D, 0xE2, in 0x0D..=0x0D, of 1,
@@ -812,41 +812,41 @@ registry! {
         Response 0x0D, 0xE3, in 0x0D..=0x0D, of 1,
         "filter.wheeled_vehicle_constraint_control_response", "Wheeled vehicle constraint response", ["filter.wheeled_vehicle_constraint_control"];
     /// GNSS antenna offset calibration response (0x0D,0xE4).
-    FilterGnssAntennaOffsetCalibrationControlResponse(crate::filter::GnssAntennaOffsetCalibrationControlResponse),
+    FilterGnssAntennaCalibrationControlResponse(crate::filter::GnssAntennaCalibrationControlResponse),
         Response 0x0D, 0xE4, in 0x0D..=0x0D, of 1,
-        "filter.gnss_antenna_offset_calibration_control_response", "GNSS antenna offset calibration response", ["filter.gnss_antenna_offset_calibration_control"];
+        "filter.gnss_antenna_calibration_control_response", "GNSS antenna offset calibration response", ["filter.gnss_antenna_calibration_control"];
     /// Receiver info (0x0E,0x01).
     GnssReceiverInfo(crate::gnss::ReceiverInfo),
         Command 0x0E, 0x01, in 0x0E..=0x0E, of 1,
         "gnss.receiver_info", "Receiver info", ["gnss.receiver_info_response"];
     /// Signal configuration (0x0E,0x02).
-    GnssSignalConfiguration(crate::gnss::SignalConfiguration),
+    GnssSignalConfig(crate::gnss::SignalConfig),
         Command 0x0E, 0x02, in 0x0E..=0x0E, of 1,
-        "gnss.signal_configuration", "Signal configuration", ["gnss.signal_configuration_response"];
+        "gnss.signal_config", "Signal configuration", ["gnss.signal_config_response"];
     /// RTK dongle configuration (0x0E,0x10).
-    GnssRtkDongleConfiguration(crate::gnss::RtkDongleConfiguration),
+    GnssRtkDongleConfig(crate::gnss::RtkDongleConfig),
         Command 0x0E, 0x10, in 0x0E..=0x0E, of 1,
-        "gnss.rtk_dongle_configuration", "RTK dongle configuration", ["gnss.rtk_dongle_configuration_response"];
+        "gnss.rtk_dongle_config", "RTK dongle configuration", ["gnss.rtk_dongle_config_response"];
     /// SPARTN configuration (0x0E,0x20).
-    GnssSpartnConfiguration(crate::gnss::SpartnConfiguration),
+    GnssSpartnConfig(crate::gnss::SpartnConfig),
         Command 0x0E, 0x20, in 0x0E..=0x0E, of 1,
-        "gnss.spartn_configuration", "SPARTN configuration", ["gnss.spartn_configuration_response"];
+        "gnss.spartn_config", "SPARTN configuration", ["gnss.spartn_config_response"];
     /// Receiver info response (0x0E,0x81).
     GnssReceiverInfoResponse(crate::gnss::ReceiverInfoResponse),
         Response 0x0E, 0x81, in 0x0E..=0x0E, of 1,
         "gnss.receiver_info_response", "Receiver info response", ["gnss.receiver_info"];
     /// Signal configuration response (0x0E,0x82).
-    GnssSignalConfigurationResponse(crate::gnss::SignalConfigurationResponse),
+    GnssSignalConfigResponse(crate::gnss::SignalConfigResponse),
         Response 0x0E, 0x82, in 0x0E..=0x0E, of 1,
-        "gnss.signal_configuration_response", "Signal configuration response", ["gnss.signal_configuration"];
+        "gnss.signal_config_response", "Signal configuration response", ["gnss.signal_config"];
     /// RTK dongle configuration response (0x0E,0x90).
-    GnssRtkDongleConfigurationResponse(crate::gnss::RtkDongleConfigurationResponse),
+    GnssRtkDongleConfigResponse(crate::gnss::RtkDongleConfigResponse),
         Response 0x0E, 0x90, in 0x0E..=0x0E, of 1,
-        "gnss.rtk_dongle_configuration_response", "RTK dongle configuration response", ["gnss.rtk_dongle_configuration"];
+        "gnss.rtk_dongle_config_response", "RTK dongle configuration response", ["gnss.rtk_dongle_config"];
     /// SPARTN configuration response (0x0E,0xA0).
-    GnssSpartnConfigurationResponse(crate::gnss::SpartnConfigurationResponse),
+    GnssSpartnConfigResponse(crate::gnss::SpartnConfigResponse),
         Response 0x0E, 0xA0, in 0x0E..=0x0E, of 1,
-        "gnss.spartn_configuration_response", "SPARTN configuration response", ["gnss.spartn_configuration"];
+        "gnss.spartn_config_response", "SPARTN configuration response", ["gnss.spartn_config"];
     /// Get status flags (0x0F,0x01).
     RtkGetStatusFlags(crate::rtk::GetStatusFlags),
         Command 0x0F, 0x01, in 0x0F..=0x0F, of 1,
@@ -932,9 +932,9 @@ registry! {
         Response 0x0F, 0x8A, in 0x0F..=0x0F, of 1,
         "rtk.service_status_response", "Service status response", ["rtk.service_status"];
     /// Frame configuration (0x13,0x01).
-    AidingFrameConfiguration(crate::aiding::FrameConfiguration),
+    AidingFrameConfig(crate::aiding::FrameConfig),
         Command 0x13, 0x01, in 0x13..=0x13, of 1,
-        "aiding.frame_configuration", "Frame configuration", ["aiding.frame_configuration_response"];
+        "aiding.frame_config", "Frame configuration", ["aiding.frame_config_response"];
     /// Echo control (0x13,0x1F).
     AidingEchoControl(crate::aiding::EchoControl),
         Command 0x13, 0x1F, in 0x13..=0x13, of 1,
@@ -976,9 +976,9 @@ registry! {
         Command 0x13, 0x33, in 0x13..=0x13, of 1,
         "aiding.pressure", "Pressure", [];
     /// Frame configuration response (0x13,0x81).
-    AidingFrameConfigurationResponse(crate::aiding::FrameConfigurationResponse),
+    AidingFrameConfigResponse(crate::aiding::FrameConfigResponse),
         Response 0x13, 0x81, in 0x13..=0x13, of 1,
-        "aiding.frame_configuration_response", "Frame configuration response", ["aiding.frame_configuration"];
+        "aiding.frame_config_response", "Frame configuration response", ["aiding.frame_config"];
     /// Echo control response (0x13,0x9F).
     AidingEchoControlResponse(crate::aiding::EchoControlResponse),
         Response 0x13, 0x9F, in 0x13..=0x13, of 1,
@@ -988,17 +988,17 @@ registry! {
         Command 0x7F, 0x02, in 0x7F..=0x7F, of 1,
         "system.interface_control", "Interface control", ["system.interface_control_response"];
     /// Communication mode (0x7F,0x10).
-    SystemCommunicationMode(crate::system::CommunicationMode),
+    SystemCommMode(crate::system::CommMode),
         Command 0x7F, 0x10, in 0x7F..=0x7F, of 1,
-        "system.communication_mode", "Communication mode", ["system.communication_mode_response"];
+        "system.comm_mode", "Communication mode", ["system.comm_mode_response"];
     /// Interface control response (0x7F,0x82).
     SystemInterfaceControlResponse(crate::system::InterfaceControlResponse),
         Response 0x7F, 0x82, in 0x7F..=0x7F, of 1,
         "system.interface_control_response", "Interface control response", ["system.interface_control"];
     /// Communication mode response (0x7F,0x90).
-    SystemCommunicationModeResponse(crate::system::CommunicationModeResponse),
+    SystemCommModeResponse(crate::system::CommModeResponse),
         Response 0x7F, 0x90, in 0x7F..=0x7F, of 1,
-        "system.communication_mode_response", "Communication mode response", ["system.communication_mode"];
+        "system.comm_mode_response", "Communication mode response", ["system.comm_mode"];
     /// Raw accel (0x80,0x01).
     SensorRawAccel(crate::sensor::RawAccel),
         Data 0x80, 0x01, in 0x80..=0x80, of 1,
@@ -1032,25 +1032,25 @@ registry! {
         Data 0x80, 0x08, in 0x80..=0x80, of 1,
         "sensor.delta_velocity", "Delta velocity", [];
     /// Complementary filter orientation matrix (0x80,0x09).
-    SensorComplementaryFilterOrientationMatrix(crate::sensor::ComplementaryFilterOrientationMatrix),
+    SensorCompOrientationMatrix(crate::sensor::CompOrientationMatrix),
         Data 0x80, 0x09, in 0x80..=0x80, of 1,
-        "sensor.complementary_filter_orientation_matrix", "Complementary filter orientation matrix", [];
+        "sensor.comp_orientation_matrix", "Complementary filter orientation matrix", [];
     /// Complementary filter quaternion (0x80,0x0A).
-    SensorComplementaryFilterQuaternion(crate::sensor::ComplementaryFilterQuaternion),
+    SensorCompQuaternion(crate::sensor::CompQuaternion),
         Data 0x80, 0x0A, in 0x80..=0x80, of 1,
-        "sensor.complementary_filter_quaternion", "Complementary filter quaternion", [];
+        "sensor.comp_quaternion", "Complementary filter quaternion", [];
     /// Complementary filter orientation update matrix (0x80,0x0B).
     SensorCompOrientationUpdateMatrix(crate::sensor::CompOrientationUpdateMatrix),
         Data 0x80, 0x0B, in 0x80..=0x80, of 1,
         "sensor.comp_orientation_update_matrix", "Complementary filter orientation update matrix", [];
     /// Complementary filter Euler angles (0x80,0x0C).
-    SensorComplementaryFilterEulerAngles(crate::sensor::ComplementaryFilterEulerAngles),
+    SensorCompEulerAngles(crate::sensor::CompEulerAngles),
         Data 0x80, 0x0C, in 0x80..=0x80, of 1,
-        "sensor.complementary_filter_euler_angles", "Complementary filter Euler angles", [];
+        "sensor.comp_euler_angles", "Complementary filter Euler angles", [];
     /// Orientation raw temperatures (0x80,0x0D).
-    SensorOrientationRawTemp(crate::sensor::OrientationRawTemp),
+    SensorOrientationRawTemperature(crate::sensor::OrientationRawTemperature),
         Data 0x80, 0x0D, in 0x80..=0x80, of 1,
-        "sensor.orientation_raw_temp", "Orientation raw temperatures", [];
+        "sensor.orientation_raw_temperature", "Orientation raw temperatures", [];
     /// Internal timestamp (0x80,0x0E).
     SensorInternalTimestamp(crate::sensor::InternalTimestamp),
         Data 0x80, 0x0E, in 0x80..=0x80, of 1,
@@ -1060,13 +1060,13 @@ registry! {
         Data 0x80, 0x0F, in 0x80..=0x80, of 1,
         "sensor.pps_timestamp", "PPS timestamp", [];
     /// Complementary filter stabilized north vector (0x80,0x10).
-    SensorComplementaryFilterStabilizedNorthVector(crate::sensor::ComplementaryFilterStabilizedNorthVector),
+    SensorNorthVector(crate::sensor::NorthVector),
         Data 0x80, 0x10, in 0x80..=0x80, of 1,
-        "sensor.complementary_filter_stabilized_north_vector", "Complementary filter stabilized north vector", [];
+        "sensor.north_vector", "Complementary filter stabilized north vector", [];
     /// Complementary filter stabilized up vector (0x80,0x11).
-    SensorComplementaryFilterStabilizedUpVector(crate::sensor::ComplementaryFilterStabilizedUpVector),
+    SensorUpVector(crate::sensor::UpVector),
         Data 0x80, 0x11, in 0x80..=0x80, of 1,
-        "sensor.complementary_filter_stabilized_up_vector", "Complementary filter stabilized up vector", [];
+        "sensor.up_vector", "Complementary filter stabilized up vector", [];
     /// GPS timestamp (0x80,0x12).
     SensorGpsTimestamp(crate::sensor::GpsTimestamp),
         Data 0x80, 0x12, in 0x80..=0x80, of 1,
@@ -1092,21 +1092,21 @@ registry! {
         Data 0x80, 0x40, in 0x80..=0x80, of 1,
         "sensor.odometer", "Odometer data", [];
     /// GNSS LLH position (0x81,0x03).
-    GnssDataGnssLlhPosition(crate::gnss_data::GnssLlhPosition),
+    GnssDataLlhPosition(crate::gnss_data::LlhPosition),
         Data 0x81, 0x03, in 0x81..=0x81, of 1,
-        "gnss_data.gnss_llh_position", "GNSS LLH position", [];
+        "gnss_data.llh_position", "GNSS LLH position", [];
     /// GNSS ECEF position (0x81,0x04).
-    GnssDataGnssEcefPosition(crate::gnss_data::GnssEcefPosition),
+    GnssDataEcefPosition(crate::gnss_data::EcefPosition),
         Data 0x81, 0x04, in 0x81..=0x81, of 1,
-        "gnss_data.gnss_ecef_position", "GNSS ECEF position", [];
+        "gnss_data.ecef_position", "GNSS ECEF position", [];
     /// NED velocity (0x81,0x05).
     GnssDataNedVelocity(crate::gnss_data::NedVelocity),
         Data 0x81, 0x05, in 0x81..=0x81, of 1,
         "gnss_data.ned_velocity", "NED velocity", [];
     /// GNSS ECEF velocity (0x81,0x06).
-    GnssDataGnssEcefVelocity(crate::gnss_data::GnssEcefVelocity),
+    GnssDataEcefVelocity(crate::gnss_data::EcefVelocity),
         Data 0x81, 0x06, in 0x81..=0x81, of 1,
-        "gnss_data.gnss_ecef_velocity", "GNSS ECEF velocity", [];
+        "gnss_data.ecef_velocity", "GNSS ECEF velocity", [];
     /// DOP (0x81,0x07).
     GnssDataDop(crate::gnss_data::Dop),
         Data 0x81, 0x07, in 0x81..=0x81, of 1,
@@ -1132,9 +1132,9 @@ registry! {
         Data 0x81, 0x0C, in 0x81..=0x81, of 1,
         "gnss_data.sv_info", "Satellite info", [];
     /// GNSS hardware status (0x81,0x0D).
-    GnssDataGnssHardwareStatus(crate::gnss_data::GnssHardwareStatus),
+    GnssDataHardwareStatus(crate::gnss_data::HardwareStatus),
         Data 0x81, 0x0D, in 0x81..=0x81, of 1,
-        "gnss_data.gnss_hardware_status", "GNSS hardware status", [];
+        "gnss_data.hardware_status", "GNSS hardware status", [];
     /// DGPS info (0x81,0x0E).
     GnssDataDgpsInfo(crate::gnss_data::DgpsInfo),
         Data 0x81, 0x0E, in 0x81..=0x81, of 1,
@@ -1212,9 +1212,9 @@ registry! {
         Data 0x82, 0x01, in 0x82..=0x82, of 1,
         "filter_data.llh_position", "LLH position", [];
     /// NED velocity (0x82,0x02).
-    FilterDataVelocityNed(crate::filter_data::VelocityNed),
+    FilterDataNedVelocity(crate::filter_data::NedVelocity),
         Data 0x82, 0x02, in 0x82..=0x82, of 1,
-        "filter_data.velocity_ned", "NED velocity", [];
+        "filter_data.ned_velocity", "NED velocity", [];
     /// Attitude quaternion (0x82,0x03).
     FilterDataAttitudeQuaternion(crate::filter_data::AttitudeQuaternion),
         Data 0x82, 0x03, in 0x82..=0x82, of 1,
@@ -1264,9 +1264,9 @@ registry! {
         Data 0x82, 0x0E, in 0x82..=0x82, of 1,
         "filter_data.comp_angular_rate", "Compensated angular rate", [];
     /// WGS84 local gravity magnitude (0x82,0x0F).
-    FilterDataWgs84LocalGravityMagnitude(crate::filter_data::Wgs84LocalGravityMagnitude),
+    FilterDataWgs84GravityMagnitude(crate::filter_data::Wgs84GravityMagnitude),
         Data 0x82, 0x0F, in 0x82..=0x82, of 1,
-        "filter_data.wgs84_local_gravity_magnitude", "WGS84 local gravity magnitude", [];
+        "filter_data.wgs84_gravity_magnitude", "WGS84 local gravity magnitude", [];
     /// Filter status (0x82,0x10).
     FilterDataStatus(crate::filter_data::Status),
         Data 0x82, 0x10, in 0x82..=0x82, of 1,
@@ -1284,9 +1284,9 @@ registry! {
         Data 0x82, 0x13, in 0x82..=0x82, of 1,
         "filter_data.gravity_vector", "Gravity vector", [];
     /// Heading update source state (0x82,0x14).
-    FilterDataHeadingUpdateSourceState(crate::filter_data::HeadingUpdateSourceState),
+    FilterDataHeadingUpdateState(crate::filter_data::HeadingUpdateState),
         Data 0x82, 0x14, in 0x82..=0x82, of 1,
-        "filter_data.heading_update_source_state", "Heading update source state", [];
+        "filter_data.heading_update_state", "Heading update source state", [];
     /// Magnetic model (0x82,0x15).
     FilterDataMagneticModel(crate::filter_data::MagneticModel),
         Data 0x82, 0x15, in 0x82..=0x82, of 1,
@@ -1316,9 +1316,9 @@ registry! {
         Data 0x82, 0x1B, in 0x82..=0x82, of 1,
         "filter_data.mag_bias_uncertainty", "Magnetometer bias uncertainty", [];
     /// Compensated acceleration (0x82,0x1C).
-    FilterDataCompensatedAcceleration(crate::filter_data::CompensatedAcceleration),
+    FilterDataCompAccel(crate::filter_data::CompAccel),
         Data 0x82, 0x1C, in 0x82..=0x82, of 1,
-        "filter_data.compensated_acceleration", "Compensated acceleration", [];
+        "filter_data.comp_accel", "Compensated acceleration", [];
     /// Standard atmosphere (0x82,0x20).
     FilterDataStandardAtmosphere(crate::filter_data::StandardAtmosphere),
         Data 0x82, 0x20, in 0x82..=0x82, of 1,
@@ -1428,29 +1428,29 @@ registry! {
         Data 0x82, 0x49, in 0x82..=0x82, of 1,
         "filter_data.gnss_dual_antenna_status", "GNSS dual antenna status", [];
     /// Aiding frame configuration error (0x82,0x50).
-    FilterDataAidingFrameConfigurationError(crate::filter_data::AidingFrameConfigurationError),
+    FilterDataAidingFrameConfigError(crate::filter_data::AidingFrameConfigError),
         Data 0x82, 0x50, in 0x82..=0x82, of 1,
-        "filter_data.aiding_frame_configuration_error", "Aiding frame configuration error", [];
+        "filter_data.aiding_frame_config_error", "Aiding frame configuration error", [];
     /// Aiding frame configuration error uncertainty (0x82,0x51).
-    FilterDataAidingFrameConfigurationErrorUncertainty(crate::filter_data::AidingFrameConfigurationErrorUncertainty),
+    FilterDataAidingFrameConfigErrorUncertainty(crate::filter_data::AidingFrameConfigErrorUncertainty),
         Data 0x82, 0x51, in 0x82..=0x82, of 1,
-        "filter_data.aiding_frame_configuration_error_uncertainty", "Aiding frame configuration error uncertainty", [];
+        "filter_data.aiding_frame_config_error_uncertainty", "Aiding frame configuration error uncertainty", [];
     /// GNSS LLH position (0x91,0x03).
-    Gnss1GnssLlhPosition(crate::gnss_1::GnssLlhPosition),
+    Gnss1LlhPosition(crate::gnss_1::LlhPosition),
         Data 0x91, 0x03, in 0x91..=0x91, of 1,
-        "gnss_1.gnss_llh_position", "GNSS LLH position", [];
+        "gnss_1.llh_position", "GNSS LLH position", [];
     /// GNSS ECEF position (0x91,0x04).
-    Gnss1GnssEcefPosition(crate::gnss_1::GnssEcefPosition),
+    Gnss1EcefPosition(crate::gnss_1::EcefPosition),
         Data 0x91, 0x04, in 0x91..=0x91, of 1,
-        "gnss_1.gnss_ecef_position", "GNSS ECEF position", [];
+        "gnss_1.ecef_position", "GNSS ECEF position", [];
     /// NED velocity (0x91,0x05).
     Gnss1NedVelocity(crate::gnss_1::NedVelocity),
         Data 0x91, 0x05, in 0x91..=0x91, of 1,
         "gnss_1.ned_velocity", "NED velocity", [];
     /// GNSS ECEF velocity (0x91,0x06).
-    Gnss1GnssEcefVelocity(crate::gnss_1::GnssEcefVelocity),
+    Gnss1EcefVelocity(crate::gnss_1::EcefVelocity),
         Data 0x91, 0x06, in 0x91..=0x91, of 1,
-        "gnss_1.gnss_ecef_velocity", "GNSS ECEF velocity", [];
+        "gnss_1.ecef_velocity", "GNSS ECEF velocity", [];
     /// DOP (0x91,0x07).
     Gnss1Dop(crate::gnss_1::Dop),
         Data 0x91, 0x07, in 0x91..=0x91, of 1,
@@ -1476,9 +1476,9 @@ registry! {
         Data 0x91, 0x0C, in 0x91..=0x91, of 1,
         "gnss_1.sv_info", "Satellite info", [];
     /// GNSS hardware status (0x91,0x0D).
-    Gnss1GnssHardwareStatus(crate::gnss_1::GnssHardwareStatus),
+    Gnss1HardwareStatus(crate::gnss_1::HardwareStatus),
         Data 0x91, 0x0D, in 0x91..=0x91, of 1,
-        "gnss_1.gnss_hardware_status", "GNSS hardware status", [];
+        "gnss_1.hardware_status", "GNSS hardware status", [];
     /// DGPS info (0x91,0x0E).
     Gnss1DgpsInfo(crate::gnss_1::DgpsInfo),
         Data 0x91, 0x0E, in 0x91..=0x91, of 1,
@@ -1552,21 +1552,21 @@ registry! {
         Data 0x91, 0x74, in 0x91..=0x91, of 1,
         "gnss_1.beidou_iono_correction", "BeiDou ionospheric correction", [];
     /// GNSS LLH position (0x92,0x03).
-    Gnss2GnssLlhPosition(crate::gnss_2::GnssLlhPosition),
+    Gnss2LlhPosition(crate::gnss_2::LlhPosition),
         Data 0x92, 0x03, in 0x92..=0x92, of 1,
-        "gnss_2.gnss_llh_position", "GNSS LLH position", [];
+        "gnss_2.llh_position", "GNSS LLH position", [];
     /// GNSS ECEF position (0x92,0x04).
-    Gnss2GnssEcefPosition(crate::gnss_2::GnssEcefPosition),
+    Gnss2EcefPosition(crate::gnss_2::EcefPosition),
         Data 0x92, 0x04, in 0x92..=0x92, of 1,
-        "gnss_2.gnss_ecef_position", "GNSS ECEF position", [];
+        "gnss_2.ecef_position", "GNSS ECEF position", [];
     /// NED velocity (0x92,0x05).
     Gnss2NedVelocity(crate::gnss_2::NedVelocity),
         Data 0x92, 0x05, in 0x92..=0x92, of 1,
         "gnss_2.ned_velocity", "NED velocity", [];
     /// GNSS ECEF velocity (0x92,0x06).
-    Gnss2GnssEcefVelocity(crate::gnss_2::GnssEcefVelocity),
+    Gnss2EcefVelocity(crate::gnss_2::EcefVelocity),
         Data 0x92, 0x06, in 0x92..=0x92, of 1,
-        "gnss_2.gnss_ecef_velocity", "GNSS ECEF velocity", [];
+        "gnss_2.ecef_velocity", "GNSS ECEF velocity", [];
     /// DOP (0x92,0x07).
     Gnss2Dop(crate::gnss_2::Dop),
         Data 0x92, 0x07, in 0x92..=0x92, of 1,
@@ -1592,9 +1592,9 @@ registry! {
         Data 0x92, 0x0C, in 0x92..=0x92, of 1,
         "gnss_2.sv_info", "Satellite info", [];
     /// GNSS hardware status (0x92,0x0D).
-    Gnss2GnssHardwareStatus(crate::gnss_2::GnssHardwareStatus),
+    Gnss2HardwareStatus(crate::gnss_2::HardwareStatus),
         Data 0x92, 0x0D, in 0x92..=0x92, of 1,
-        "gnss_2.gnss_hardware_status", "GNSS hardware status", [];
+        "gnss_2.hardware_status", "GNSS hardware status", [];
     /// DGPS info (0x92,0x0E).
     Gnss2DgpsInfo(crate::gnss_2::DgpsInfo),
         Data 0x92, 0x0E, in 0x92..=0x92, of 1,
@@ -1668,21 +1668,21 @@ registry! {
         Data 0x92, 0x74, in 0x92..=0x92, of 1,
         "gnss_2.beidou_iono_correction", "BeiDou ionospheric correction", [];
     /// GNSS LLH position (0x93,0x03).
-    GnssCorrectionsGnssLlhPosition(crate::gnss_corrections::GnssLlhPosition),
+    GnssCorrectionsLlhPosition(crate::gnss_corrections::LlhPosition),
         Data 0x93, 0x03, in 0x93..=0x93, of 1,
-        "gnss_corrections.gnss_llh_position", "GNSS LLH position", [];
+        "gnss_corrections.llh_position", "GNSS LLH position", [];
     /// GNSS ECEF position (0x93,0x04).
-    GnssCorrectionsGnssEcefPosition(crate::gnss_corrections::GnssEcefPosition),
+    GnssCorrectionsEcefPosition(crate::gnss_corrections::EcefPosition),
         Data 0x93, 0x04, in 0x93..=0x93, of 1,
-        "gnss_corrections.gnss_ecef_position", "GNSS ECEF position", [];
+        "gnss_corrections.ecef_position", "GNSS ECEF position", [];
     /// NED velocity (0x93,0x05).
     GnssCorrectionsNedVelocity(crate::gnss_corrections::NedVelocity),
         Data 0x93, 0x05, in 0x93..=0x93, of 1,
         "gnss_corrections.ned_velocity", "NED velocity", [];
     /// GNSS ECEF velocity (0x93,0x06).
-    GnssCorrectionsGnssEcefVelocity(crate::gnss_corrections::GnssEcefVelocity),
+    GnssCorrectionsEcefVelocity(crate::gnss_corrections::EcefVelocity),
         Data 0x93, 0x06, in 0x93..=0x93, of 1,
-        "gnss_corrections.gnss_ecef_velocity", "GNSS ECEF velocity", [];
+        "gnss_corrections.ecef_velocity", "GNSS ECEF velocity", [];
     /// DOP (0x93,0x07).
     GnssCorrectionsDop(crate::gnss_corrections::Dop),
         Data 0x93, 0x07, in 0x93..=0x93, of 1,
@@ -1708,9 +1708,9 @@ registry! {
         Data 0x93, 0x0C, in 0x93..=0x93, of 1,
         "gnss_corrections.sv_info", "Satellite info", [];
     /// GNSS hardware status (0x93,0x0D).
-    GnssCorrectionsGnssHardwareStatus(crate::gnss_corrections::GnssHardwareStatus),
+    GnssCorrectionsHardwareStatus(crate::gnss_corrections::HardwareStatus),
         Data 0x93, 0x0D, in 0x93..=0x93, of 1,
-        "gnss_corrections.gnss_hardware_status", "GNSS hardware status", [];
+        "gnss_corrections.hardware_status", "GNSS hardware status", [];
     /// DGPS info (0x93,0x0E).
     GnssCorrectionsDgpsInfo(crate::gnss_corrections::DgpsInfo),
         Data 0x93, 0x0E, in 0x93..=0x93, of 1,
@@ -1784,21 +1784,21 @@ registry! {
         Data 0x93, 0x74, in 0x93..=0x93, of 1,
         "gnss_corrections.beidou_iono_correction", "BeiDou ionospheric correction", [];
     /// GNSS LLH position (0x94,0x03).
-    GnssExternalGnssLlhPosition(crate::gnss_external::GnssLlhPosition),
+    GnssExternalLlhPosition(crate::gnss_external::LlhPosition),
         Data 0x94, 0x03, in 0x94..=0x94, of 1,
-        "gnss_external.gnss_llh_position", "GNSS LLH position", [];
+        "gnss_external.llh_position", "GNSS LLH position", [];
     /// GNSS ECEF position (0x94,0x04).
-    GnssExternalGnssEcefPosition(crate::gnss_external::GnssEcefPosition),
+    GnssExternalEcefPosition(crate::gnss_external::EcefPosition),
         Data 0x94, 0x04, in 0x94..=0x94, of 1,
-        "gnss_external.gnss_ecef_position", "GNSS ECEF position", [];
+        "gnss_external.ecef_position", "GNSS ECEF position", [];
     /// NED velocity (0x94,0x05).
     GnssExternalNedVelocity(crate::gnss_external::NedVelocity),
         Data 0x94, 0x05, in 0x94..=0x94, of 1,
         "gnss_external.ned_velocity", "NED velocity", [];
     /// GNSS ECEF velocity (0x94,0x06).
-    GnssExternalGnssEcefVelocity(crate::gnss_external::GnssEcefVelocity),
+    GnssExternalEcefVelocity(crate::gnss_external::EcefVelocity),
         Data 0x94, 0x06, in 0x94..=0x94, of 1,
-        "gnss_external.gnss_ecef_velocity", "GNSS ECEF velocity", [];
+        "gnss_external.ecef_velocity", "GNSS ECEF velocity", [];
     /// DOP (0x94,0x07).
     GnssExternalDop(crate::gnss_external::Dop),
         Data 0x94, 0x07, in 0x94..=0x94, of 1,
@@ -1824,9 +1824,9 @@ registry! {
         Data 0x94, 0x0C, in 0x94..=0x94, of 1,
         "gnss_external.sv_info", "Satellite info", [];
     /// GNSS hardware status (0x94,0x0D).
-    GnssExternalGnssHardwareStatus(crate::gnss_external::GnssHardwareStatus),
+    GnssExternalHardwareStatus(crate::gnss_external::HardwareStatus),
         Data 0x94, 0x0D, in 0x94..=0x94, of 1,
-        "gnss_external.gnss_hardware_status", "GNSS hardware status", [];
+        "gnss_external.hardware_status", "GNSS hardware status", [];
     /// DGPS info (0x94,0x0E).
     GnssExternalDgpsInfo(crate::gnss_external::DgpsInfo),
         Data 0x94, 0x0E, in 0x94..=0x94, of 1,
@@ -1900,21 +1900,21 @@ registry! {
         Data 0x94, 0x74, in 0x94..=0x94, of 1,
         "gnss_external.beidou_iono_correction", "BeiDou ionospheric correction", [];
     /// GNSS LLH position (0x95,0x03).
-    GnssExternal2GnssLlhPosition(crate::gnss_external_2::GnssLlhPosition),
+    GnssExternal2LlhPosition(crate::gnss_external_2::LlhPosition),
         Data 0x95, 0x03, in 0x95..=0x95, of 1,
-        "gnss_external_2.gnss_llh_position", "GNSS LLH position", [];
+        "gnss_external_2.llh_position", "GNSS LLH position", [];
     /// GNSS ECEF position (0x95,0x04).
-    GnssExternal2GnssEcefPosition(crate::gnss_external_2::GnssEcefPosition),
+    GnssExternal2EcefPosition(crate::gnss_external_2::EcefPosition),
         Data 0x95, 0x04, in 0x95..=0x95, of 1,
-        "gnss_external_2.gnss_ecef_position", "GNSS ECEF position", [];
+        "gnss_external_2.ecef_position", "GNSS ECEF position", [];
     /// NED velocity (0x95,0x05).
     GnssExternal2NedVelocity(crate::gnss_external_2::NedVelocity),
         Data 0x95, 0x05, in 0x95..=0x95, of 1,
         "gnss_external_2.ned_velocity", "NED velocity", [];
     /// GNSS ECEF velocity (0x95,0x06).
-    GnssExternal2GnssEcefVelocity(crate::gnss_external_2::GnssEcefVelocity),
+    GnssExternal2EcefVelocity(crate::gnss_external_2::EcefVelocity),
         Data 0x95, 0x06, in 0x95..=0x95, of 1,
-        "gnss_external_2.gnss_ecef_velocity", "GNSS ECEF velocity", [];
+        "gnss_external_2.ecef_velocity", "GNSS ECEF velocity", [];
     /// DOP (0x95,0x07).
     GnssExternal2Dop(crate::gnss_external_2::Dop),
         Data 0x95, 0x07, in 0x95..=0x95, of 1,
@@ -1940,9 +1940,9 @@ registry! {
         Data 0x95, 0x0C, in 0x95..=0x95, of 1,
         "gnss_external_2.sv_info", "Satellite info", [];
     /// GNSS hardware status (0x95,0x0D).
-    GnssExternal2GnssHardwareStatus(crate::gnss_external_2::GnssHardwareStatus),
+    GnssExternal2HardwareStatus(crate::gnss_external_2::HardwareStatus),
         Data 0x95, 0x0D, in 0x95..=0x95, of 1,
-        "gnss_external_2.gnss_hardware_status", "GNSS hardware status", [];
+        "gnss_external_2.hardware_status", "GNSS hardware status", [];
     /// DGPS info (0x95,0x0E).
     GnssExternal2DgpsInfo(crate::gnss_external_2::DgpsInfo),
         Data 0x95, 0x0E, in 0x95..=0x95, of 1,

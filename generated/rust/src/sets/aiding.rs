@@ -114,8 +114,8 @@ record! {
     ///
     /// Where and how an external sensor is mounted on the vehicle.
     ///
-    /// Also called `frame_config`. Functions: write, read, save, load and default. Answered by
-    /// [`FrameConfigurationResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: write, read, save, load and default. Answered by [`FrameConfigResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - Aiding measurements name the frame by its number.
     /// - P_vehicle = R \* p_frame + t, with the rotation R and the translation t.
@@ -123,7 +123,7 @@ record! {
     /// - A read names the format that the answer shall have.
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
-    pub struct FrameConfiguration {
+    pub struct FrameConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Number of the frame.
@@ -145,7 +145,7 @@ record! {
         /// Rotation from the frame to the vehicle.
         ///
         /// Selected by `format`. Required for write.
-        pub rotation: Option<FrameConfigurationRotation>,
+        pub rotation: Option<FrameConfigRotation>,
     }
     wire 32 {
         [function selects]
@@ -158,8 +158,8 @@ record! {
 }
 
 union! {
-    /// The alternatives of `rotation` in [`FrameConfiguration`].
-    pub enum FrameConfigurationRotation: AidingFrameFormat {
+    /// The alternatives of `rotation` in [`FrameConfig`].
+    pub enum FrameConfigRotation: AidingFrameFormat {
         /// Roll, pitch and yaw.
         ///
         /// If `format` is [`AidingFrameFormat::EULER`]. Elements: x, y, z. Unit: rad. Range:
@@ -170,18 +170,18 @@ union! {
         /// If `format` is [`AidingFrameFormat::QUATERNION`]. Elements: w, x, y, z. Unit: 1.
         QUATERNION => Quaternion(types::Quatf) "quaternion",
     }
-    default FrameConfigurationRotation::Other(AidingFrameFormat(0))
+    default FrameConfigRotation::Other(AidingFrameFormat(0))
 }
 
 constructors! {
-    FrameConfiguration { function, frame_id, format, tracking_enabled, translation, rotation }
+    FrameConfig { function, frame_id, format, tracking_enabled, translation, rotation }
 
     /// Apply the new setting.
     fn write(
         frame_id: u8,
         tracking_enabled: bool,
         translation: impl Into<types::Vector3f>,
-        rotation: FrameConfigurationRotation,
+        rotation: FrameConfigRotation,
     ) = WRITE, format: rotation.tag();
 
     /// Send the current setting back in a response.
@@ -198,12 +198,12 @@ constructors! {
 }
 
 field! {
-    FrameConfiguration: 0x13, 0x01, "aiding.frame_configuration"
+    FrameConfig: 0x13, 0x01, "aiding.frame_config"
 }
 
 command! {
-    FrameConfiguration -> FrameConfigurationResponse;
-    responds FrameConfigurationResponse for READ;
+    FrameConfig -> FrameConfigResponse;
+    responds FrameConfigResponse for READ;
 }
 
 record! {
@@ -812,12 +812,11 @@ command! {
 record! {
     /// Frame configuration response (0x13,0x81).
     ///
-    /// Also called `frame_config_response`. Answers [`FrameConfiguration`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// Answers [`FrameConfig`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Frame Configuration (0x13,0x01); 3dm-cv7-gnss-ins: Aiding Frames.
     #[derive(Default)]
-    pub struct FrameConfigurationResponse {
+    pub struct FrameConfigResponse {
         /// Number of the frame.
         ///
         /// Range: 1 to 4.
@@ -833,7 +832,7 @@ record! {
         /// Rotation from the frame to the vehicle.
         ///
         /// Selected by `format`.
-        pub rotation: FrameConfigurationRotation,
+        pub rotation: FrameConfigRotation,
     }
     wire 31 {
         [frame_id]
@@ -845,7 +844,7 @@ record! {
 }
 
 field! {
-    FrameConfigurationResponse: 0x13, 0x81, "aiding.frame_configuration_response", answers FrameConfiguration
+    FrameConfigResponse: 0x13, 0x81, "aiding.frame_config_response", answers FrameConfig
 }
 
 record! {

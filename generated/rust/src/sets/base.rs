@@ -51,7 +51,7 @@ open_enum! {
         /// Week number.
         WEEK_NUMBER = 1, "week_number";
         /// Time of week in whole seconds.
-        TIME_OF_WEEK = 2, "time_of_week";
+        TOW = 2, "tow";
     }
 }
 
@@ -89,7 +89,7 @@ record! {
     ///
     /// Stops all data streams, and wakes a sleeping device, so that it can be set up.
     ///
-    /// Also called `set_idle`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// - The resume command restores the previous mode.
     /// - While idle the device sends no NMEA sentences either.
@@ -97,22 +97,22 @@ record! {
     /// Source: 3dm-gx5-15: 4.1.2 Set To Idle (0x01, 0x02); 3dm-cv7-gnss-ins: Set to idle
     /// (0x01,0x02).
     #[derive(Default)]
-    pub struct SetToIdle;
+    pub struct SetIdle;
 }
 
 constructors! {
-    SetToIdle
+    SetIdle
 
     /// The command with its parameters.
     fn new();
 }
 
 field! {
-    SetToIdle: 0x01, 0x02, "base.set_to_idle"
+    SetIdle: 0x01, 0x02, "base.set_idle"
 }
 
 command! {
-    SetToIdle -> ();
+    SetIdle -> ();
 }
 
 record! {
@@ -120,29 +120,28 @@ record! {
     ///
     /// Gets the firmware version and the identity strings of the device.
     ///
-    /// Also called `get_device_info`. Answered by [`GetDeviceInformationResponse`]. Supported by
-    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answered by [`GetDeviceInfoResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
     #[derive(Default)]
-    pub struct GetDeviceInformation;
+    pub struct GetDeviceInfo;
 }
 
 constructors! {
-    GetDeviceInformation
+    GetDeviceInfo
 
     /// The command with its parameters.
     fn new();
 }
 
 field! {
-    GetDeviceInformation: 0x01, 0x03, "base.get_device_information"
+    GetDeviceInfo: 0x01, 0x03, "base.get_device_info"
 }
 
 command! {
-    GetDeviceInformation -> GetDeviceInformationResponse;
-    responds GetDeviceInformationResponse;
+    GetDeviceInfo -> GetDeviceInfoResponse;
+    responds GetDeviceInfoResponse;
 }
 
 record! {
@@ -152,8 +151,8 @@ record! {
     ///
     /// Answered by [`GetDeviceDescriptorsResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
-    /// - When the list contains [(0x01,0x07)](GetDeviceDescriptorsExtended), more descriptors come
-    ///   from the extended command.
+    /// - When the list contains [(0x01,0x07)](GetExtendedDescriptors), more descriptors come from
+    ///   the extended command.
     ///
     /// Source: 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04); 3dm-cv7-gnss-ins: Get
     /// device descriptors (0x01,0x04).
@@ -247,32 +246,31 @@ record! {
     ///
     /// Gets the supported descriptors that did not fit into the reply of get device descriptors.
     ///
-    /// Also called `get_extended_descriptors`. Answered by
-    /// [`GetDeviceDescriptorsExtendedResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answered by [`GetExtendedDescriptorsResponse`]. Supported by 3DM-CV7-GNSS/INS and
+    /// 3DM-GX5-15.
     ///
-    /// - Only supported if get device descriptors lists
-    ///   [(0x01,0x07)](GetDeviceDescriptorsExtended).
+    /// - Only supported if get device descriptors lists [(0x01,0x07)](GetExtendedDescriptors).
     ///
     /// Source: 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07);
     /// 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07).
     #[derive(Default)]
-    pub struct GetDeviceDescriptorsExtended;
+    pub struct GetExtendedDescriptors;
 }
 
 constructors! {
-    GetDeviceDescriptorsExtended
+    GetExtendedDescriptors
 
     /// The command with its parameters.
     fn new();
 }
 
 field! {
-    GetDeviceDescriptorsExtended: 0x01, 0x07, "base.get_device_descriptors_extended"
+    GetExtendedDescriptors: 0x01, 0x07, "base.get_extended_descriptors"
 }
 
 command! {
-    GetDeviceDescriptorsExtended -> GetDeviceDescriptorsExtendedResponse;
-    responds GetDeviceDescriptorsExtendedResponse;
+    GetExtendedDescriptors -> GetExtendedDescriptorsResponse;
+    responds GetExtendedDescriptorsResponse;
 }
 
 record! {
@@ -314,15 +312,15 @@ record! {
     ///
     /// Baud rate of one communication port.
     ///
-    /// Also called `comm_speed`. Functions: write, read, save, load and default. Answered by
-    /// [`CommPortSpeedResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: write, read, save, load and default. Answered by [`CommSpeedResponse`]. Supported
+    /// by 3DM-CV7-GNSS/INS.
     ///
     /// - The change waits until pending data is sent and received, at most 250 ms.
     /// - Send it alone in a packet while the device is idle, and wait 250 ms before going on.
     /// - Commands and data during the change may be lost or come at either rate.
     ///
     /// Source: 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09).
-    pub struct CommPortSpeed {
+    pub struct CommSpeed {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Port id of the device; 0 means all ports, and is for save, load and default only.
@@ -340,7 +338,7 @@ record! {
 }
 
 constructors! {
-    CommPortSpeed { function, port, baud }
+    CommSpeed { function, port, baud }
 
     /// Apply the new setting.
     fn write(port: u8, baud: u32) = WRITE;
@@ -359,12 +357,12 @@ constructors! {
 }
 
 field! {
-    CommPortSpeed: 0x01, 0x09, "base.comm_port_speed"
+    CommSpeed: 0x01, 0x09, "base.comm_speed"
 }
 
 command! {
-    CommPortSpeed -> CommPortSpeedResponse;
-    responds CommPortSpeedResponse for READ;
+    CommSpeed -> CommSpeedResponse;
+    responds CommSpeedResponse for READ;
 }
 
 record! {
@@ -373,7 +371,7 @@ record! {
     /// Sets the week number or the time of week of the external (GPS) time.
     ///
     /// Functions: write, read and apply. Answered by [`GpsTimeUpdateWeekNumberResponse`] or
-    /// [`GpsTimeUpdateTimeOfWeekResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
+    /// [`GpsTimeUpdateTowResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
     /// 3DM-CV7-GNSS/INS: write only.
     ///
     /// - Send it once for the time of week and once for the week number after the PPS is locked.
@@ -394,8 +392,8 @@ record! {
         /// What field_id says.
         ///
         /// Required for write and apply. If `field_id` is [`GpsTimeField::WEEK_NUMBER`]: unit week.
-        /// GPS week number since 6 January 1980. If `field_id` is [`GpsTimeField::TIME_OF_WEEK`]:
-        /// unit s. Whole seconds of the GPS week.
+        /// GPS week number since 6 January 1980. If `field_id` is [`GpsTimeField::TOW`]: unit s.
+        /// Whole seconds of the GPS week.
         pub value: Option<u32>,
     }
     wire 6 {
@@ -425,7 +423,7 @@ field! {
 command! {
     GpsTimeUpdate -> GpsTimeUpdateResponses;
     responds GpsTimeUpdateWeekNumberResponse for READ, if field_id = Some(GpsTimeField::WEEK_NUMBER);
-    responds GpsTimeUpdateTimeOfWeekResponse for READ, if field_id = Some(GpsTimeField::TIME_OF_WEEK);
+    responds GpsTimeUpdateTowResponse for READ, if field_id = Some(GpsTimeField::TOW);
     silent for APPLY;
 }
 
@@ -434,8 +432,8 @@ responses! {
     pub enum GpsTimeUpdateResponses {
         /// The response [`GpsTimeUpdateWeekNumberResponse`].
         WeekNumber(GpsTimeUpdateWeekNumberResponse),
-        /// The response [`GpsTimeUpdateTimeOfWeekResponse`].
-        TimeOfWeek(GpsTimeUpdateTimeOfWeekResponse),
+        /// The response [`GpsTimeUpdateTowResponse`].
+        Tow(GpsTimeUpdateTowResponse),
     }
 }
 
@@ -444,46 +442,45 @@ record! {
     ///
     /// Acknowledges the command, then resets the device at once.
     ///
-    /// Also called `soft_reset`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.1.9 Device Reset (0x01, 0x7E); 3dm-cv7-gnss-ins: Reset device
     /// (0x01,0x7E).
     #[derive(Default)]
-    pub struct ResetDevice;
+    pub struct SoftReset;
 }
 
 constructors! {
-    ResetDevice
+    SoftReset
 
     /// The command with its parameters.
     fn new();
 }
 
 field! {
-    ResetDevice: 0x01, 0x7E, "base.reset_device"
+    SoftReset: 0x01, 0x7E, "base.soft_reset"
 }
 
 command! {
-    ResetDevice -> ();
+    SoftReset -> ();
 }
 
 record! {
     /// Get device information response (0x01,0x81).
     ///
-    /// Also called `get_device_info_response`. Answers [`GetDeviceInformation`]. Supported by
-    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`GetDeviceInfo`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.1.3 Get Device Information (0x01, 0x03); 3dm-cv7-gnss-ins: Get device
     /// information (0x01,0x03).
     #[derive(Default)]
-    pub struct GetDeviceInformationResponse {
+    pub struct GetDeviceInfoResponse {
         /// Identity of the device.
         pub device_info: BaseDeviceInfo,
     }
 }
 
 field! {
-    GetDeviceInformationResponse: 0x01, 0x81, "base.get_device_information_response", answers GetDeviceInformation
+    GetDeviceInfoResponse: 0x01, 0x81, "base.get_device_info_response", answers GetDeviceInfo
 }
 
 record! {
@@ -573,34 +570,33 @@ record! {
     ///
     /// The current time of week.
     ///
-    /// Answers [`GpsTimeUpdate`]. Sent if `field_id` is [`GpsTimeField::TIME_OF_WEEK`]. Supported
-    /// by 3DM-GX5-15.
+    /// Answers [`GpsTimeUpdate`]. Sent if `field_id` is [`GpsTimeField::TOW`]. Supported by
+    /// 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.1.8 GPS Time Update (0x01, 0x72); 3dm-cv7-gnss-ins: GPS Time Update
     /// Command (0x01,0x72).
     #[derive(Default)]
-    pub struct GpsTimeUpdateTimeOfWeekResponse {
+    pub struct GpsTimeUpdateTowResponse {
         /// GPS time of week in whole seconds.
         ///
         /// Unit: s.
-        pub time_of_week: u32,
+        pub tow: u32,
     }
 }
 
 field! {
-    GpsTimeUpdateTimeOfWeekResponse: 0x01, 0x85, "base.gps_time_update_time_of_week_response", answers GpsTimeUpdate
+    GpsTimeUpdateTowResponse: 0x01, 0x85, "base.gps_time_update_tow_response", answers GpsTimeUpdate
 }
 
 record! {
     /// Get device descriptors (extended) response (0x01,0x86).
     ///
-    /// Also called `get_extended_descriptors_response`. Answers [`GetDeviceDescriptorsExtended`].
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`GetExtendedDescriptors`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07);
     /// 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07).
     #[derive(Default)]
-    pub struct GetDeviceDescriptorsExtendedResponse {
+    pub struct GetExtendedDescriptorsResponse {
         /// Supported descriptors: the descriptor set in the high byte, the field descriptor in the
         /// low byte.
         pub descriptors: crate::List<u16, 126>,
@@ -608,7 +604,7 @@ record! {
 }
 
 field! {
-    GetDeviceDescriptorsExtendedResponse: 0x01, 0x86, "base.get_device_descriptors_extended_response", answers GetDeviceDescriptorsExtended
+    GetExtendedDescriptorsResponse: 0x01, 0x86, "base.get_extended_descriptors_response", answers GetExtendedDescriptors
 }
 
 record! {
@@ -646,11 +642,11 @@ field! {
 record! {
     /// Comm port speed response (0x01,0x89).
     ///
-    /// Also called `comm_speed_response`. Answers [`CommPortSpeed`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`CommSpeed`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Comm Port Speed (0x01,0x09).
     #[derive(Default)]
-    pub struct CommPortSpeedResponse {
+    pub struct CommSpeedResponse {
         /// Port id of the device; 0 means all ports, and is for save, load and default only.
         pub port: u8,
         /// Baud rate; one that the port supports.
@@ -661,5 +657,5 @@ record! {
 }
 
 field! {
-    CommPortSpeedResponse: 0x01, 0x89, "base.comm_port_speed_response", answers CommPortSpeed
+    CommSpeedResponse: 0x01, 0x89, "base.comm_speed_response", answers CommSpeed
 }

@@ -41,13 +41,13 @@ open_enum! {
     /// Where the filter takes GNSS data from.
     GnssAidingSource: u8 {
         /// All internal receivers.
-        ALL_INT = 1, "all_int";
+        ALL_INTERNAL = 1, "all_internal";
         /// GNSS measurements that the user sends.
-        EXT = 2, "ext";
+        EXTERNAL = 2, "external";
         /// Internal receiver 1 only.
-        INT_1 = 3, "int_1";
+        INTERNAL_1 = 3, "internal_1";
         /// Internal receiver 2 only.
-        INT_2 = 4, "int_2";
+        INTERNAL_2 = 4, "internal_2";
     }
 }
 
@@ -90,11 +90,11 @@ bitfield! {
     /// Measurements that the filter uses.
     MeasurementFlags: u16 {
         /// Accelerometer measurements. Bit 0.
-        ACCELEROMETER: bool = 0,
-            accelerometer, set_accelerometer, with_accelerometer;
+        ACCEL: bool = 0,
+            accel, set_accel, with_accel;
         /// Magnetometer measurements, on models that have a magnetometer. Bit 1.
-        MAGNETOMETER: bool = 1,
-            magnetometer, set_magnetometer, with_magnetometer;
+        MAG: bool = 1,
+            mag, set_mag, with_mag;
     }
 }
 
@@ -148,7 +148,7 @@ open_enum! {
     /// A source of aiding measurements.
     AidingSource: u16 {
         /// GNSS position and velocity.
-        GNSS_POS_VEL = 0, "gnss_pos_vel";
+        GNSS_POSITION_VELOCITY = 0, "gnss_position_velocity";
         /// GNSS heading of two antennas.
         GNSS_HEADING = 1, "gnss_heading";
         /// Built-in pressure altimeter.
@@ -156,15 +156,15 @@ open_enum! {
         /// Speed sensor or odometer.
         SPEED = 3, "speed";
         /// Built-in magnetometer.
-        MAGNETOMETER = 4, "magnetometer";
+        MAG = 4, "mag";
         /// Heading that the user sends.
         EXTERNAL_HEADING = 5, "external_heading";
         /// Pressure altitude that the user sends.
         EXTERNAL_ALTIMETER = 6, "external_altimeter";
         /// Magnetic field that the user sends.
-        EXTERNAL_MAGNETOMETER = 7, "external_magnetometer";
+        EXTERNAL_MAG = 7, "external_mag";
         /// Velocity in the vehicle that the user sends.
-        BODY_FRAME_VEL = 8, "body_frame_vel";
+        BODY_FRAME_VELOCITY = 8, "body_frame_velocity";
         /// All sources, for save, load and default.
         ALL = 65535, "all";
     }
@@ -212,11 +212,11 @@ open_enum! {
     /// Which initial conditions the device finds itself and which the user gives.
     InitialConditionSource: u8 {
         /// Position, velocity and attitude are found.
-        AUTO_POS_VEL_ATT = 0, "auto_pos_vel_att";
+        AUTO_POSITION_VELOCITY_ATTITUDE = 0, "auto_position_velocity_attitude";
         /// Position, velocity, pitch and roll are found; the heading is given.
-        AUTO_POS_VEL_PITCH_ROLL = 1, "auto_pos_vel_pitch_roll";
+        AUTO_POSITION_VELOCITY_PITCH_ROLL = 1, "auto_position_velocity_pitch_roll";
         /// Position and velocity are found; the attitude is given.
-        AUTO_POS_VEL = 2, "auto_pos_vel";
+        AUTO_POSITION_VELOCITY = 2, "auto_position_velocity";
         /// Position, velocity and attitude are given.
         MANUAL = 3, "manual";
     }
@@ -232,8 +232,8 @@ bitfield! {
         KINEMATIC: bool = 1,
             kinematic, set_kinematic, with_kinematic;
         /// From the built-in magnetometer. Bit 2.
-        MAGNETOMETER: bool = 2,
-            magnetometer, set_magnetometer, with_magnetometer;
+        MAG: bool = 2,
+            mag, set_mag, with_mag;
         /// From the heading that the user sends. Bit 3.
         EXTERNAL: bool = 3,
             external, set_external, with_external;
@@ -278,7 +278,7 @@ open_enum! {
     /// A point of reference.
     ReferencePoint: u8 {
         /// The origin of the vehicle.
-        VEH = 1, "veh";
+        VEHICLE = 1, "vehicle";
     }
 }
 
@@ -287,7 +287,7 @@ record! {
     ///
     /// Puts the filter back into its initialization state.
     ///
-    /// Also called `reset`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// - If automatic initialization is off, the attitude or heading must be set before the filter
     ///   runs again.
@@ -297,22 +297,22 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Reset Navigation Filter (0x0D,0x01); 3dm-gx5-15: 4.3.1 Reset
     /// Filter (0x0D, 0x01).
     #[derive(Default)]
-    pub struct ResetNavigationFilter;
+    pub struct Reset;
 }
 
 constructors! {
-    ResetNavigationFilter
+    Reset
 
     /// The command with its parameters.
     fn new();
 }
 
 field! {
-    ResetNavigationFilter: 0x0D, 0x01, "filter.reset_navigation_filter"
+    Reset: 0x0D, 0x01, "filter.reset"
 }
 
 command! {
-    ResetNavigationFilter -> ();
+    Reset -> ();
 }
 
 record! {
@@ -366,7 +366,7 @@ record! {
     ///
     /// Gives the filter its initial heading; pitch and roll come from the accelerometers.
     ///
-    /// Also called `set_initial_heading`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// - 3DM-GX5: accepted only in the initialization state.
     /// - 3DM-CV7: resets the estimated heading; if magnetometer aiding is on, the given heading is
@@ -375,7 +375,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Set Initial Heading Control (0x0D,0x03); 3dm-gx5-15: 4.3.3 Set
     /// Initial Heading (0x0D, 0x03).
     #[derive(Default)]
-    pub struct SetInitialHeadingControl {
+    pub struct SetInitialHeading {
         /// Initial heading.
         ///
         /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
@@ -384,18 +384,18 @@ record! {
 }
 
 constructors! {
-    SetInitialHeadingControl
+    SetInitialHeading
 
     /// The command with its parameters.
     fn new(heading: f32);
 }
 
 field! {
-    SetInitialHeadingControl: 0x0D, 0x03, "filter.set_initial_heading_control"
+    SetInitialHeading: 0x0D, 0x03, "filter.set_initial_heading"
 }
 
 command! {
-    SetInitialHeadingControl -> ();
+    SetInitialHeading -> ();
 }
 
 record! {
@@ -403,29 +403,29 @@ record! {
     ///
     /// Starts a filter that was set up to wait for this command.
     ///
-    /// Also called `run`. Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - The filter waits in its initialization state if `wait_for_run_command` of
-    ///   `navigation_filter_initialization` is set.
+    ///   `initialization_config` is set.
     ///
     /// Source: 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05).
     #[derive(Default)]
-    pub struct RunNavigationFilter;
+    pub struct Run;
 }
 
 constructors! {
-    RunNavigationFilter
+    Run
 
     /// The command with its parameters.
     fn new();
 }
 
 field! {
-    RunNavigationFilter: 0x0D, 0x05, "filter.run_navigation_filter"
+    Run: 0x0D, 0x05, "filter.run"
 }
 
 command! {
-    RunNavigationFilter -> ();
+    Run -> ();
 }
 
 record! {
@@ -483,18 +483,17 @@ record! {
     ///
     /// Euler angles of the rotation from the sensor frame to the vehicle frame (5-series).
     ///
-    /// Also called `sensor_to_vehicle_rotation_euler`. Functions: write, read, save, load and
-    /// default. Answered by [`SensorToVehicleFrameTransformationResponse`]. Supported by
-    /// 3DM-GX5-15.
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`SensorToVehicleRotationEulerResponse`]. Supported by 3DM-GX5-15.
     ///
     /// - It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
     ///   velocity, and the orientation, compensated and linear acceleration, angular rate and
     ///   gravity vector of the filter.
     /// - The 3DM-CV7 takes the inverse instead:
-    ///   [`mip_3dm::SensorToVehicleFrameTransformationEuler`](crate::mip_3dm::SensorToVehicleFrameTransformationEuler).
+    ///   [`mip_3dm::SensorToVehicleTransformEuler`](crate::mip_3dm::SensorToVehicleTransformEuler).
     ///
     /// Source: 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11).
-    pub struct SensorToVehicleFrameTransformation {
+    pub struct SensorToVehicleRotationEuler {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Roll angle.
@@ -519,7 +518,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleFrameTransformation { function, roll, pitch, yaw }
+    SensorToVehicleRotationEuler { function, roll, pitch, yaw }
 
     /// Apply the new setting.
     fn write(
@@ -542,12 +541,12 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleFrameTransformation: 0x0D, 0x11, "filter.sensor_to_vehicle_frame_transformation"
+    SensorToVehicleRotationEuler: 0x0D, 0x11, "filter.sensor_to_vehicle_rotation_euler"
 }
 
 command! {
-    SensorToVehicleFrameTransformation -> SensorToVehicleFrameTransformationResponse;
-    responds SensorToVehicleFrameTransformationResponse for READ;
+    SensorToVehicleRotationEuler -> SensorToVehicleRotationEulerResponse;
+    responds SensorToVehicleRotationEulerResponse for READ;
 }
 
 record! {
@@ -612,16 +611,16 @@ record! {
     ///
     /// Position of the GNSS antenna relative to the origin of the sensor.
     ///
-    /// Also called `antenna_offset`. Functions: write, read, save, load and default. Answered by
-    /// [`GnssAntennaOffsetControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: write, read, save, load and default. Answered by [`AntennaOffsetResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - The magnitude of the vector is limited to 10.
     /// - 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
     /// - On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding
-    ///   commands use [`aiding::FrameConfiguration`](crate::aiding::FrameConfiguration).
+    ///   commands use [`aiding::FrameConfig`](crate::aiding::FrameConfig).
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13).
-    pub struct GnssAntennaOffsetControl {
+    pub struct AntennaOffset {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// From the sensor origin to the centre of the antenna.
@@ -636,7 +635,7 @@ record! {
 }
 
 constructors! {
-    GnssAntennaOffsetControl { function, offset }
+    AntennaOffset { function, offset }
 
     /// Apply the new setting.
     fn write(offset: impl Into<types::Vector3f>) = WRITE;
@@ -655,12 +654,12 @@ constructors! {
 }
 
 field! {
-    GnssAntennaOffsetControl: 0x0D, 0x13, "filter.gnss_antenna_offset_control"
+    AntennaOffset: 0x0D, 0x13, "filter.antenna_offset"
 }
 
 command! {
-    GnssAntennaOffsetControl -> GnssAntennaOffsetControlResponse;
-    responds GnssAntennaOffsetControlResponse for READ;
+    AntennaOffset -> AntennaOffsetResponse;
+    responds AntennaOffsetResponse for READ;
 }
 
 record! {
@@ -668,11 +667,11 @@ record! {
     ///
     /// Which states the filter estimates.
     ///
-    /// Also called `estimation_control`. Functions: write, read, save, load and default. Answered
-    /// by [`EstimationControlFlagsResponse`]. Supported by 3DM-GX5-15.
+    /// Functions: write, read, save, load and default. Answered by [`EstimationControlResponse`].
+    /// Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
-    pub struct EstimationControlFlags {
+    pub struct EstimationControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// States to estimate.
@@ -687,7 +686,7 @@ record! {
 }
 
 constructors! {
-    EstimationControlFlags { function, flags }
+    EstimationControl { function, flags }
 
     /// Apply the new setting.
     fn write(flags: EstimatedStates) = WRITE;
@@ -706,12 +705,12 @@ constructors! {
 }
 
 field! {
-    EstimationControlFlags: 0x0D, 0x14, "filter.estimation_control_flags"
+    EstimationControl: 0x0D, 0x14, "filter.estimation_control"
 }
 
 command! {
-    EstimationControlFlags -> EstimationControlFlagsResponse;
-    responds EstimationControlFlagsResponse for READ;
+    EstimationControl -> EstimationControlResponse;
+    responds EstimationControlResponse for READ;
 }
 
 record! {
@@ -719,14 +718,14 @@ record! {
     ///
     /// Which GNSS receiver aids the filter.
     ///
-    /// Also called `gnss_source`. Functions: write, read, save, load and default. Answered by
-    /// [`GnssAidingSourceControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: write, read, save, load and default. Answered by [`GnssSourceResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - A change while the filter runs may put it back into initialization until the new source
     ///   gives data.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15).
-    pub struct GnssAidingSourceControl {
+    pub struct GnssSource {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Source of the GNSS data.
@@ -741,7 +740,7 @@ record! {
 }
 
 constructors! {
-    GnssAidingSourceControl { function, source }
+    GnssSource { function, source }
 
     /// Apply the new setting.
     fn write(source: GnssAidingSource) = WRITE;
@@ -760,12 +759,12 @@ constructors! {
 }
 
 field! {
-    GnssAidingSourceControl: 0x0D, 0x15, "filter.gnss_aiding_source_control"
+    GnssSource: 0x0D, 0x15, "filter.gnss_source"
 }
 
 command! {
-    GnssAidingSourceControl -> GnssAidingSourceControlResponse;
-    responds GnssAidingSourceControlResponse for READ;
+    GnssSource -> GnssSourceResponse;
+    responds GnssSourceResponse for READ;
 }
 
 record! {
@@ -773,8 +772,7 @@ record! {
     ///
     /// Gives the filter one position and velocity of a GNSS receiver that the user provides.
     ///
-    /// - Refused unless the GNSS aiding source [(0x0D,0x15)](GnssAidingSourceControl) is the
-    ///   external one.
+    /// - Refused unless the GNSS aiding source [(0x0D,0x15)](GnssSource) is the external one.
     /// - The highest rate depends on the device.
     ///
     /// Source: mip-sdk-4: External Gnss Update (0x0D,0x16).
@@ -846,8 +844,8 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
-    /// - Refused unless external heading updates are enabled, by `heading_update_control` on the
-    ///   3DM-GX5 and by `aiding_measurement_control` on the 3DM-CV7.
+    /// - Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5
+    ///   and by `aiding_measurement_enable` on the 3DM-CV7.
     /// - The 3DM-GX5-15 takes at most 20 updates per second.
     /// - If the declination source is not valid, -25 models refuse true headings and -45 models
     ///   magnetic ones.
@@ -898,29 +896,29 @@ record! {
     ///
     /// Source of the heading that aids the filter.
     ///
-    /// Also called `heading_source`. Functions: write, read, save, load and default. Answered by
-    /// [`HeadingUpdateControlResponse`]. Supported by 3DM-GX5-15.
+    /// Functions: write, read, save, load and default. Answered by [`HeadingSourceResponse`].
+    /// Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
-    pub struct HeadingUpdateControl {
+    pub struct HeadingSource {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Source of the heading.
         ///
         /// Required for write.
-        pub enable: Option<HeadingUpdateSource>,
+        pub source: Option<HeadingUpdateSource>,
     }
     wire 2 {
         [function selects]
-        [enable for WRITE]
+        [source for WRITE]
     }
 }
 
 constructors! {
-    HeadingUpdateControl { function, enable }
+    HeadingSource { function, source }
 
     /// Apply the new setting.
-    fn write(enable: HeadingUpdateSource) = WRITE;
+    fn write(source: HeadingUpdateSource) = WRITE;
 
     /// Send the current setting back in a response.
     fn read() = READ;
@@ -936,12 +934,12 @@ constructors! {
 }
 
 field! {
-    HeadingUpdateControl: 0x0D, 0x18, "filter.heading_update_control"
+    HeadingSource: 0x0D, 0x18, "filter.heading_source"
 }
 
 command! {
-    HeadingUpdateControl -> HeadingUpdateControlResponse;
-    responds HeadingUpdateControlResponse for READ;
+    HeadingSource -> HeadingSourceResponse;
+    responds HeadingSourceResponse for READ;
 }
 
 record! {
@@ -1002,15 +1000,14 @@ record! {
     ///
     /// Standard deviation of the accelerometer noise that the filter assumes (process noise).
     ///
-    /// Also called `accel_noise`. Functions: write, read, save, load and default. Answered by
-    /// [`AccelerometerNoiseStandardDeviationResponse`]. Supported by 3DM-CV7-GNSS/INS and
-    /// 3DM-GX5-15.
+    /// Functions: write, read, save, load and default. Answered by [`AccelNoiseResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// - The factory values suit most laboratory conditions.
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A); 3dm-gx5-15:
     /// 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A).
-    pub struct AccelerometerNoiseStandardDeviation {
+    pub struct AccelNoise {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Standard deviation per axis.
@@ -1025,7 +1022,7 @@ record! {
 }
 
 constructors! {
-    AccelerometerNoiseStandardDeviation { function, noise }
+    AccelNoise { function, noise }
 
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
@@ -1044,12 +1041,12 @@ constructors! {
 }
 
 field! {
-    AccelerometerNoiseStandardDeviation: 0x0D, 0x1A, "filter.accelerometer_noise_standard_deviation"
+    AccelNoise: 0x0D, 0x1A, "filter.accel_noise"
 }
 
 command! {
-    AccelerometerNoiseStandardDeviation -> AccelerometerNoiseStandardDeviationResponse;
-    responds AccelerometerNoiseStandardDeviationResponse for READ;
+    AccelNoise -> AccelNoiseResponse;
+    responds AccelNoiseResponse for READ;
 }
 
 record! {
@@ -1057,14 +1054,14 @@ record! {
     ///
     /// Standard deviation of the gyroscope noise that the filter assumes (process noise).
     ///
-    /// Also called `gyro_noise`. Functions: write, read, save, load and default. Answered by
-    /// [`GyroscopeNoiseStandardDeviationResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Functions: write, read, save, load and default. Answered by [`GyroNoiseResponse`]. Supported
+    /// by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// - The factory values suit most laboratory conditions.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B); 3dm-gx5-15: 4.3.13
     /// Gyroscope Noise Standard Deviation (0x0D, 0x1B).
-    pub struct GyroscopeNoiseStandardDeviation {
+    pub struct GyroNoise {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Standard deviation per axis.
@@ -1079,7 +1076,7 @@ record! {
 }
 
 constructors! {
-    GyroscopeNoiseStandardDeviation { function, noise }
+    GyroNoise { function, noise }
 
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
@@ -1098,12 +1095,12 @@ constructors! {
 }
 
 field! {
-    GyroscopeNoiseStandardDeviation: 0x0D, 0x1B, "filter.gyroscope_noise_standard_deviation"
+    GyroNoise: 0x0D, 0x1B, "filter.gyro_noise"
 }
 
 command! {
-    GyroscopeNoiseStandardDeviation -> GyroscopeNoiseStandardDeviationResponse;
-    responds GyroscopeNoiseStandardDeviationResponse for READ;
+    GyroNoise -> GyroNoiseResponse;
+    responds GyroNoiseResponse for READ;
 }
 
 record! {
@@ -1111,11 +1108,11 @@ record! {
     ///
     /// Parameters of the model by which the accelerometer bias drifts.
     ///
-    /// Also called `accel_bias_model`. Functions: write, read, save, load and default. Answered by
-    /// [`AccelerometerBiasModelParametersResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: write, read, save, load and default. Answered by [`AccelBiasModelResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
-    pub struct AccelerometerBiasModelParameters {
+    pub struct AccelBiasModel {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Reciprocal of the correlation time per axis.
@@ -1135,7 +1132,7 @@ record! {
 }
 
 constructors! {
-    AccelerometerBiasModelParameters { function, beta, noise }
+    AccelBiasModel { function, beta, noise }
 
     /// Apply the new setting.
     fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) = WRITE;
@@ -1154,12 +1151,12 @@ constructors! {
 }
 
 field! {
-    AccelerometerBiasModelParameters: 0x0D, 0x1C, "filter.accelerometer_bias_model_parameters"
+    AccelBiasModel: 0x0D, 0x1C, "filter.accel_bias_model"
 }
 
 command! {
-    AccelerometerBiasModelParameters -> AccelerometerBiasModelParametersResponse;
-    responds AccelerometerBiasModelParametersResponse for READ;
+    AccelBiasModel -> AccelBiasModelResponse;
+    responds AccelBiasModelResponse for READ;
 }
 
 record! {
@@ -1167,12 +1164,12 @@ record! {
     ///
     /// Parameters of the model by which the gyroscope bias drifts.
     ///
-    /// Also called `gyro_bias_model`. Functions: write, read, save, load and default. Answered by
-    /// [`GyroscopeBiasModelParametersResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Functions: write, read, save, load and default. Answered by [`GyroBiasModelResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
-    pub struct GyroscopeBiasModelParameters {
+    pub struct GyroBiasModel {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Reciprocal of the correlation time per axis.
@@ -1192,7 +1189,7 @@ record! {
 }
 
 constructors! {
-    GyroscopeBiasModelParameters { function, beta, noise }
+    GyroBiasModel { function, beta, noise }
 
     /// Apply the new setting.
     fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) = WRITE;
@@ -1211,12 +1208,12 @@ constructors! {
 }
 
 field! {
-    GyroscopeBiasModelParameters: 0x0D, 0x1D, "filter.gyroscope_bias_model_parameters"
+    GyroBiasModel: 0x0D, 0x1D, "filter.gyro_bias_model"
 }
 
 command! {
-    GyroscopeBiasModelParameters -> GyroscopeBiasModelParametersResponse;
-    responds GyroscopeBiasModelParametersResponse for READ;
+    GyroBiasModel -> GyroBiasModelResponse;
+    responds GyroBiasModelResponse for READ;
 }
 
 record! {
@@ -1287,8 +1284,8 @@ record! {
     ///
     /// - Better than `external_heading_update` where the heading changes quickly; the time must be
     ///   accurate.
-    /// - Refused unless external heading updates are enabled, by `heading_update_control` on the
-    ///   3DM-GX5 and by `aiding_measurement_control` on the 3DM-CV7.
+    /// - Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5
+    ///   and by `aiding_measurement_enable` on the 3DM-CV7.
     /// - The 3DM-GX5-15 takes at most 20 updates per second.
     /// - If the declination source is not valid, -25 models refuse true headings and -45 models
     ///   magnetic ones.
@@ -1300,11 +1297,11 @@ record! {
         /// GPS time of week of the measurement.
         ///
         /// Unit: s.
-        pub gps_time: f64,
+        pub tow: f64,
         /// GPS week, counted without rollover.
         ///
         /// Unit: week.
-        pub gps_week: u16,
+        pub week_number: u16,
         /// Heading relative to the north that `type` names.
         ///
         /// Unit: rad. Frame: ned. Range: -3.141592653589793 to 3.141592653589793.
@@ -1317,8 +1314,8 @@ record! {
         pub type_: HeadingType,
     }
     wire 19 {
-        [gps_time]
-        [gps_week]
+        [tow]
+        [week_number]
         [heading]
         [heading_uncertainty]
         [type_ "type"]
@@ -1330,8 +1327,8 @@ constructors! {
 
     /// The command with its parameters.
     fn new(
-        gps_time: f64,
-        gps_week: u16,
+        tow: f64,
+        week_number: u16,
         heading: f32,
         heading_uncertainty: f32,
         type_: HeadingType,
@@ -1351,15 +1348,15 @@ record! {
     ///
     /// Lets the filter take the device as not rotating while its angular rate is small.
     ///
-    /// Also called `auto_angular_zupt`. Functions: write, read, save, load and default. Answered by
-    /// [`ZeroAngularRateUpdateControlResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Functions: write, read, save, load and default. Answered by [`AutoAngularZuptResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// - The update applies while the magnitude of the angular rate vector is at or below the
     ///   threshold.
     ///
     /// Source: 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20); 3dm-gx5-15: 4.3.15
     /// Zero Angular Rate Update Control (0x0D, 0x20).
-    pub struct ZeroAngularRateUpdateControl {
+    pub struct AutoAngularZupt {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// 0 disables, 1 enables.
@@ -1379,7 +1376,7 @@ record! {
 }
 
 constructors! {
-    ZeroAngularRateUpdateControl { function, enable, threshold }
+    AutoAngularZupt { function, enable, threshold }
 
     /// Apply the new setting.
     fn write(enable: u8, threshold: f32) = WRITE;
@@ -1398,12 +1395,12 @@ constructors! {
 }
 
 field! {
-    ZeroAngularRateUpdateControl: 0x0D, 0x20, "filter.zero_angular_rate_update_control"
+    AutoAngularZupt: 0x0D, 0x20, "filter.auto_angular_zupt"
 }
 
 command! {
-    ZeroAngularRateUpdateControl -> ZeroAngularRateUpdateControlResponse;
-    responds ZeroAngularRateUpdateControlResponse for READ;
+    AutoAngularZupt -> AutoAngularZuptResponse;
+    responds AutoAngularZuptResponse for READ;
 }
 
 record! {
@@ -1492,28 +1489,28 @@ record! {
     ///
     /// Tells the filter once that the device is not rotating.
     ///
-    /// Also called `commanded_angular_zupt`. Supported by 3DM-GX5-15.
+    /// Supported by 3DM-GX5-15.
     ///
     /// - At most 10 per second.
     ///
     /// Source: 3dm-gx5-15: 4.3.17 Commanded Zero-Angular Rate Update (0x0D, 0x23).
     #[derive(Default)]
-    pub struct CommandedZeroAngularRateUpdate;
+    pub struct CommandedAngularZupt;
 }
 
 constructors! {
-    CommandedZeroAngularRateUpdate
+    CommandedAngularZupt
 
     /// The command with its parameters.
     fn new();
 }
 
 field! {
-    CommandedZeroAngularRateUpdate: 0x0D, 0x23, "filter.commanded_zero_angular_rate_update"
+    CommandedAngularZupt: 0x0D, 0x23, "filter.commanded_angular_zupt"
 }
 
 command! {
-    CommandedZeroAngularRateUpdate -> ();
+    CommandedAngularZupt -> ();
 }
 
 record! {
@@ -1521,11 +1518,11 @@ record! {
     ///
     /// Position for which the device computes gravity (WGS84) and the magnetic field (WMM2015).
     ///
-    /// Also called `reference_position`. Functions: write, read, save, load and default. Answered
-    /// by [`SetReferencePositionResponse`]. Supported by 3DM-GX5-15.
+    /// Functions: write, read, save, load and default. Answered by [`ReferencePositionResponse`].
+    /// Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26).
-    pub struct SetReferencePosition {
+    pub struct ReferencePosition {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// 0 disables, 1 enables.
@@ -1555,7 +1552,7 @@ record! {
 }
 
 constructors! {
-    SetReferencePosition { function, enable, latitude, longitude, altitude }
+    ReferencePosition { function, enable, latitude, longitude, altitude }
 
     /// Apply the new setting.
     fn write(
@@ -1579,12 +1576,12 @@ constructors! {
 }
 
 field! {
-    SetReferencePosition: 0x0D, 0x26, "filter.set_reference_position"
+    ReferencePosition: 0x0D, 0x26, "filter.reference_position"
 }
 
 command! {
-    SetReferencePosition -> SetReferencePositionResponse;
-    responds SetReferencePositionResponse for READ;
+    ReferencePosition -> ReferencePositionResponse;
+    responds ReferencePositionResponse for READ;
 }
 
 record! {
@@ -1592,22 +1589,22 @@ record! {
     ///
     /// Makes the automatic magnetometer calibration part of the fixed one.
     ///
-    /// Functions: write and save.
+    /// Also called `mag_capture_auto_cal`. Functions: write and save.
     ///
     /// - A write combines the automatic calibration with the hard iron offset
-    ///   [(0x0C,0x3A)](crate::mip_3dm::MagnetometerHardIronOffset) and the soft iron matrix
-    ///   [(0x0C,0x3B)](crate::mip_3dm::MagnetometerSoftIronMatrix), and resets it.
+    ///   [(0x0C,0x3A)](crate::mip_3dm::MagHardIronOffset) and the soft iron matrix
+    ///   [(0x0C,0x3B)](crate::mip_3dm::MagSoftIronMatrix), and resets it.
     /// - A save does the same as the save of both of these commands.
     ///
     /// Source: mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27).
-    pub struct MagCaptureAutoCal {
+    pub struct MagCaptureAutoCalibration {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
     }
 }
 
 constructors! {
-    MagCaptureAutoCal { function }
+    MagCaptureAutoCalibration { function }
 
     /// Apply the new setting.
     fn write() = WRITE;
@@ -1617,11 +1614,11 @@ constructors! {
 }
 
 field! {
-    MagCaptureAutoCal: 0x0D, 0x27, "filter.mag_capture_auto_cal"
+    MagCaptureAutoCalibration: 0x0D, 0x27, "filter.mag_capture_auto_calibration"
 }
 
 command! {
-    MagCaptureAutoCal -> ();
+    MagCaptureAutoCalibration -> ();
 }
 
 record! {
@@ -1629,14 +1626,14 @@ record! {
     ///
     /// Standard deviation of the gravity noise that the filter assumes (process noise).
     ///
-    /// Also called `gravity_noise`. Functions: write, read, save, load and default. Answered by
-    /// [`GravityNoiseStandardDeviationResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Functions: write, read, save, load and default. Answered by [`GravityNoiseResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// - The factory values suit most laboratory conditions.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28); 3dm-gx5-15: 4.3.11
     /// Gravity Noise Standard Deviation (0x0D, 0x28).
-    pub struct GravityNoiseStandardDeviation {
+    pub struct GravityNoise {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Standard deviation per axis.
@@ -1651,7 +1648,7 @@ record! {
 }
 
 constructors! {
-    GravityNoiseStandardDeviation { function, noise }
+    GravityNoise { function, noise }
 
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
@@ -1670,12 +1667,12 @@ constructors! {
 }
 
 field! {
-    GravityNoiseStandardDeviation: 0x0D, 0x28, "filter.gravity_noise_standard_deviation"
+    GravityNoise: 0x0D, 0x28, "filter.gravity_noise"
 }
 
 command! {
-    GravityNoiseStandardDeviation -> GravityNoiseStandardDeviationResponse;
-    responds GravityNoiseStandardDeviationResponse for READ;
+    GravityNoise -> GravityNoiseResponse;
+    responds GravityNoiseResponse for READ;
 }
 
 record! {
@@ -1838,11 +1835,11 @@ record! {
     ///
     /// Which inertial measurements the filter uses.
     ///
-    /// Functions: write, read, save, load and default. Answered by
-    /// [`EnableDisableMeasurementsResponse`]. Supported by 3DM-GX5-15.
+    /// Functions: write, read, save, load and default. Answered by [`EnableMeasurementsResponse`].
+    /// Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41).
-    pub struct EnableDisableMeasurements {
+    pub struct EnableMeasurements {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Measurements to use.
@@ -1857,7 +1854,7 @@ record! {
 }
 
 constructors! {
-    EnableDisableMeasurements { function, control }
+    EnableMeasurements { function, control }
 
     /// Apply the new setting.
     fn write(control: MeasurementFlags) = WRITE;
@@ -1876,12 +1873,12 @@ constructors! {
 }
 
 field! {
-    EnableDisableMeasurements: 0x0D, 0x41, "filter.enable_disable_measurements"
+    EnableMeasurements: 0x0D, 0x41, "filter.enable_measurements"
 }
 
 command! {
-    EnableDisableMeasurements -> EnableDisableMeasurementsResponse;
-    responds EnableDisableMeasurementsResponse for READ;
+    EnableMeasurements -> EnableMeasurementsResponse;
+    responds EnableMeasurementsResponse for READ;
 }
 
 record! {
@@ -1940,14 +1937,13 @@ record! {
     ///
     /// Source of the local declination of the magnetic field.
     ///
-    /// Also called `magnetic_declination_source`. Functions: write, read, save, load and default.
-    /// Answered by [`MagneticFieldDeclinationSourceControlResponse`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`MagneticDeclinationSourceResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - Without a good declination source, keep automatic magnetometer calibration off.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43).
-    pub struct MagneticFieldDeclinationSourceControl {
+    pub struct MagneticDeclinationSource {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Source of the declination.
@@ -1967,7 +1963,7 @@ record! {
 }
 
 constructors! {
-    MagneticFieldDeclinationSourceControl { function, source, declination }
+    MagneticDeclinationSource { function, source, declination }
 
     /// Apply the new setting.
     fn write(source: MagParameterSource, declination: f32) = WRITE;
@@ -1986,12 +1982,12 @@ constructors! {
 }
 
 field! {
-    MagneticFieldDeclinationSourceControl: 0x0D, 0x43, "filter.magnetic_field_declination_source_control"
+    MagneticDeclinationSource: 0x0D, 0x43, "filter.magnetic_declination_source"
 }
 
 command! {
-    MagneticFieldDeclinationSourceControl -> MagneticFieldDeclinationSourceControlResponse;
-    responds MagneticFieldDeclinationSourceControlResponse for READ;
+    MagneticDeclinationSource -> MagneticDeclinationSourceResponse;
+    responds MagneticDeclinationSourceResponse for READ;
 }
 
 record! {
@@ -1999,9 +1995,8 @@ record! {
     ///
     /// How far the filter trusts gravity measurements whose magnitude is not that of gravity.
     ///
-    /// Also called `accel_magnitude_error_adaptive_measurement`. Functions: write, read, save, load
-    /// and default. Answered by [`GravityMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by
-    /// 3DM-GX5-15.
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`AccelMagnitudeErrorAdaptiveMeasurementResponse`]. Supported by 3DM-GX5-15.
     ///
     /// - Also called accelerometer magnitude error adaptive measurement.
     /// - All parameters after the selector keep their values if they are left out.
@@ -2010,7 +2005,7 @@ record! {
     ///   pitch and roll accuracy under linear acceleration, low limits cost heading accuracy.
     ///
     /// Source: 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44).
-    pub struct GravityMagnitudeErrorAdaptiveMeasurement {
+    pub struct AccelMagnitudeErrorAdaptiveMeasurement {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Kind of adaptation.
@@ -2055,7 +2050,7 @@ record! {
 }
 
 constructors! {
-    GravityMagnitudeErrorAdaptiveMeasurement { function, adaptive_measurement, frequency, low_limit, high_limit, low_limit_uncertainty, high_limit_uncertainty, minimum_uncertainty }
+    AccelMagnitudeErrorAdaptiveMeasurement { function, adaptive_measurement, frequency, low_limit, high_limit, low_limit_uncertainty, high_limit_uncertainty, minimum_uncertainty }
 
     /// Apply the new setting.
     fn write(adaptive_measurement: AdaptiveMeasurementSelector) = WRITE;
@@ -2074,7 +2069,7 @@ constructors! {
 }
 
 setters! {
-    GravityMagnitudeErrorAdaptiveMeasurement {
+    AccelMagnitudeErrorAdaptiveMeasurement {
         fn with_frequency(frequency: f32);
         fn with_low_limit(low_limit: f32);
         fn with_high_limit(high_limit: f32);
@@ -2085,12 +2080,12 @@ setters! {
 }
 
 field! {
-    GravityMagnitudeErrorAdaptiveMeasurement: 0x0D, 0x44, "filter.gravity_magnitude_error_adaptive_measurement"
+    AccelMagnitudeErrorAdaptiveMeasurement: 0x0D, 0x44, "filter.accel_magnitude_error_adaptive_measurement"
 }
 
 command! {
-    GravityMagnitudeErrorAdaptiveMeasurement -> GravityMagnitudeErrorAdaptiveMeasurementResponse;
-    responds GravityMagnitudeErrorAdaptiveMeasurementResponse for READ;
+    AccelMagnitudeErrorAdaptiveMeasurement -> AccelMagnitudeErrorAdaptiveMeasurementResponse;
+    responds AccelMagnitudeErrorAdaptiveMeasurementResponse for READ;
 }
 
 record! {
@@ -2101,7 +2096,7 @@ record! {
     /// Functions: write, read, save, load and default. Answered by
     /// [`MagMagnitudeErrorAdaptiveMeasurementResponse`]. Uncertain: Whether the parameters behind
     /// the selector may be left out on write, as those of
-    /// [(0x0D,0x44)](GravityMagnitudeErrorAdaptiveMeasurement) may.
+    /// [(0x0D,0x44)](AccelMagnitudeErrorAdaptiveMeasurement) may.
     ///
     /// - The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
     ///   finds limits.
@@ -2202,7 +2197,7 @@ record! {
     /// Functions: write, read, save, load and default. Answered by
     /// [`MagDipAngleErrorAdaptiveMeasurementResponse`].
     ///
-    /// - It has no effect while [(0x0D,0x44)](GravityMagnitudeErrorAdaptiveMeasurement) or
+    /// - It has no effect while [(0x0D,0x44)](AccelMagnitudeErrorAdaptiveMeasurement) or
     ///   [(0x0D,0x45)](MagMagnitudeErrorAdaptiveMeasurement) is set to `auto`.
     /// - High limits suit high dynamics but let disturbances of the field through; low limits can
     ///   spoil the heading.
@@ -2337,11 +2332,11 @@ record! {
     ///
     /// What aids pitch and roll while the motion is gentle.
     ///
-    /// Also called `pitch_roll_aiding`. Functions: write, read, save, load and default. Answered by
-    /// [`PitchRollAidingControlResponse`]. Supported by 3DM-GX5-15.
+    /// Functions: write, read, save, load and default. Answered by [`PitchRollAidingResponse`].
+    /// Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
-    pub struct PitchRollAidingControl {
+    pub struct PitchRollAiding {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Source of the aiding.
@@ -2356,7 +2351,7 @@ record! {
 }
 
 constructors! {
-    PitchRollAidingControl { function, aiding }
+    PitchRollAiding { function, aiding }
 
     /// Apply the new setting.
     fn write(aiding: PitchRollAidingSource) = WRITE;
@@ -2375,12 +2370,12 @@ constructors! {
 }
 
 field! {
-    PitchRollAidingControl: 0x0D, 0x4B, "filter.pitch_roll_aiding_control"
+    PitchRollAiding: 0x0D, 0x4B, "filter.pitch_roll_aiding"
 }
 
 command! {
-    PitchRollAidingControl -> PitchRollAidingControlResponse;
-    responds PitchRollAidingControlResponse for READ;
+    PitchRollAiding -> PitchRollAidingResponse;
+    responds PitchRollAidingResponse for READ;
 }
 
 record! {
@@ -2388,12 +2383,13 @@ record! {
     ///
     /// Source of the local inclination (dip angle) of the magnetic field.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`InclinationSourceResponse`].
+    /// Also called `inclination_source`. Functions: write, read, save, load and default. Answered
+    /// by [`MagneticInclinationSourceResponse`].
     ///
     /// - Without a good inclination source, keep automatic magnetometer calibration off.
     ///
     /// Source: mip-sdk-4: Inclination Source (0x0D,0x4C).
-    pub struct InclinationSource {
+    pub struct MagneticInclinationSource {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Source of the inclination.
@@ -2414,7 +2410,7 @@ record! {
 }
 
 constructors! {
-    InclinationSource { function, source, inclination }
+    MagneticInclinationSource { function, source, inclination }
 
     /// Apply the new setting.
     fn write(source: MagParameterSource, inclination: f32) = WRITE;
@@ -2433,12 +2429,12 @@ constructors! {
 }
 
 field! {
-    InclinationSource: 0x0D, 0x4C, "filter.inclination_source"
+    MagneticInclinationSource: 0x0D, 0x4C, "filter.magnetic_inclination_source"
 }
 
 command! {
-    InclinationSource -> InclinationSourceResponse;
-    responds InclinationSourceResponse for READ;
+    MagneticInclinationSource -> MagneticInclinationSourceResponse;
+    responds MagneticInclinationSourceResponse for READ;
 }
 
 record! {
@@ -2446,15 +2442,15 @@ record! {
     ///
     /// Source of the local magnitude of the magnetic field.
     ///
-    /// Functions: write, read, save, load and default. Answered by
-    /// [`MagFieldMagnitudeSourceResponse`].
+    /// Also called `mag_field_magnitude_source`. Functions: write, read, save, load and default.
+    /// Answered by [`MagneticMagnitudeSourceResponse`].
     ///
     /// - Without a good magnitude source, keep automatic magnetometer calibration off.
     /// - The adaptive measurement [(0x0D,0x45)](MagMagnitudeErrorAdaptiveMeasurement) relies on it
     ///   too.
     ///
     /// Source: mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D).
-    pub struct MagFieldMagnitudeSource {
+    pub struct MagneticMagnitudeSource {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Source of the magnitude.
@@ -2475,7 +2471,7 @@ record! {
 }
 
 constructors! {
-    MagFieldMagnitudeSource { function, source, magnitude }
+    MagneticMagnitudeSource { function, source, magnitude }
 
     /// Apply the new setting.
     fn write(source: MagParameterSource, magnitude: f32) = WRITE;
@@ -2494,12 +2490,12 @@ constructors! {
 }
 
 field! {
-    MagFieldMagnitudeSource: 0x0D, 0x4D, "filter.mag_field_magnitude_source"
+    MagneticMagnitudeSource: 0x0D, 0x4D, "filter.magnetic_magnitude_source"
 }
 
 command! {
-    MagFieldMagnitudeSource -> MagFieldMagnitudeSourceResponse;
-    responds MagFieldMagnitudeSourceResponse for READ;
+    MagneticMagnitudeSource -> MagneticMagnitudeSourceResponse;
+    responds MagneticMagnitudeSourceResponse for READ;
 }
 
 record! {
@@ -2511,8 +2507,7 @@ record! {
     /// [`SensorToVehicleRotationDcmResponse`].
     ///
     /// - It is the inverse of the matrix that
-    ///   [(0x0C,0x33)](crate::mip_3dm::SensorToVehicleFrameTransformationDirectionCosineMatrix)
-    ///   takes.
+    ///   [(0x0C,0x33)](crate::mip_3dm::SensorToVehicleTransformDcm) takes.
     /// - It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
     ///   velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
     ///   filter.
@@ -2572,7 +2567,7 @@ record! {
     /// [`SensorToVehicleRotationQuaternionResponse`].
     ///
     /// - It is the inverse of the quaternion that
-    ///   [(0x0C,0x32)](crate::mip_3dm::SensorToVehicleFrameTransformationQuaternion) takes.
+    ///   [(0x0C,0x32)](crate::mip_3dm::SensorToVehicleTransformQuaternion) takes.
     /// - It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
     ///   velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
     ///   filter.
@@ -2587,19 +2582,19 @@ record! {
         /// Unit quaternion, scalar part first.
         ///
         /// Elements: w, x, y, z. Unit: 1. Required for write.
-        pub quat: Option<types::Quatf>,
+        pub q: Option<types::Quatf>,
     }
     wire 17 {
         [function selects]
-        [quat for WRITE]
+        [q for WRITE]
     }
 }
 
 constructors! {
-    SensorToVehicleRotationQuaternion { function, quat }
+    SensorToVehicleRotationQuaternion { function, q }
 
     /// Apply the new setting.
-    fn write(quat: impl Into<types::Quatf>) = WRITE;
+    fn write(q: impl Into<types::Quatf>) = WRITE;
 
     /// Send the current setting back in a response.
     fn read() = READ;
@@ -2628,11 +2623,11 @@ record! {
     ///
     /// Enables or disables one source of aiding measurements.
     ///
-    /// Also called `aiding_measurement_enable`. Functions: write, read, save, load and default.
-    /// Answered by [`AidingMeasurementControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`AidingMeasurementEnableResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
-    pub struct AidingMeasurementControl {
+    pub struct AidingMeasurementEnable {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// The source; `all` is for save, load and default.
@@ -2650,7 +2645,7 @@ record! {
 }
 
 constructors! {
-    AidingMeasurementControl { function, aiding_source, enable }
+    AidingMeasurementEnable { function, aiding_source, enable }
 
     /// Apply the new setting.
     fn write(aiding_source: AidingSource, enable: bool) = WRITE;
@@ -2669,12 +2664,12 @@ constructors! {
 }
 
 field! {
-    AidingMeasurementControl: 0x0D, 0x50, "filter.aiding_measurement_control"
+    AidingMeasurementEnable: 0x0D, 0x50, "filter.aiding_measurement_enable"
 }
 
 command! {
-    AidingMeasurementControl -> AidingMeasurementControlResponse;
-    responds AidingMeasurementControlResponse for READ;
+    AidingMeasurementEnable -> AidingMeasurementEnableResponse;
+    responds AidingMeasurementEnableResponse for READ;
 }
 
 record! {
@@ -2749,7 +2744,7 @@ record! {
     /// Sources and values of the initial attitude, position and velocity of the filter.
     ///
     /// Also called `initialization_configuration`. Functions: write, read, save, load and default.
-    /// Answered by [`NavigationFilterInitializationResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answered by [`InitializationConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - Single precision resolves the latitude and longitude of the initial position to about a
     ///   metre only.
@@ -2757,17 +2752,17 @@ record! {
     /// - External alignment needs a heading at least every 5 seconds.
     ///
     /// Source: 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52).
-    pub struct NavigationFilterInitialization {
+    pub struct InitializationConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
-        /// 1: the filter starts only after `run_navigation_filter`; 0: as soon as it can.
+        /// 1: the filter starts only after `run`; 0: as soon as it can.
         ///
         /// Range: 0 to 1. Required for write.
         pub wait_for_run_command: Option<u8>,
         /// Which initial conditions are found and which are given.
         ///
         /// Required for write.
-        pub initial_cond_src: Option<InitialConditionSource>,
+        pub initial_condition_source: Option<InitialConditionSource>,
         /// Ways in which the initial heading may be found.
         ///
         /// Required for write.
@@ -2804,7 +2799,7 @@ record! {
     wire 41 {
         [function selects]
         [wait_for_run_command for WRITE]
-        [initial_cond_src for WRITE]
+        [initial_condition_source for WRITE]
         [auto_heading_alignment_selector for WRITE]
         [initial_heading for WRITE]
         [initial_pitch for WRITE]
@@ -2816,12 +2811,12 @@ record! {
 }
 
 constructors! {
-    NavigationFilterInitialization { function, wait_for_run_command, initial_cond_src, auto_heading_alignment_selector, initial_heading, initial_pitch, initial_roll, initial_position, initial_velocity, reference_frame_selector }
+    InitializationConfig { function, wait_for_run_command, initial_condition_source, auto_heading_alignment_selector, initial_heading, initial_pitch, initial_roll, initial_position, initial_velocity, reference_frame_selector }
 
     /// Apply the new setting.
     fn write(
         wait_for_run_command: u8,
-        initial_cond_src: InitialConditionSource,
+        initial_condition_source: InitialConditionSource,
         auto_heading_alignment_selector: HeadingAlignment,
         initial_heading: f32,
         initial_pitch: f32,
@@ -2845,12 +2840,12 @@ constructors! {
 }
 
 field! {
-    NavigationFilterInitialization: 0x0D, 0x52, "filter.navigation_filter_initialization"
+    InitializationConfig: 0x0D, 0x52, "filter.initialization_config"
 }
 
 command! {
-    NavigationFilterInitialization -> NavigationFilterInitializationResponse;
-    responds NavigationFilterInitializationResponse for READ;
+    InitializationConfig -> InitializationConfigResponse;
+    responds InitializationConfigResponse for READ;
 }
 
 record! {
@@ -2858,11 +2853,11 @@ record! {
     ///
     /// How the filter adapts to measurements that do not fit its model.
     ///
-    /// Also called `adaptive_filter_options`. Functions: write, read, save, load and default.
-    /// Answered by [`AdaptiveFilterControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`AdaptiveFilterOptionsResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
-    pub struct AdaptiveFilterControl {
+    pub struct AdaptiveFilterOptions {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Strength of the adaptation.
@@ -2882,7 +2877,7 @@ record! {
 }
 
 constructors! {
-    AdaptiveFilterControl { function, level, time_limit }
+    AdaptiveFilterOptions { function, level, time_limit }
 
     /// Apply the new setting.
     fn write(level: AdaptiveLevel, time_limit: u16) = WRITE;
@@ -2901,12 +2896,12 @@ constructors! {
 }
 
 field! {
-    AdaptiveFilterControl: 0x0D, 0x53, "filter.adaptive_filter_control"
+    AdaptiveFilterOptions: 0x0D, 0x53, "filter.adaptive_filter_options"
 }
 
 command! {
-    AdaptiveFilterControl -> AdaptiveFilterControlResponse;
-    responds AdaptiveFilterControlResponse for READ;
+    AdaptiveFilterOptions -> AdaptiveFilterOptionsResponse;
+    responds AdaptiveFilterOptionsResponse for READ;
 }
 
 record! {
@@ -2914,13 +2909,13 @@ record! {
     ///
     /// Position of the antenna of one receiver on devices with several antennas.
     ///
-    /// Also called `multi_antenna_offset`. Functions: write, read, save, load and default. Answered
-    /// by [`GnssMultiAntennaOffsetControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: write, read, save, load and default. Answered by [`MultiAntennaOffsetResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - The magnitude of the vector is limited to 10.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
-    pub struct GnssMultiAntennaOffsetControl {
+    pub struct MultiAntennaOffset {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Number of the receiver, from 1.
@@ -2940,7 +2935,7 @@ record! {
 }
 
 constructors! {
-    GnssMultiAntennaOffsetControl { function, receiver_id, antenna_offset }
+    MultiAntennaOffset { function, receiver_id, antenna_offset }
 
     /// Apply the new setting.
     fn write(receiver_id: u8, antenna_offset: impl Into<types::Vector3f>) = WRITE;
@@ -2959,12 +2954,12 @@ constructors! {
 }
 
 field! {
-    GnssMultiAntennaOffsetControl: 0x0D, 0x54, "filter.gnss_multi_antenna_offset_control"
+    MultiAntennaOffset: 0x0D, 0x54, "filter.multi_antenna_offset"
 }
 
 command! {
-    GnssMultiAntennaOffsetControl -> GnssMultiAntennaOffsetControlResponse;
-    responds GnssMultiAntennaOffsetControlResponse for READ;
+    MultiAntennaOffset -> MultiAntennaOffsetResponse;
+    responds MultiAntennaOffsetResponse for READ;
 }
 
 record! {
@@ -2973,10 +2968,10 @@ record! {
     /// Reference point of the relative position that the filter reports.
     ///
     /// Also called `rel_pos_configuration`. Functions: write, read, save, load and default.
-    /// Answered by [`RelativePositionConfigurationResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answered by [`RelativePositionConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55).
-    pub struct RelativePositionConfiguration {
+    pub struct RelativePositionConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Source of the reference point.
@@ -3003,7 +2998,7 @@ record! {
 }
 
 constructors! {
-    RelativePositionConfiguration { function, source, reference_frame_selector, reference_coordinates }
+    RelativePositionConfig { function, source, reference_frame_selector, reference_coordinates }
 
     /// Apply the new setting.
     fn write(
@@ -3026,12 +3021,12 @@ constructors! {
 }
 
 field! {
-    RelativePositionConfiguration: 0x0D, 0x55, "filter.relative_position_configuration"
+    RelativePositionConfig: 0x0D, 0x55, "filter.relative_position_config"
 }
 
 command! {
-    RelativePositionConfiguration -> RelativePositionConfigurationResponse;
-    responds RelativePositionConfigurationResponse for READ;
+    RelativePositionConfig -> RelativePositionConfigResponse;
+    responds RelativePositionConfigResponse for READ;
 }
 
 record! {
@@ -3042,7 +3037,7 @@ record! {
     /// Also called `ref_point_lever_arm`. Functions: write, read, save, load and default. Answered
     /// by [`ReferencePointLeverArmResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
-    /// - It shifts `llh_position`, `velocity_ned`, `ecef_position`, `ecef_velocity` and
+    /// - It shifts `llh_position`, `ned_velocity`, `ecef_position`, `ecef_velocity` and
     ///   `ned_relative_position` of set `filter_data`, depending on the attitude and, for
     ///   velocities, on the angular rate.
     /// - The magnitude of the vector is limited to 10.
@@ -3054,7 +3049,7 @@ record! {
         /// Point to move; it must be 1.
         ///
         /// Required for write.
-        pub ref_point_sel: Option<ReferencePoint>,
+        pub reference_point: Option<ReferencePoint>,
         /// From the sensor to the point.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10. Required for write.
@@ -3062,16 +3057,16 @@ record! {
     }
     wire 14 {
         [function selects]
-        [ref_point_sel for WRITE]
+        [reference_point for WRITE]
         [lever_arm_offset for WRITE]
     }
 }
 
 constructors! {
-    ReferencePointLeverArm { function, ref_point_sel, lever_arm_offset }
+    ReferencePointLeverArm { function, reference_point, lever_arm_offset }
 
     /// Apply the new setting.
-    fn write(ref_point_sel: ReferencePoint, lever_arm_offset: impl Into<types::Vector3f>) = WRITE;
+    fn write(reference_point: ReferencePoint, lever_arm_offset: impl Into<types::Vector3f>) = WRITE;
 
     /// Send the current setting back in a response.
     fn read() = READ;
@@ -3162,13 +3157,13 @@ record! {
     ///
     /// Position of the point whose speed is measured, such as the wheel that an odometer is on.
     ///
-    /// Also called `speed_lever_arm`. Functions: write, read, save, load and default. Answered by
-    /// [`MeasurementSpeedLeverArmResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: write, read, save, load and default. Answered by [`SpeedLeverArmResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - It corrects for the speed that such a point has only because the vehicle turns.
     ///
     /// Source: 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61).
-    pub struct MeasurementSpeedLeverArm {
+    pub struct SpeedLeverArm {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Reserved: send 1.
@@ -3186,7 +3181,7 @@ record! {
 }
 
 constructors! {
-    MeasurementSpeedLeverArm { function, source, lever_arm_offset }
+    SpeedLeverArm { function, source, lever_arm_offset }
 
     /// Apply the new setting.
     fn write(lever_arm_offset: impl Into<types::Vector3f>) = WRITE, source: 1;
@@ -3205,12 +3200,12 @@ constructors! {
 }
 
 field! {
-    MeasurementSpeedLeverArm: 0x0D, 0x61, "filter.measurement_speed_lever_arm"
+    SpeedLeverArm: 0x0D, 0x61, "filter.speed_lever_arm"
 }
 
 command! {
-    MeasurementSpeedLeverArm -> MeasurementSpeedLeverArmResponse;
-    responds MeasurementSpeedLeverArmResponse for READ;
+    SpeedLeverArm -> SpeedLeverArmResponse;
+    responds SpeedLeverArmResponse for READ;
 }
 
 record! {
@@ -3326,11 +3321,11 @@ record! {
     /// Lets the filter track the error of the antenna offset.
     ///
     /// Also called `gnss_antenna_cal_control`. Functions: write, read, save, load and default.
-    /// Answered by [`GnssAntennaOffsetCalibrationControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answered by [`GnssAntennaCalibrationControlResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64);
     /// 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration.
-    pub struct GnssAntennaOffsetCalibrationControl {
+    pub struct GnssAntennaCalibrationControl {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// 0 disables, 1 enables.
@@ -3350,7 +3345,7 @@ record! {
 }
 
 constructors! {
-    GnssAntennaOffsetCalibrationControl { function, enable, max_offset }
+    GnssAntennaCalibrationControl { function, enable, max_offset }
 
     /// Apply the new setting.
     fn write(enable: u8, max_offset: f32) = WRITE;
@@ -3369,12 +3364,12 @@ constructors! {
 }
 
 field! {
-    GnssAntennaOffsetCalibrationControl: 0x0D, 0x64, "filter.gnss_antenna_offset_calibration_control"
+    GnssAntennaCalibrationControl: 0x0D, 0x64, "filter.gnss_antenna_calibration_control"
 }
 
 command! {
-    GnssAntennaOffsetCalibrationControl -> GnssAntennaOffsetCalibrationControlResponse;
-    responds GnssAntennaOffsetCalibrationControlResponse for READ;
+    GnssAntennaCalibrationControl -> GnssAntennaCalibrationControlResponse;
+    responds GnssAntennaCalibrationControlResponse for READ;
 }
 
 record! {
@@ -3397,12 +3392,11 @@ field! {
 record! {
     /// Sensor to vehicle frame transformation response (0x0D,0x81).
     ///
-    /// Also called `sensor_to_vehicle_rotation_euler_response`. Answers
-    /// [`SensorToVehicleFrameTransformation`]. Supported by 3DM-GX5-15.
+    /// Answers [`SensorToVehicleRotationEuler`]. Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.3.4 Sensor to Vehicle Frame Transformation (0x0D, 0x11).
     #[derive(Default)]
-    pub struct SensorToVehicleFrameTransformationResponse {
+    pub struct SensorToVehicleRotationEulerResponse {
         /// Roll angle.
         ///
         /// Unit: rad.
@@ -3419,7 +3413,7 @@ record! {
 }
 
 field! {
-    SensorToVehicleFrameTransformationResponse: 0x0D, 0x81, "filter.sensor_to_vehicle_frame_transformation_response", answers SensorToVehicleFrameTransformation
+    SensorToVehicleRotationEulerResponse: 0x0D, 0x81, "filter.sensor_to_vehicle_rotation_euler_response", answers SensorToVehicleRotationEuler
 }
 
 record! {
@@ -3444,12 +3438,11 @@ field! {
 record! {
     /// GNSS antenna offset response (0x0D,0x83).
     ///
-    /// Also called `antenna_offset_response`. Answers [`GnssAntennaOffsetControl`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// Answers [`AntennaOffset`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13).
     #[derive(Default)]
-    pub struct GnssAntennaOffsetControlResponse {
+    pub struct AntennaOffsetResponse {
         /// From the sensor origin to the centre of the antenna.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
@@ -3458,61 +3451,58 @@ record! {
 }
 
 field! {
-    GnssAntennaOffsetControlResponse: 0x0D, 0x83, "filter.gnss_antenna_offset_control_response", answers GnssAntennaOffsetControl
+    AntennaOffsetResponse: 0x0D, 0x83, "filter.antenna_offset_response", answers AntennaOffset
 }
 
 record! {
     /// Estimation control flags response (0x0D,0x84).
     ///
-    /// Also called `estimation_control_response`. Answers [`EstimationControlFlags`]. Supported by
-    /// 3DM-GX5-15.
+    /// Answers [`EstimationControl`]. Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.3.5 Estimation Control Flags (0x0D, 0x14).
     #[derive(Default)]
-    pub struct EstimationControlFlagsResponse {
+    pub struct EstimationControlResponse {
         /// States to estimate.
         pub flags: EstimatedStates,
     }
 }
 
 field! {
-    EstimationControlFlagsResponse: 0x0D, 0x84, "filter.estimation_control_flags_response", answers EstimationControlFlags
+    EstimationControlResponse: 0x0D, 0x84, "filter.estimation_control_response", answers EstimationControl
 }
 
 record! {
     /// GNSS aiding source response (0x0D,0x86).
     ///
-    /// Also called `gnss_source_response`. Answers [`GnssAidingSourceControl`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// Answers [`GnssSource`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Aiding Source Control (0x0D,0x15).
     #[derive(Default)]
-    pub struct GnssAidingSourceControlResponse {
+    pub struct GnssSourceResponse {
         /// Source of the GNSS data.
         pub source: GnssAidingSource,
     }
 }
 
 field! {
-    GnssAidingSourceControlResponse: 0x0D, 0x86, "filter.gnss_aiding_source_control_response", answers GnssAidingSourceControl
+    GnssSourceResponse: 0x0D, 0x86, "filter.gnss_source_response", answers GnssSource
 }
 
 record! {
     /// Heading update control response (0x0D,0x87).
     ///
-    /// Also called `heading_source_response`. Answers [`HeadingUpdateControl`]. Supported by
-    /// 3DM-GX5-15.
+    /// Answers [`HeadingSource`]. Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.3.6 Heading Update Control (0x0D, 0x18).
     #[derive(Default)]
-    pub struct HeadingUpdateControlResponse {
+    pub struct HeadingSourceResponse {
         /// Source of the heading.
-        pub enable: HeadingUpdateSource,
+        pub source: HeadingUpdateSource,
     }
 }
 
 field! {
-    HeadingUpdateControlResponse: 0x0D, 0x87, "filter.heading_update_control_response", answers HeadingUpdateControl
+    HeadingSourceResponse: 0x0D, 0x87, "filter.heading_source_response", answers HeadingSource
 }
 
 record! {
@@ -3538,13 +3528,12 @@ field! {
 record! {
     /// Accelerometer noise response (0x0D,0x89).
     ///
-    /// Also called `accel_noise_response`. Answers [`AccelerometerNoiseStandardDeviation`].
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`AccelNoise`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Noise Standard Deviation (0x0D,0x1A); 3dm-gx5-15:
     /// 4.3.12 Accelerometer Noise Standard Deviation (0x0D, 0x1A).
     #[derive(Default)]
-    pub struct AccelerometerNoiseStandardDeviationResponse {
+    pub struct AccelNoiseResponse {
         /// Standard deviation per axis.
         ///
         /// Elements: x, y, z. Unit: m/s^2. Range: greater than 0.
@@ -3553,19 +3542,18 @@ record! {
 }
 
 field! {
-    AccelerometerNoiseStandardDeviationResponse: 0x0D, 0x89, "filter.accelerometer_noise_standard_deviation_response", answers AccelerometerNoiseStandardDeviation
+    AccelNoiseResponse: 0x0D, 0x89, "filter.accel_noise_response", answers AccelNoise
 }
 
 record! {
     /// Gyroscope noise response (0x0D,0x8A).
     ///
-    /// Also called `gyro_noise_response`. Answers [`GyroscopeNoiseStandardDeviation`]. Supported by
-    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`GyroNoise`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Noise Standard Deviation (0x0D,0x1B); 3dm-gx5-15: 4.3.13
     /// Gyroscope Noise Standard Deviation (0x0D, 0x1B).
     #[derive(Default)]
-    pub struct GyroscopeNoiseStandardDeviationResponse {
+    pub struct GyroNoiseResponse {
         /// Standard deviation per axis.
         ///
         /// Elements: x, y, z. Unit: rad/s. Range: greater than 0.
@@ -3574,18 +3562,17 @@ record! {
 }
 
 field! {
-    GyroscopeNoiseStandardDeviationResponse: 0x0D, 0x8A, "filter.gyroscope_noise_standard_deviation_response", answers GyroscopeNoiseStandardDeviation
+    GyroNoiseResponse: 0x0D, 0x8A, "filter.gyro_noise_response", answers GyroNoise
 }
 
 record! {
     /// Accelerometer bias model response (0x0D,0x8B).
     ///
-    /// Also called `accel_bias_model_response`. Answers [`AccelerometerBiasModelParameters`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`AccelBiasModel`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Accelerometer Bias Model Parameters (0x0D,0x1C).
     #[derive(Default)]
-    pub struct AccelerometerBiasModelParametersResponse {
+    pub struct AccelBiasModelResponse {
         /// Reciprocal of the correlation time per axis.
         ///
         /// Elements: x, y, z. Unit: 1/s.
@@ -3598,19 +3585,18 @@ record! {
 }
 
 field! {
-    AccelerometerBiasModelParametersResponse: 0x0D, 0x8B, "filter.accelerometer_bias_model_parameters_response", answers AccelerometerBiasModelParameters
+    AccelBiasModelResponse: 0x0D, 0x8B, "filter.accel_bias_model_response", answers AccelBiasModel
 }
 
 record! {
     /// Gyroscope bias model response (0x0D,0x8C).
     ///
-    /// Also called `gyro_bias_model_response`. Answers [`GyroscopeBiasModelParameters`]. Supported
-    /// by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`GyroBiasModel`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gyroscope Bias Model Parameters (0x0D,0x1D); 3dm-gx5-15: 4.3.14
     /// Gyroscope Bias Model Parameters (0x0D, 0x1D).
     #[derive(Default)]
-    pub struct GyroscopeBiasModelParametersResponse {
+    pub struct GyroBiasModelResponse {
         /// Reciprocal of the correlation time per axis.
         ///
         /// Elements: x, y, z. Unit: 1/s.
@@ -3623,7 +3609,7 @@ record! {
 }
 
 field! {
-    GyroscopeBiasModelParametersResponse: 0x0D, 0x8C, "filter.gyroscope_bias_model_parameters_response", answers GyroscopeBiasModelParameters
+    GyroBiasModelResponse: 0x0D, 0x8C, "filter.gyro_bias_model_response", answers GyroBiasModel
 }
 
 record! {
@@ -3652,13 +3638,12 @@ field! {
 record! {
     /// Zero angular rate update response (0x0D,0x8E).
     ///
-    /// Also called `auto_angular_zupt_response`. Answers [`ZeroAngularRateUpdateControl`].
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`AutoAngularZupt`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-cv7-gnss-ins: Zero Angular Rate Update Control (0x0D,0x20); 3dm-gx5-15: 4.3.15
     /// Zero Angular Rate Update Control (0x0D, 0x20).
     #[derive(Default)]
-    pub struct ZeroAngularRateUpdateControlResponse {
+    pub struct AutoAngularZuptResponse {
         /// 0 disables, 1 enables.
         ///
         /// Range: 0 to 1.
@@ -3671,18 +3656,17 @@ record! {
 }
 
 field! {
-    ZeroAngularRateUpdateControlResponse: 0x0D, 0x8E, "filter.zero_angular_rate_update_control_response", answers ZeroAngularRateUpdateControl
+    AutoAngularZuptResponse: 0x0D, 0x8E, "filter.auto_angular_zupt_response", answers AutoAngularZupt
 }
 
 record! {
     /// Set reference position response (0x0D,0x90).
     ///
-    /// Also called `reference_position_response`. Answers [`SetReferencePosition`]. Supported by
-    /// 3DM-GX5-15.
+    /// Answers [`ReferencePosition`]. Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.3.20 Set Reference Position (0x0D, 0x26).
     #[derive(Default)]
-    pub struct SetReferencePositionResponse {
+    pub struct ReferencePositionResponse {
         /// 0 disables, 1 enables.
         ///
         /// Range: 0 to 1.
@@ -3703,19 +3687,18 @@ record! {
 }
 
 field! {
-    SetReferencePositionResponse: 0x0D, 0x90, "filter.set_reference_position_response", answers SetReferencePosition
+    ReferencePositionResponse: 0x0D, 0x90, "filter.reference_position_response", answers ReferencePosition
 }
 
 record! {
     /// Gravity noise response (0x0D,0x93).
     ///
-    /// Also called `gravity_noise_response`. Answers [`GravityNoiseStandardDeviation`]. Supported
-    /// by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`GravityNoise`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-cv7-gnss-ins: Gravity Noise Standard Deviation (0x0D,0x28); 3dm-gx5-15: 4.3.11
     /// Gravity Noise Standard Deviation (0x0D, 0x28).
     #[derive(Default)]
-    pub struct GravityNoiseStandardDeviationResponse {
+    pub struct GravityNoiseResponse {
         /// Standard deviation per axis.
         ///
         /// Elements: x, y, z. Unit: g. Range: greater than 0.
@@ -3724,7 +3707,7 @@ record! {
 }
 
 field! {
-    GravityNoiseStandardDeviationResponse: 0x0D, 0x93, "filter.gravity_noise_standard_deviation_response", answers GravityNoiseStandardDeviation
+    GravityNoiseResponse: 0x0D, 0x93, "filter.gravity_noise_response", answers GravityNoise
 }
 
 record! {
@@ -3807,18 +3790,18 @@ field! {
 record! {
     /// Enable or disable measurements response (0x0D,0xB0).
     ///
-    /// Answers [`EnableDisableMeasurements`]. Supported by 3DM-GX5-15.
+    /// Answers [`EnableMeasurements`]. Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.3.18 Enable/Disable Measurements (0x0D, 0x41).
     #[derive(Default)]
-    pub struct EnableDisableMeasurementsResponse {
+    pub struct EnableMeasurementsResponse {
         /// Measurements to use.
         pub control: MeasurementFlags,
     }
 }
 
 field! {
-    EnableDisableMeasurementsResponse: 0x0D, 0xB0, "filter.enable_disable_measurements_response", answers EnableDisableMeasurements
+    EnableMeasurementsResponse: 0x0D, 0xB0, "filter.enable_measurements_response", answers EnableMeasurements
 }
 
 record! {
@@ -3843,12 +3826,11 @@ field! {
 record! {
     /// Magnetic declination source response (0x0D,0xB2).
     ///
-    /// Also called `magnetic_declination_source_response`. Answers
-    /// [`MagneticFieldDeclinationSourceControl`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`MagneticDeclinationSource`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetic Field Declination Source Control (0x0D,0x43).
     #[derive(Default)]
-    pub struct MagneticFieldDeclinationSourceControlResponse {
+    pub struct MagneticDeclinationSourceResponse {
         /// Source of the declination.
         pub source: MagParameterSource,
         /// Declination; used only if `source` is manual.
@@ -3859,18 +3841,17 @@ record! {
 }
 
 field! {
-    MagneticFieldDeclinationSourceControlResponse: 0x0D, 0xB2, "filter.magnetic_field_declination_source_control_response", answers MagneticFieldDeclinationSourceControl
+    MagneticDeclinationSourceResponse: 0x0D, 0xB2, "filter.magnetic_declination_source_response", answers MagneticDeclinationSource
 }
 
 record! {
     /// Gravity magnitude error adaptive measurement response (0x0D,0xB3).
     ///
-    /// Also called `accel_magnitude_error_adaptive_measurement_response`. Answers
-    /// [`GravityMagnitudeErrorAdaptiveMeasurement`]. Supported by 3DM-GX5-15.
+    /// Answers [`AccelMagnitudeErrorAdaptiveMeasurement`]. Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.3.19 Gravity Magnitude Error Adaptive Measurement (0x0D, 0x44).
     #[derive(Default)]
-    pub struct GravityMagnitudeErrorAdaptiveMeasurementResponse {
+    pub struct AccelMagnitudeErrorAdaptiveMeasurementResponse {
         /// Kind of adaptation.
         pub adaptive_measurement: AdaptiveMeasurementSelector,
         /// Cut-off frequency of the low-pass filter.
@@ -3901,7 +3882,7 @@ record! {
 }
 
 field! {
-    GravityMagnitudeErrorAdaptiveMeasurementResponse: 0x0D, 0xB3, "filter.gravity_magnitude_error_adaptive_measurement_response", answers GravityMagnitudeErrorAdaptiveMeasurement
+    AccelMagnitudeErrorAdaptiveMeasurementResponse: 0x0D, 0xB3, "filter.accel_magnitude_error_adaptive_measurement_response", answers AccelMagnitudeErrorAdaptiveMeasurement
 }
 
 record! {
@@ -4003,29 +3984,28 @@ field! {
 record! {
     /// Pitch and roll aiding response (0x0D,0xBB).
     ///
-    /// Also called `pitch_roll_aiding_response`. Answers [`PitchRollAidingControl`]. Supported by
-    /// 3DM-GX5-15.
+    /// Answers [`PitchRollAiding`]. Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.3.9 Pitch/Roll Aiding Control (0x0D, 0x4B).
     #[derive(Default)]
-    pub struct PitchRollAidingControlResponse {
+    pub struct PitchRollAidingResponse {
         /// Source of the aiding.
         pub aiding: PitchRollAidingSource,
     }
 }
 
 field! {
-    PitchRollAidingControlResponse: 0x0D, 0xBB, "filter.pitch_roll_aiding_control_response", answers PitchRollAidingControl
+    PitchRollAidingResponse: 0x0D, 0xBB, "filter.pitch_roll_aiding_response", answers PitchRollAiding
 }
 
 record! {
     /// Magnetic inclination source response (0x0D,0xBC).
     ///
-    /// Answers [`InclinationSource`].
+    /// Also called `inclination_source_response`. Answers [`MagneticInclinationSource`].
     ///
     /// Source: mip-sdk-4: Inclination Source (0x0D,0x4C).
     #[derive(Default)]
-    pub struct InclinationSourceResponse {
+    pub struct MagneticInclinationSourceResponse {
         /// Source of the inclination.
         pub source: MagParameterSource,
         /// Inclination; used only if `source` is manual.
@@ -4037,17 +4017,17 @@ record! {
 }
 
 field! {
-    InclinationSourceResponse: 0x0D, 0xBC, "filter.inclination_source_response", answers InclinationSource
+    MagneticInclinationSourceResponse: 0x0D, 0xBC, "filter.magnetic_inclination_source_response", answers MagneticInclinationSource
 }
 
 record! {
     /// Magnetic field magnitude source response (0x0D,0xBD).
     ///
-    /// Answers [`MagFieldMagnitudeSource`].
+    /// Also called `mag_field_magnitude_source_response`. Answers [`MagneticMagnitudeSource`].
     ///
     /// Source: mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D).
     #[derive(Default)]
-    pub struct MagFieldMagnitudeSourceResponse {
+    pub struct MagneticMagnitudeSourceResponse {
         /// Source of the magnitude.
         pub source: MagParameterSource,
         /// Magnitude; used only if `source` is manual.
@@ -4059,7 +4039,7 @@ record! {
 }
 
 field! {
-    MagFieldMagnitudeSourceResponse: 0x0D, 0xBD, "filter.mag_field_magnitude_source_response", answers MagFieldMagnitudeSource
+    MagneticMagnitudeSourceResponse: 0x0D, 0xBD, "filter.magnetic_magnitude_source_response", answers MagneticMagnitudeSource
 }
 
 record! {
@@ -4092,7 +4072,7 @@ record! {
         /// Unit quaternion, scalar part first.
         ///
         /// Elements: w, x, y, z. Unit: 1.
-        pub quat: types::Quatf,
+        pub q: types::Quatf,
     }
 }
 
@@ -4103,12 +4083,11 @@ field! {
 record! {
     /// Aiding measurement control response (0x0D,0xD0).
     ///
-    /// Also called `aiding_measurement_enable_response`. Answers [`AidingMeasurementControl`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`AidingMeasurementEnable`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Measurement Control (0x0D,0x50).
     #[derive(Default)]
-    pub struct AidingMeasurementControlResponse {
+    pub struct AidingMeasurementEnableResponse {
         /// The source; `all` is for save, load and default.
         pub aiding_source: AidingSource,
         /// Whether the filter uses the source.
@@ -4117,7 +4096,7 @@ record! {
 }
 
 field! {
-    AidingMeasurementControlResponse: 0x0D, 0xD0, "filter.aiding_measurement_control_response", answers AidingMeasurementControl
+    AidingMeasurementEnableResponse: 0x0D, 0xD0, "filter.aiding_measurement_enable_response", answers AidingMeasurementEnable
 }
 
 record! {
@@ -4150,18 +4129,18 @@ field! {
 record! {
     /// Navigation filter initialization response (0x0D,0xD2).
     ///
-    /// Also called `initialization_configuration_response`. Answers
-    /// [`NavigationFilterInitialization`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `initialization_configuration_response`. Answers [`InitializationConfig`].
+    /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52).
     #[derive(Default)]
-    pub struct NavigationFilterInitializationResponse {
-        /// 1: the filter starts only after `run_navigation_filter`; 0: as soon as it can.
+    pub struct InitializationConfigResponse {
+        /// 1: the filter starts only after `run`; 0: as soon as it can.
         ///
         /// Range: 0 to 1.
         pub wait_for_run_command: u8,
         /// Which initial conditions are found and which are given.
-        pub initial_cond_src: InitialConditionSource,
+        pub initial_condition_source: InitialConditionSource,
         /// Ways in which the initial heading may be found.
         pub auto_heading_alignment_selector: HeadingAlignment,
         /// Given heading.
@@ -4193,18 +4172,17 @@ record! {
 }
 
 field! {
-    NavigationFilterInitializationResponse: 0x0D, 0xD2, "filter.navigation_filter_initialization_response", answers NavigationFilterInitialization
+    InitializationConfigResponse: 0x0D, 0xD2, "filter.initialization_config_response", answers InitializationConfig
 }
 
 record! {
     /// Adaptive filter control response (0x0D,0xD3).
     ///
-    /// Also called `adaptive_filter_options_response`. Answers [`AdaptiveFilterControl`]. Supported
-    /// by 3DM-CV7-GNSS/INS.
+    /// Answers [`AdaptiveFilterOptions`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Adaptive Filter Control (0x0D,0x53).
     #[derive(Default)]
-    pub struct AdaptiveFilterControlResponse {
+    pub struct AdaptiveFilterOptionsResponse {
         /// Strength of the adaptation.
         ///
         /// Default: 2.
@@ -4217,18 +4195,17 @@ record! {
 }
 
 field! {
-    AdaptiveFilterControlResponse: 0x0D, 0xD3, "filter.adaptive_filter_control_response", answers AdaptiveFilterControl
+    AdaptiveFilterOptionsResponse: 0x0D, 0xD3, "filter.adaptive_filter_options_response", answers AdaptiveFilterOptions
 }
 
 record! {
     /// GNSS multi-antenna offset response (0x0D,0xD4).
     ///
-    /// Also called `multi_antenna_offset_response`. Answers [`GnssMultiAntennaOffsetControl`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`MultiAntennaOffset`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
     #[derive(Default)]
-    pub struct GnssMultiAntennaOffsetControlResponse {
+    pub struct MultiAntennaOffsetResponse {
         /// Number of the receiver, from 1.
         ///
         /// Range: at least 1.
@@ -4241,18 +4218,18 @@ record! {
 }
 
 field! {
-    GnssMultiAntennaOffsetControlResponse: 0x0D, 0xD4, "filter.gnss_multi_antenna_offset_control_response", answers GnssMultiAntennaOffsetControl
+    MultiAntennaOffsetResponse: 0x0D, 0xD4, "filter.multi_antenna_offset_response", answers MultiAntennaOffset
 }
 
 record! {
     /// Relative position configuration response (0x0D,0xD5).
     ///
-    /// Also called `rel_pos_configuration_response`. Answers [`RelativePositionConfiguration`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `rel_pos_configuration_response`. Answers [`RelativePositionConfig`]. Supported
+    /// by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Relative Position Configuration (0x0D,0x55).
     #[derive(Default)]
-    pub struct RelativePositionConfigurationResponse {
+    pub struct RelativePositionConfigResponse {
         /// Source of the reference point.
         pub source: RelativePositionSource,
         /// Frame of the coordinates.
@@ -4267,7 +4244,7 @@ record! {
 }
 
 field! {
-    RelativePositionConfigurationResponse: 0x0D, 0xD5, "filter.relative_position_configuration_response", answers RelativePositionConfiguration
+    RelativePositionConfigResponse: 0x0D, 0xD5, "filter.relative_position_config_response", answers RelativePositionConfig
 }
 
 record! {
@@ -4280,7 +4257,7 @@ record! {
     #[derive(Default)]
     pub struct ReferencePointLeverArmResponse {
         /// Point to move; it must be 1.
-        pub ref_point_sel: ReferencePoint,
+        pub reference_point: ReferencePoint,
         /// From the sensor to the point.
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
@@ -4295,11 +4272,10 @@ field! {
 record! {
     /// Speed measurement lever arm response (0x0D,0xE1).
     ///
-    /// Also called `speed_lever_arm_response`. Answers [`MeasurementSpeedLeverArm`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// Answers [`SpeedLeverArm`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Measurement speed lever arm (0x0D,0x61).
-    pub struct MeasurementSpeedLeverArmResponse {
+    pub struct SpeedLeverArmResponse {
         /// Reserved.
         pub source: u8,
         /// From the sensor to the point of measurement.
@@ -4310,7 +4286,7 @@ record! {
 }
 
 #[rustfmt::skip]
-impl core::default::Default for MeasurementSpeedLeverArmResponse {
+impl core::default::Default for SpeedLeverArmResponse {
     fn default() -> Self {
         Self {
             source: 1,
@@ -4320,7 +4296,7 @@ impl core::default::Default for MeasurementSpeedLeverArmResponse {
 }
 
 field! {
-    MeasurementSpeedLeverArmResponse: 0x0D, 0xE1, "filter.measurement_speed_lever_arm_response", answers MeasurementSpeedLeverArm
+    SpeedLeverArmResponse: 0x0D, 0xE1, "filter.speed_lever_arm_response", answers SpeedLeverArm
 }
 
 record! {
@@ -4364,13 +4340,13 @@ field! {
 record! {
     /// GNSS antenna offset calibration response (0x0D,0xE4).
     ///
-    /// Also called `gnss_antenna_cal_control_response`. Answers
-    /// [`GnssAntennaOffsetCalibrationControl`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `gnss_antenna_cal_control_response`. Answers [`GnssAntennaCalibrationControl`].
+    /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Antenna Offset Calibration Control (0x0D,0x64);
     /// 3dm-cv7-gnss-ins: Antenna Lever Arm Calibration.
     #[derive(Default)]
-    pub struct GnssAntennaOffsetCalibrationControlResponse {
+    pub struct GnssAntennaCalibrationControlResponse {
         /// 0 disables, 1 enables.
         ///
         /// Range: 0 to 1.
@@ -4383,5 +4359,5 @@ record! {
 }
 
 field! {
-    GnssAntennaOffsetCalibrationControlResponse: 0x0D, 0xE4, "filter.gnss_antenna_offset_calibration_control_response", answers GnssAntennaOffsetCalibrationControl
+    GnssAntennaCalibrationControlResponse: 0x0D, 0xE4, "filter.gnss_antenna_calibration_control_response", answers GnssAntennaCalibrationControl
 }

@@ -48,29 +48,29 @@ bitfield! {
         GPS_L5: bool = 5,
             gps_l5, set_gps_l5, with_gps_l5;
         /// GLONASS L1 is used. Bit 6.
-        GLO_L1: bool = 6,
-            glo_l1, set_glo_l1, with_glo_l1;
+        GLONASS_L1: bool = 6,
+            glonass_l1, set_glonass_l1, with_glonass_l1;
         /// GLONASS L2 is used. Bit 7.
-        GLO_L2: bool = 7,
-            glo_l2, set_glo_l2, with_glo_l2;
+        GLONASS_L2: bool = 7,
+            glonass_l2, set_glonass_l2, with_glonass_l2;
         /// Galileo E1 is used. Bit 8.
-        GAL_E1: bool = 8,
-            gal_e1, set_gal_e1, with_gal_e1;
+        GALILEO_E1: bool = 8,
+            galileo_e1, set_galileo_e1, with_galileo_e1;
         /// Galileo E5 is used. Bit 9.
-        GAL_E5: bool = 9,
-            gal_e5, set_gal_e5, with_gal_e5;
+        GALILEO_E5: bool = 9,
+            galileo_e5, set_galileo_e5, with_galileo_e5;
         /// Galileo E6 is used. Bit 10.
-        GAL_E6: bool = 10,
-            gal_e6, set_gal_e6, with_gal_e6;
+        GALILEO_E6: bool = 10,
+            galileo_e6, set_galileo_e6, with_galileo_e6;
         /// BeiDou B1 is used; not on every model. Bit 11.
-        BEI_B1: bool = 11,
-            bei_b1, set_bei_b1, with_bei_b1;
+        BEIDOU_B1: bool = 11,
+            beidou_b1, set_beidou_b1, with_beidou_b1;
         /// BeiDou B2 is used; not on every model. Bit 12.
-        BEI_B2: bool = 12,
-            bei_b2, set_bei_b2, with_bei_b2;
+        BEIDOU_B2: bool = 12,
+            beidou_b2, set_beidou_b2, with_beidou_b2;
         /// BeiDou B3 is used; not on every model. Bit 13.
-        BEI_B3: bool = 13,
-            bei_b3, set_bei_b3, with_bei_b3;
+        BEIDOU_B3: bool = 13,
+            beidou_b3, set_beidou_b3, with_beidou_b3;
         /// The receiver has no position fix. Bit 14.
         NO_FIX: bool = 14,
             no_fix, set_no_fix, with_no_fix;
@@ -105,23 +105,23 @@ open_enum! {
         /// Pressure altitude.
         PRESSURE = 4, "pressure";
         /// Magnetometer.
-        MAGNETOMETER = 5, "magnetometer";
+        MAG = 5, "mag";
         /// Speed or odometer.
         SPEED = 6, "speed";
         /// ECEF position by command.
-        AIDING_POS_ECEF = 33, "aiding_pos_ecef";
+        AIDING_ECEF_POSITION = 33, "aiding_ecef_position";
         /// Latitude, longitude and height by command.
-        AIDING_POS_LLH = 34, "aiding_pos_llh";
+        AIDING_LLH_POSITION = 34, "aiding_llh_position";
         /// Height above the ellipsoid by command.
         AIDING_HEIGHT_ABOVE_ELLIPSOID = 35, "aiding_height_above_ellipsoid";
         /// ECEF velocity by command.
-        AIDING_VEL_ECEF = 40, "aiding_vel_ecef";
+        AIDING_ECEF_VELOCITY = 40, "aiding_ecef_velocity";
         /// NED velocity by command.
-        AIDING_VEL_NED = 41, "aiding_vel_ned";
+        AIDING_NED_VELOCITY = 41, "aiding_ned_velocity";
         /// Body frame velocity by command.
-        AIDING_VEL_BODY_FRAME = 42, "aiding_vel_body_frame";
+        AIDING_BODY_FRAME_VELOCITY = 42, "aiding_body_frame_velocity";
         /// True heading by command.
-        AIDING_HEADING_TRUE = 49, "aiding_heading_true";
+        AIDING_TRUE_HEADING = 49, "aiding_true_heading";
         /// Magnetic field by command.
         AIDING_MAGNETIC_FIELD = 50, "aiding_magnetic_field";
         /// Pressure by command.
@@ -145,11 +145,11 @@ bitfield! {
         SAMPLE_TIME_WARNING: bool = 3,
             sample_time_warning, set_sample_time_warning, with_sample_time_warning;
         /// Its configuration is wrong. Bit 4.
-        CONFIGURATION_ERROR: bool = 4,
-            configuration_error, set_configuration_error, with_configuration_error;
+        CONFIG_ERROR: bool = 4,
+            config_error, set_config_error, with_config_error;
         /// There are more measurements than the filter can take. Bit 5.
-        MAX_NUM_MEAS_EXCEEDED: bool = 5,
-            max_num_meas_exceeded, set_max_num_meas_exceeded, with_max_num_meas_exceeded;
+        MAX_MEASUREMENTS_EXCEEDED: bool = 5,
+            max_measurements_exceeded, set_max_measurements_exceeded, with_max_measurements_exceeded;
     }
 }
 
@@ -169,11 +169,11 @@ bitfield! {
     /// What the heading solution of two antennas has to work with.
     DualAntennaStatusFlags: u16 {
         /// Data of receiver 1 are valid. Bit 0.
-        RCV_1_DATA_VALID: bool = 0,
-            rcv_1_data_valid, set_rcv_1_data_valid, with_rcv_1_data_valid;
+        RECEIVER_1_DATA_VALID: bool = 0,
+            receiver_1_data_valid, set_receiver_1_data_valid, with_receiver_1_data_valid;
         /// Data of receiver 2 are valid. Bit 1.
-        RCV_2_DATA_VALID: bool = 1,
-            rcv_2_data_valid, set_rcv_2_data_valid, with_rcv_2_data_valid;
+        RECEIVER_2_DATA_VALID: bool = 1,
+            receiver_2_data_valid, set_receiver_2_data_valid, with_receiver_2_data_valid;
         /// The antenna offsets are valid. Bit 2.
         ANTENNA_OFFSETS_VALID: bool = 2,
             antenna_offsets_valid, set_antenna_offsets_valid, with_antenna_offsets_valid;
@@ -204,7 +204,7 @@ open_enum! {
         /// Initialization; initial conditions are missing or the filter waits for a command.
         INIT = 1, "init";
         /// Vertical gyro: pitch and roll, and heading relative to the initial one.
-        VERT_GYRO = 2, "vert_gyro";
+        VERTICAL_GYRO = 2, "vertical_gyro";
         /// Pitch, roll and absolute heading.
         AHRS = 3, "ahrs";
         /// Full navigation: position, velocity and attitude.
@@ -275,8 +275,8 @@ bitfield! {
         RUN_MAG_BIAS_EST_HIGH_WARNING: bool = 12,
             run_mag_bias_est_high_warning, set_run_mag_bias_est_high_warning, with_run_mag_bias_est_high_warning;
         /// The estimated correction of the antenna offset is high; on models with GNSS. Bit 13.
-        RUN_ANT_OFFSET_CORRECTION_EST_HIGH_WARNING: bool = 13,
-            run_ant_offset_correction_est_high_warning, set_run_ant_offset_correction_est_high_warning, with_run_ant_offset_correction_est_high_warning;
+        RUN_ANTENNA_OFFSET_CORRECTION_EST_HIGH_WARNING: bool = 13,
+            run_antenna_offset_correction_est_high_warning, set_run_antenna_offset_correction_est_high_warning, with_run_antenna_offset_correction_est_high_warning;
         /// The estimated hard-iron offset is high. Bit 14.
         RUN_MAG_HARD_IRON_EST_HIGH_WARNING: bool = 14,
             run_mag_hard_iron_est_high_warning, set_run_mag_hard_iron_est_high_warning, with_run_mag_hard_iron_est_high_warning;
@@ -332,8 +332,8 @@ bitfield! {
         IMU_BIAS_WARNING: bool = 6,
             imu_bias_warning, set_imu_bias_warning, with_imu_bias_warning;
         /// The GNSS clock is doubtful; navigation goes on. Bit 7.
-        GNSS_CLK_WARNING: bool = 7,
-            gnss_clk_warning, set_gnss_clk_warning, with_gnss_clk_warning;
+        GNSS_CLOCK_WARNING: bool = 7,
+            gnss_clock_warning, set_gnss_clock_warning, with_gnss_clock_warning;
         /// The antenna offsets are probably wrong. Bit 8.
         ANTENNA_LEVER_ARM_WARNING: bool = 8,
             antenna_lever_arm_warning, set_antenna_lever_arm_warning, with_antenna_lever_arm_warning;
@@ -386,11 +386,11 @@ record! {
     ///
     /// Estimated velocity.
     ///
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `velocity_ned`. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Velocity NED (0x82,0x02).
     #[derive(Default)]
-    pub struct VelocityNed {
+    pub struct NedVelocity {
         /// Velocity north.
         ///
         /// Unit: m/s. Frame: ned. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -409,7 +409,7 @@ record! {
 }
 
 field! {
-    VelocityNed: 0x82, 0x02, "filter_data.velocity_ned"
+    NedVelocity: 0x82, 0x02, "filter_data.ned_velocity"
 }
 
 record! {
@@ -660,7 +660,7 @@ record! {
         ///
         /// Elements: x, y, z. Unit: rad/s. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
-        pub bias_uncert: types::Vector3f,
+        pub bias_uncertainty: types::Vector3f,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
     }
@@ -684,7 +684,7 @@ record! {
         ///
         /// Elements: x, y, z. Unit: m/s^2. Frame: sensor. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
-        pub bias_uncert: types::Vector3f,
+        pub bias_uncertainty: types::Vector3f,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
     }
@@ -755,7 +755,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 5.2.15 WGS84 Local Gravity Magnitude (0x82, 0x0F).
     #[derive(Default)]
-    pub struct Wgs84LocalGravityMagnitude {
+    pub struct Wgs84GravityMagnitude {
         /// Magnitude of gravity.
         ///
         /// Unit: m/s^2. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -766,7 +766,7 @@ record! {
 }
 
 field! {
-    Wgs84LocalGravityMagnitude: 0x82, 0x0F, "filter_data.wgs84_local_gravity_magnitude"
+    Wgs84GravityMagnitude: 0x82, 0x0F, "filter_data.wgs84_gravity_magnitude"
 }
 
 record! {
@@ -945,13 +945,13 @@ record! {
     ///
     /// The last heading that updated the filter and where it came from.
     ///
-    /// Also called `heading_update_state`. Supported by 3DM-GX5-15.
+    /// Supported by 3DM-GX5-15.
     ///
     /// - The valid bit means that the source gave data within the last 2 seconds.
     ///
     /// Source: 3dm-gx5-15: 5.2.16 Heading Update Source State (0x82, 0x14).
     #[derive(Default)]
-    pub struct HeadingUpdateSourceState {
+    pub struct HeadingUpdateState {
         /// Heading of the sensor frame relative to true north.
         ///
         /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -968,7 +968,7 @@ record! {
 }
 
 field! {
-    HeadingUpdateSourceState: 0x82, 0x14, "filter_data.heading_update_source_state"
+    HeadingUpdateState: 0x82, 0x14, "filter_data.heading_update_state"
 }
 
 record! {
@@ -1149,12 +1149,12 @@ record! {
     ///
     /// Acceleration without the estimated bias; gravity is still in it.
     ///
-    /// Also called `comp_accel`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-cv7-gnss-ins: Compensated Acceleration (0x82,0x1C); 3dm-gx5-15: 5.2.11
     /// Compensated Acceleration (0x82, 0x1C).
     #[derive(Default)]
-    pub struct CompensatedAcceleration {
+    pub struct CompAccel {
         /// Acceleration.
         ///
         /// Elements: x, y, z. Unit: m/s^2. Frame: vehicle. Valid if
@@ -1166,7 +1166,7 @@ record! {
 }
 
 field! {
-    CompensatedAcceleration: 0x82, 0x1C, "filter_data.compensated_acceleration"
+    CompAccel: 0x82, 0x1C, "filter_data.comp_accel"
 }
 
 record! {
@@ -1266,7 +1266,7 @@ record! {
     /// Also called `magnetometer_offset`.
     ///
     /// - The filter adds it to the stored hard iron offset
-    ///   [(0x0C,0x3A)](crate::mip_3dm::MagnetometerHardIronOffset).
+    ///   [(0x0C,0x3A)](crate::mip_3dm::MagHardIronOffset).
     ///
     /// Source: mip-sdk-4: Magnetometer Offset (0x82,0x25).
     #[derive(Default)]
@@ -1293,7 +1293,7 @@ record! {
     /// Also called `magnetometer_matrix`.
     ///
     /// - The filter multiplies the stored soft iron matrix
-    ///   [(0x0C,0x3B)](crate::mip_3dm::MagnetometerSoftIronMatrix) by it, from the right.
+    ///   [(0x0C,0x3B)](crate::mip_3dm::MagSoftIronMatrix) by it, from the right.
     ///
     /// Source: mip-sdk-4: Magnetometer Matrix (0x82,0x26).
     #[derive(Default)]
@@ -1414,8 +1414,7 @@ record! {
     ///
     /// Estimated error of the offset of the GNSS antenna.
     ///
-    /// - The filter adds it to the stored offset
-    ///   [(0x0D,0x13)](crate::filter::GnssAntennaOffsetControl).
+    /// - The filter adds it to the stored offset [(0x0D,0x13)](crate::filter::AntennaOffset).
     ///
     /// Source: mip-sdk-4: Antenna Offset Correction (0x82,0x30).
     #[derive(Default)]
@@ -1558,7 +1557,7 @@ record! {
         ///
         /// Elements: x, y, z. Unit: m. Frame: vehicle. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
-        pub offset_uncert: types::Vector3f,
+        pub offset_uncertainty: types::Vector3f,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
     }
@@ -1582,7 +1581,7 @@ record! {
         ///
         /// Elements: x, y, z. Unit: m. Frame: ecef. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
-        pub pos_uncertainty: types::Vector3f,
+        pub position_uncertainty: types::Vector3f,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
     }
@@ -1606,7 +1605,7 @@ record! {
         ///
         /// Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
-        pub vel_uncertainty: types::Vector3f,
+        pub velocity_uncertainty: types::Vector3f,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
     }
@@ -1630,7 +1629,7 @@ record! {
         ///
         /// Elements: x, y, z. Unit: m. Frame: ecef. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
-        pub position_ecef: types::Vector3d,
+        pub position: types::Vector3d,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
     }
@@ -1654,7 +1653,7 @@ record! {
         ///
         /// Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
         /// [`valid_flags.valid`](ValidFlags::valid) is set.
-        pub velocity_ecef: types::Vector3f,
+        pub velocity: types::Vector3f,
         /// Validity of the values.
         pub valid_flags: ValidFlags,
     }
@@ -1668,8 +1667,7 @@ record! {
     /// NED relative position (0x82,0x42).
     ///
     /// Estimated position relative to the point that
-    /// [`filter::RelativePositionConfiguration`](crate::filter::RelativePositionConfiguration)
-    /// sets.
+    /// [`filter::RelativePositionConfig`](crate::filter::RelativePositionConfig) sets.
     ///
     /// Also called `rel_pos_ned`. Supported by 3DM-CV7-GNSS/INS.
     ///
@@ -1707,7 +1705,7 @@ record! {
         /// GPS time of week of the last measurement.
         ///
         /// Unit: s.
-        pub time_of_week: f32,
+        pub tow: f32,
         /// How the measurements are used.
         pub status: GnssAidingStatus,
         /// Reserved.
@@ -1797,7 +1795,7 @@ record! {
         /// GPS time of week at the end of the interval.
         ///
         /// Unit: s.
-        pub time_of_week: f32,
+        pub tow: f32,
         /// Number of the source of the measurement.
         pub source: u8,
         /// Kind of measurement.
@@ -1806,7 +1804,7 @@ record! {
         pub indicator: AidingMeasurementIndicator,
     }
     wire 7 {
-        [time_of_week]
+        [tow]
         [source]
         [type_ "type"]
         [indicator]
@@ -1880,7 +1878,7 @@ record! {
         /// GPS time of week of the last measurement.
         ///
         /// Unit: s. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
-        pub time_of_week: f32,
+        pub tow: f32,
         /// Heading.
         ///
         /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
@@ -1888,7 +1886,7 @@ record! {
         /// Uncertainty of the heading.
         ///
         /// Unit: rad. Valid if [`valid_flags.valid`](ValidFlags::valid) is set.
-        pub heading_unc: f32,
+        pub heading_uncertainty: f32,
         /// Kind of solution.
         pub fix_type: DualAntennaFixType,
         /// What the solution has to work with.
@@ -1905,15 +1903,14 @@ field! {
 record! {
     /// Aiding frame configuration error (0x82,0x50).
     ///
-    /// Estimated error of a frame that
-    /// [`aiding::FrameConfiguration`](crate::aiding::FrameConfiguration) defines; it is corrected
-    /// for.
+    /// Estimated error of a frame that [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines;
+    /// it is corrected for.
     ///
-    /// Also called `aiding_frame_config_error`. Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error (0x82,0x50).
     #[derive(Default)]
-    pub struct AidingFrameConfigurationError {
+    pub struct AidingFrameConfigError {
         /// Number of the frame.
         pub frame_id: u8,
         /// Error of the translation.
@@ -1928,33 +1925,33 @@ record! {
 }
 
 field! {
-    AidingFrameConfigurationError: 0x82, 0x50, "filter_data.aiding_frame_configuration_error"
+    AidingFrameConfigError: 0x82, 0x50, "filter_data.aiding_frame_config_error"
 }
 
 record! {
     /// Aiding frame configuration error uncertainty (0x82,0x51).
     ///
     /// Uncertainty of the estimated error of a frame that
-    /// [`aiding::FrameConfiguration`](crate::aiding::FrameConfiguration) defines.
+    /// [`aiding::FrameConfig`](crate::aiding::FrameConfig) defines.
     ///
-    /// Also called `aiding_frame_config_error_uncertainty`. Supported by 3DM-CV7-GNSS/INS.
+    /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Aiding Frame Configuration Error Uncertainty (0x82,0x51).
     #[derive(Default)]
-    pub struct AidingFrameConfigurationErrorUncertainty {
+    pub struct AidingFrameConfigErrorUncertainty {
         /// Number of the frame.
         pub frame_id: u8,
         /// Uncertainty of the translation.
         ///
         /// Elements: x, y, z. Unit: m.
-        pub translation_unc: types::Vector3f,
+        pub translation_uncertainty: types::Vector3f,
         /// Uncertainty of the rotation about each axis.
         ///
         /// Elements: x, y, z. Unit: rad.
-        pub attitude_unc: types::Vector3f,
+        pub attitude_uncertainty: types::Vector3f,
     }
 }
 
 field! {
-    AidingFrameConfigurationErrorUncertainty: 0x82, 0x51, "filter_data.aiding_frame_configuration_error_uncertainty"
+    AidingFrameConfigErrorUncertainty: 0x82, 0x51, "filter_data.aiding_frame_config_error_uncertainty"
 }

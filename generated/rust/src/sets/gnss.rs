@@ -140,8 +140,8 @@ record! {
     ///
     /// GNSS signals that the device uses.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`SignalConfigurationResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `signal_configuration`. Functions: write, read, save, load and default. Answered
+    /// by [`SignalConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - A device takes certain combinations only.
     /// - The 3DM-CV7-GNSS/INS needs GPS or Galileo, and refuses GPS L1 with BeiDou L1 alone. It
@@ -149,7 +149,7 @@ record! {
     ///   GLONASS none or L1.
     ///
     /// Source: 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02); 3dm-cv7-gnss-ins: GNSS.
-    pub struct SignalConfiguration {
+    pub struct SignalConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// GPS signals.
@@ -182,7 +182,7 @@ record! {
 }
 
 constructors! {
-    SignalConfiguration { function, gps_enable, glonass_enable, galileo_enable, beidou_enable, reserved }
+    SignalConfig { function, gps_enable, glonass_enable, galileo_enable, beidou_enable, reserved }
 
     /// Apply the new setting.
     fn write(
@@ -206,12 +206,12 @@ constructors! {
 }
 
 field! {
-    SignalConfiguration: 0x0E, 0x02, "gnss.signal_configuration"
+    SignalConfig: 0x0E, 0x02, "gnss.signal_config"
 }
 
 command! {
-    SignalConfiguration -> SignalConfigurationResponse;
-    responds SignalConfigurationResponse for READ;
+    SignalConfig -> SignalConfigResponse;
+    responds SignalConfigResponse for READ;
 }
 
 record! {
@@ -219,11 +219,11 @@ record! {
     ///
     /// Whether the device talks to the RTK dongle that is connected to it.
     ///
-    /// Functions: write, read, save, load and default. Answered by
-    /// [`RtkDongleConfigurationResponse`].
+    /// Also called `rtk_dongle_configuration`. Functions: write, read, save, load and default.
+    /// Answered by [`RtkDongleConfigResponse`].
     ///
     /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
-    pub struct RtkDongleConfiguration {
+    pub struct RtkDongleConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// 1 enables the dongle, 0 disables it.
@@ -241,7 +241,7 @@ record! {
 }
 
 constructors! {
-    RtkDongleConfiguration { function, enable, reserved }
+    RtkDongleConfig { function, enable, reserved }
 
     /// Apply the new setting.
     fn write(enable: u8) = WRITE, reserved: [0; 3];
@@ -260,12 +260,12 @@ constructors! {
 }
 
 field! {
-    RtkDongleConfiguration: 0x0E, 0x10, "gnss.rtk_dongle_configuration"
+    RtkDongleConfig: 0x0E, 0x10, "gnss.rtk_dongle_config"
 }
 
 command! {
-    RtkDongleConfiguration -> RtkDongleConfigurationResponse;
-    responds RtkDongleConfigurationResponse for READ;
+    RtkDongleConfig -> RtkDongleConfigResponse;
+    responds RtkDongleConfigResponse for READ;
 }
 
 record! {
@@ -273,8 +273,8 @@ record! {
     ///
     /// Source and keys of SPARTN corrections.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`SpartnConfigurationResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `spartn_configuration`. Functions: write, read, save, load and default. Answered
+    /// by [`SpartnConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - A change of enable or type has an effect after a power cycle only; keys can be changed
     ///   while running.
@@ -284,7 +284,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20); 3dm-cv7-gnss-ins: SPARTN
     /// Corrections; 3dm-cv7-gnss-ins: SPARTN Corrections via UART.
-    pub struct SpartnConfiguration {
+    pub struct SpartnConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// 1 enables SPARTN corrections, 0 disables them.
@@ -334,7 +334,7 @@ record! {
 }
 
 constructors! {
-    SpartnConfiguration { function, enable, type_, current_key_tow, current_key_week, current_key, next_key_tow, next_key_week, next_key }
+    SpartnConfig { function, enable, type_, current_key_tow, current_key_week, current_key, next_key_tow, next_key_week, next_key }
 
     /// Apply the new setting.
     fn write(
@@ -362,12 +362,12 @@ constructors! {
 }
 
 field! {
-    SpartnConfiguration: 0x0E, 0x20, "gnss.spartn_configuration"
+    SpartnConfig: 0x0E, 0x20, "gnss.spartn_config"
 }
 
 command! {
-    SpartnConfiguration -> SpartnConfigurationResponse;
-    responds SpartnConfigurationResponse for READ;
+    SpartnConfig -> SpartnConfigResponse;
+    responds SpartnConfigResponse for READ;
 }
 
 record! {
@@ -397,11 +397,12 @@ field! {
 record! {
     /// Signal configuration response (0x0E,0x82).
     ///
-    /// Answers [`SignalConfiguration`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `signal_configuration_response`. Answers [`SignalConfig`]. Supported by
+    /// 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Signal Configuration (0x0E,0x02); 3dm-cv7-gnss-ins: GNSS.
     #[derive(Default)]
-    pub struct SignalConfigurationResponse {
+    pub struct SignalConfigResponse {
         /// GPS signals.
         pub gps_enable: GpsSignals,
         /// GLONASS signals.
@@ -416,17 +417,17 @@ record! {
 }
 
 field! {
-    SignalConfigurationResponse: 0x0E, 0x82, "gnss.signal_configuration_response", answers SignalConfiguration
+    SignalConfigResponse: 0x0E, 0x82, "gnss.signal_config_response", answers SignalConfig
 }
 
 record! {
     /// RTK dongle configuration response (0x0E,0x90).
     ///
-    /// Answers [`RtkDongleConfiguration`].
+    /// Also called `rtk_dongle_configuration_response`. Answers [`RtkDongleConfig`].
     ///
     /// Source: mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10).
     #[derive(Default)]
-    pub struct RtkDongleConfigurationResponse {
+    pub struct RtkDongleConfigResponse {
         /// 1 enables the dongle, 0 disables it.
         ///
         /// Range: 0 to 1.
@@ -437,18 +438,19 @@ record! {
 }
 
 field! {
-    RtkDongleConfigurationResponse: 0x0E, 0x90, "gnss.rtk_dongle_configuration_response", answers RtkDongleConfiguration
+    RtkDongleConfigResponse: 0x0E, 0x90, "gnss.rtk_dongle_config_response", answers RtkDongleConfig
 }
 
 record! {
     /// SPARTN configuration response (0x0E,0xA0).
     ///
-    /// Answers [`SpartnConfiguration`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Also called `spartn_configuration_response`. Answers [`SpartnConfig`]. Supported by
+    /// 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20); 3dm-cv7-gnss-ins: SPARTN
     /// Corrections; 3dm-cv7-gnss-ins: SPARTN Corrections via UART.
     #[derive(Default)]
-    pub struct SpartnConfigurationResponse {
+    pub struct SpartnConfigResponse {
         /// 1 enables SPARTN corrections, 0 disables them.
         ///
         /// Range: 0 to 1.
@@ -489,5 +491,5 @@ record! {
 }
 
 field! {
-    SpartnConfigurationResponse: 0x0E, 0xA0, "gnss.spartn_configuration_response", answers SpartnConfiguration
+    SpartnConfigResponse: 0x0E, 0xA0, "gnss.spartn_config_response", answers SpartnConfig
 }

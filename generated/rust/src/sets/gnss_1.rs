@@ -10,7 +10,7 @@ pub const SET: u8 = 0x91;
 
 bitfield! {
     /// Which parts of the position are valid.
-    GnssLlhPositionFlags: u16 {
+    LlhPositionFlags: u16 {
         /// Latitude and longitude. Bit 0.
         LAT_LON: bool = 0,
             lat_lon, set_lat_lon, with_lat_lon;
@@ -34,7 +34,7 @@ bitfield! {
 
 bitfield! {
     /// Which parts of the position are valid.
-    GnssEcefPositionFlags: u16 {
+    EcefPositionFlags: u16 {
         /// Position. Bit 0.
         POSITION: bool = 0,
             position, set_position, with_position;
@@ -76,7 +76,7 @@ bitfield! {
 
 bitfield! {
     /// Which parts of the velocity are valid.
-    GnssEcefVelocityFlags: u16 {
+    EcefVelocityFlags: u16 {
         /// Velocity. Bit 0.
         VELOCITY: bool = 0,
             velocity, set_velocity, with_velocity;
@@ -278,7 +278,7 @@ open_enum! {
 
 bitfield! {
     /// Which parts of the hardware status are valid.
-    GnssHardwareStatusFlags: u16 {
+    HardwareStatusFlags: u16 {
         /// State of the receiver. Bit 0.
         SENSOR_STATE: bool = 0,
             sensor_state, set_sensor_state, with_sensor_state;
@@ -626,8 +626,8 @@ bitfield! {
         BEIDOU: bool = 3,
             beidou, set_beidou, with_beidou;
         /// Reference station indicator. Bit 4.
-        REF_STATION: bool = 4,
-            ref_station, set_ref_station, with_ref_station;
+        REFERENCE_STATION: bool = 4,
+            reference_station, set_reference_station, with_reference_station;
         /// Single receiver oscillator indicator. Bit 5.
         SINGLE_RECEIVER: bool = 5,
             single_receiver, set_single_receiver, with_single_receiver;
@@ -851,43 +851,43 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS LLH Position (0x91,0x03).
     #[derive(Default)]
-    pub struct GnssLlhPosition {
+    pub struct LlhPosition {
         /// Latitude.
         ///
-        /// Unit: deg. Frame: llh. Valid if [`valid_flags.lat_lon`](GnssLlhPositionFlags::lat_lon)
-        /// is set.
+        /// Unit: deg. Frame: llh. Valid if [`valid_flags.lat_lon`](LlhPositionFlags::lat_lon) is
+        /// set.
         pub latitude: f64,
         /// Longitude.
         ///
-        /// Unit: deg. Frame: llh. Valid if [`valid_flags.lat_lon`](GnssLlhPositionFlags::lat_lon)
-        /// is set.
+        /// Unit: deg. Frame: llh. Valid if [`valid_flags.lat_lon`](LlhPositionFlags::lat_lon) is
+        /// set.
         pub longitude: f64,
         /// Height above the ellipsoid.
         ///
         /// Unit: m. Frame: llh. Valid if
-        /// [`valid_flags.ellipsoid_height`](GnssLlhPositionFlags::ellipsoid_height) is set.
+        /// [`valid_flags.ellipsoid_height`](LlhPositionFlags::ellipsoid_height) is set.
         pub ellipsoid_height: f64,
         /// Height above mean sea level.
         ///
-        /// Unit: m. Valid if [`valid_flags.msl_height`](GnssLlhPositionFlags::msl_height) is set.
+        /// Unit: m. Valid if [`valid_flags.msl_height`](LlhPositionFlags::msl_height) is set.
         pub msl_height: f64,
         /// Horizontal accuracy.
         ///
         /// Unit: m. Valid if
-        /// [`valid_flags.horizontal_accuracy`](GnssLlhPositionFlags::horizontal_accuracy) is set.
+        /// [`valid_flags.horizontal_accuracy`](LlhPositionFlags::horizontal_accuracy) is set.
         pub horizontal_accuracy: f32,
         /// Vertical accuracy.
         ///
-        /// Unit: m. Valid if
-        /// [`valid_flags.vertical_accuracy`](GnssLlhPositionFlags::vertical_accuracy) is set.
+        /// Unit: m. Valid if [`valid_flags.vertical_accuracy`](LlhPositionFlags::vertical_accuracy)
+        /// is set.
         pub vertical_accuracy: f32,
         /// Which values are valid.
-        pub valid_flags: GnssLlhPositionFlags,
+        pub valid_flags: LlhPositionFlags,
     }
 }
 
 field! {
-    GnssLlhPosition: 0x91, 0x03, "gnss_1.gnss_llh_position", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    LlhPosition: 0x91, 0x03, "gnss_1.llh_position", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
 }
 
 record! {
@@ -899,24 +899,24 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS ECEF Position (0x91,0x04).
     #[derive(Default)]
-    pub struct GnssEcefPosition {
+    pub struct EcefPosition {
         /// Position.
         ///
         /// Elements: x, y, z. Unit: m. Frame: ecef. Valid if
-        /// [`valid_flags.position`](GnssEcefPositionFlags::position) is set.
-        pub x: types::Vector3d,
+        /// [`valid_flags.position`](EcefPositionFlags::position) is set.
+        pub position: types::Vector3d,
         /// Accuracy of the position.
         ///
         /// Unit: m. Valid if
-        /// [`valid_flags.position_accuracy`](GnssEcefPositionFlags::position_accuracy) is set.
-        pub x_accuracy: f32,
+        /// [`valid_flags.position_accuracy`](EcefPositionFlags::position_accuracy) is set.
+        pub position_accuracy: f32,
         /// Which values are valid.
-        pub valid_flags: GnssEcefPositionFlags,
+        pub valid_flags: EcefPositionFlags,
     }
 }
 
 field! {
-    GnssEcefPosition: 0x91, 0x04, "gnss_1.gnss_ecef_position", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    EcefPosition: 0x91, 0x04, "gnss_1.ecef_position", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
 }
 
 record! {
@@ -933,7 +933,7 @@ record! {
         ///
         /// Elements: x, y, z. Unit: m/s. Frame: ned. Valid if
         /// [`valid_flags.velocity`](NedVelocityFlags::velocity) is set.
-        pub v: types::Vector3f,
+        pub velocity: types::Vector3f,
         /// Speed in space.
         ///
         /// Unit: m/s. Valid if [`valid_flags.speed_3d`](NedVelocityFlags::speed_3d) is set.
@@ -975,24 +975,24 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x91,0x06).
     #[derive(Default)]
-    pub struct GnssEcefVelocity {
+    pub struct EcefVelocity {
         /// Velocity.
         ///
         /// Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
-        /// [`valid_flags.velocity`](GnssEcefVelocityFlags::velocity) is set.
-        pub v: types::Vector3f,
+        /// [`valid_flags.velocity`](EcefVelocityFlags::velocity) is set.
+        pub velocity: types::Vector3f,
         /// Accuracy of the velocity.
         ///
         /// Unit: m/s. Valid if
-        /// [`valid_flags.velocity_accuracy`](GnssEcefVelocityFlags::velocity_accuracy) is set.
-        pub v_accuracy: f32,
+        /// [`valid_flags.velocity_accuracy`](EcefVelocityFlags::velocity_accuracy) is set.
+        pub velocity_accuracy: f32,
         /// Which values are valid.
-        pub valid_flags: GnssEcefVelocityFlags,
+        pub valid_flags: EcefVelocityFlags,
     }
 }
 
 field! {
-    GnssEcefVelocity: 0x91, 0x06, "gnss_1.gnss_ecef_velocity", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    EcefVelocity: 0x91, 0x06, "gnss_1.ecef_velocity", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
 }
 
 record! {
@@ -1240,26 +1240,26 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Hardware Status (0x91,0x0D).
     #[derive(Default)]
-    pub struct GnssHardwareStatus {
+    pub struct HardwareStatus {
         /// State of the receiver.
         ///
-        /// Valid if [`valid_flags.sensor_state`](GnssHardwareStatusFlags::sensor_state) is set.
+        /// Valid if [`valid_flags.sensor_state`](HardwareStatusFlags::sensor_state) is set.
         pub receiver_state: ReceiverState,
         /// State of the antenna.
         ///
-        /// Valid if [`valid_flags.antenna_state`](GnssHardwareStatusFlags::antenna_state) is set.
+        /// Valid if [`valid_flags.antenna_state`](HardwareStatusFlags::antenna_state) is set.
         pub antenna_state: AntennaState,
         /// Supply of the antenna.
         ///
-        /// Valid if [`valid_flags.antenna_power`](GnssHardwareStatusFlags::antenna_power) is set.
+        /// Valid if [`valid_flags.antenna_power`](HardwareStatusFlags::antenna_power) is set.
         pub antenna_power: AntennaPower,
         /// Which values are valid.
-        pub valid_flags: GnssHardwareStatusFlags,
+        pub valid_flags: HardwareStatusFlags,
     }
 }
 
 field! {
-    GnssHardwareStatus: 0x91, 0x0D, "gnss_1.gnss_hardware_status", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
+    HardwareStatus: 0x91, 0x0D, "gnss_1.hardware_status", in 0x91 | 0x81 | 0x92 | 0x93 | 0x94 | 0x95
 }
 
 record! {
@@ -1414,7 +1414,7 @@ record! {
         /// GPS time of week.
         ///
         /// Unit: s. Valid if [`valid_flags.tow`](SbasInfoFlags::tow) is set.
-        pub time_of_week: f64,
+        pub tow: f64,
         /// GPS week number.
         ///
         /// Unit: week. Valid if [`valid_flags.week_number`](SbasInfoFlags::week_number) is set.
@@ -1547,7 +1547,7 @@ record! {
         /// GPS time of week.
         ///
         /// Unit: s. Valid if [`valid_flags.tow`](SatelliteStatusFlags::tow) is set.
-        pub time_of_week: f64,
+        pub tow: f64,
         /// GPS week number.
         ///
         /// Unit: week. Valid if [`valid_flags.week_number`](SatelliteStatusFlags::week_number) is
@@ -1602,7 +1602,7 @@ record! {
         /// GPS time of week.
         ///
         /// Unit: s. Valid if [`valid_flags.tow`](RawFlags::tow) is set.
-        pub time_of_week: f64,
+        pub tow: f64,
         /// GPS week number.
         ///
         /// Unit: week. Valid if [`valid_flags.week_number`](RawFlags::week_number) is set.
@@ -1650,17 +1650,17 @@ record! {
         /// Uncertainty of the pseudorange.
         ///
         /// Unit: m. Valid if [`valid_flags.range_uncertainty`](RawFlags::range_uncertainty) is set.
-        pub range_uncert: f32,
+        pub range_uncertainty: f32,
         /// Uncertainty of the carrier phase.
         ///
         /// Unit: cycle. Valid if
         /// [`valid_flags.carrier_phase_uncertainty`](RawFlags::carrier_phase_uncertainty) is set.
-        pub phase_uncert: f32,
+        pub phase_uncertainty: f32,
         /// Uncertainty of the Doppler shift.
         ///
         /// Unit: Hz. Valid if [`valid_flags.doppler_uncertainty`](RawFlags::doppler_uncertainty) is
         /// set.
-        pub doppler_uncert: f32,
+        pub doppler_uncertainty: f32,
         /// Lower limit of the time that the carrier phase has been locked.
         ///
         /// Unit: s. Valid if [`valid_flags.lock_time`](RawFlags::lock_time) is set.
@@ -1685,7 +1685,7 @@ record! {
         /// GPS time of week at which the message was received.
         ///
         /// Unit: s. Valid if [`valid_flags.tow`](BaseStationInfoFlags::tow) is set.
-        pub time_of_week: f64,
+        pub tow: f64,
         /// GPS week number.
         ///
         /// Unit: week. Valid if [`valid_flags.week_number`](BaseStationInfoFlags::week_number) is
@@ -1695,7 +1695,7 @@ record! {
         ///
         /// Elements: x, y, z. Unit: m. Frame: ecef. Valid if
         /// [`valid_flags.ecef_position`](BaseStationInfoFlags::ecef_position) is set.
-        pub ecef_pos: types::Vector3d,
+        pub ecef_position: types::Vector3d,
         /// Height of the antenna above the marker that was surveyed.
         ///
         /// Unit: m. Valid if [`valid_flags.height`](BaseStationInfoFlags::height) is set.
@@ -1729,7 +1729,7 @@ record! {
         /// GPS time of week.
         ///
         /// Unit: s. Valid if [`valid_flags.tow`](RtkCorrectionsStatusFlags::tow) is set.
-        pub time_of_week: f64,
+        pub tow: f64,
         /// GPS week number.
         ///
         /// Unit: week. Valid if [`valid_flags.week_number`](RtkCorrectionsStatusFlags::week_number)
@@ -1784,7 +1784,7 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
-    /// - Iodec changes with the clock data; the manual has it roll over at 4.
+    /// - Iodc changes with the clock data; the manual has it roll over at 4.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61).
     #[derive(Default)]
@@ -1796,7 +1796,7 @@ record! {
         /// GPS time of week.
         ///
         /// Unit: s.
-        pub time_of_week: f64,
+        pub tow: f64,
         /// GPS week number.
         ///
         /// Unit: week.
@@ -1810,7 +1810,7 @@ record! {
         /// Issue of data, clock.
         ///
         /// Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
-        pub iodec: u8,
+        pub iodc: u8,
         /// Issue of data, ephemeris.
         ///
         /// Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
@@ -1944,7 +1944,7 @@ record! {
         /// GPS time of week.
         ///
         /// Unit: s.
-        pub time_of_week: f64,
+        pub tow: f64,
         /// GPS week number.
         ///
         /// Unit: week.
@@ -1955,7 +1955,7 @@ record! {
         ///
         /// Range: -7 to 24. Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is
         /// set.
-        pub freq_number: i8,
+        pub frequency_number: i8,
         /// Start of the frame within the day.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
@@ -1967,7 +1967,7 @@ record! {
         /// Generation of the satellite (M).
         ///
         /// Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
-        pub sat_type: GlonassSatelliteType,
+        pub satellite_type: GlonassSatelliteType,
         /// Relative deviation of the carrier frequency from its nominal value.
         ///
         /// Unit: 1. Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
@@ -1980,17 +1980,17 @@ record! {
         ///
         /// Elements: x, y, z. Unit: m. Valid if
         /// [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
-        pub x: types::Vector3d,
+        pub position: types::Vector3d,
         /// Velocity of the satellite in PZ-90.
         ///
         /// Elements: x, y, z. Unit: m/s. Valid if
         /// [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
-        pub v: types::Vector3f,
+        pub velocity: types::Vector3f,
         /// Acceleration of the satellite by perturbations, in PZ-90.
         ///
         /// Elements: x, y, z. Unit: m/s^2. Valid if
         /// [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
-        pub a: types::Vector3f,
+        pub accel: types::Vector3f,
         /// Health (Bn); not 0 if the satellite fails.
         ///
         /// Valid if [`valid_flags.ephemeris`](GlonassEphemerisFlags::ephemeris) is set.
@@ -2050,7 +2050,7 @@ record! {
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     ///   corrections hold here.
-    /// - Iodec changes with the clock data; the manual has it roll over at 4.
+    /// - Iodc changes with the clock data; the manual has it roll over at 4.
     ///
     /// Source: 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63).
     #[derive(Default)]
@@ -2062,7 +2062,7 @@ record! {
         /// GPS time of week.
         ///
         /// Unit: s.
-        pub time_of_week: f64,
+        pub tow: f64,
         /// GPS week number.
         ///
         /// Unit: week.
@@ -2076,7 +2076,7 @@ record! {
         /// Issue of data, clock.
         ///
         /// Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
-        pub iodec: u8,
+        pub iodc: u8,
         /// Issue of data, ephemeris.
         ///
         /// Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
@@ -2199,7 +2199,7 @@ record! {
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     ///   corrections hold here.
-    /// - Iodec changes with the clock data; the manual has it roll over at 4.
+    /// - Iodc changes with the clock data; the manual has it roll over at 4.
     ///
     /// Source: 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64).
     #[derive(Default)]
@@ -2211,7 +2211,7 @@ record! {
         /// GPS time of week.
         ///
         /// Unit: s.
-        pub time_of_week: f64,
+        pub tow: f64,
         /// GPS week number.
         ///
         /// Unit: week.
@@ -2225,7 +2225,7 @@ record! {
         /// Issue of data, clock.
         ///
         /// Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
-        pub iodec: u8,
+        pub iodc: u8,
         /// Issue of data, ephemeris.
         ///
         /// Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.

@@ -12,21 +12,21 @@ pub const SET: u8 = 0x92;
 ///
 /// GNSS position as latitude, longitude and height.
 ///
-/// Has the layout of [`gnss_1::GnssLlhPosition`](crate::gnss_1::GnssLlhPosition). Also called
-/// `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
+/// Has the layout of [`gnss_1::LlhPosition`](crate::gnss_1::LlhPosition). Also called `pos_llh`.
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// Source: 3dm-cv7-gnss-ins: GNSS LLH Position (0x92,0x03).
-pub type GnssLlhPosition = crate::gnss_1::GnssLlhPosition;
+pub type LlhPosition = crate::gnss_1::LlhPosition;
 
 /// GNSS ECEF position (0x92,0x04).
 ///
 /// GNSS position in Earth-fixed coordinates.
 ///
-/// Has the layout of [`gnss_1::GnssEcefPosition`](crate::gnss_1::GnssEcefPosition). Also called
-/// `pos_ecef`. Supported by 3DM-CV7-GNSS/INS.
+/// Has the layout of [`gnss_1::EcefPosition`](crate::gnss_1::EcefPosition). Also called `pos_ecef`.
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// Source: 3dm-cv7-gnss-ins: GNSS ECEF Position (0x92,0x04).
-pub type GnssEcefPosition = crate::gnss_1::GnssEcefPosition;
+pub type EcefPosition = crate::gnss_1::EcefPosition;
 
 /// NED velocity (0x92,0x05).
 ///
@@ -42,11 +42,11 @@ pub type NedVelocity = crate::gnss_1::NedVelocity;
 ///
 /// GNSS velocity in Earth-fixed coordinates.
 ///
-/// Has the layout of [`gnss_1::GnssEcefVelocity`](crate::gnss_1::GnssEcefVelocity). Also called
-/// `vel_ecef`. Supported by 3DM-CV7-GNSS/INS.
+/// Has the layout of [`gnss_1::EcefVelocity`](crate::gnss_1::EcefVelocity). Also called `vel_ecef`.
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// Source: 3dm-cv7-gnss-ins: GNSS ECEF Velocity (0x92,0x06).
-pub type GnssEcefVelocity = crate::gnss_1::GnssEcefVelocity;
+pub type EcefVelocity = crate::gnss_1::EcefVelocity;
 
 /// DOP (0x92,0x07).
 ///
@@ -111,11 +111,11 @@ pub type SvInfo = crate::gnss_1::SvInfo;
 ///
 /// State of the receiver and of its antenna.
 ///
-/// Has the layout of [`gnss_1::GnssHardwareStatus`](crate::gnss_1::GnssHardwareStatus). Also called
+/// Has the layout of [`gnss_1::HardwareStatus`](crate::gnss_1::HardwareStatus). Also called
 /// `hw_status`. Supported by 3DM-CV7-GNSS/INS.
 ///
 /// Source: 3dm-cv7-gnss-ins: GNSS Hardware Status (0x92,0x0D).
-pub type GnssHardwareStatus = crate::gnss_1::GnssHardwareStatus;
+pub type HardwareStatus = crate::gnss_1::HardwareStatus;
 
 /// DGPS info (0x92,0x0E).
 ///
@@ -243,7 +243,7 @@ pub type RtkCorrectionsStatus = crate::gnss_1::RtkCorrectionsStatus;
 /// Has the layout of [`gnss_1::GpsEphemeris`](crate::gnss_1::GpsEphemeris). Supported by
 /// 3DM-CV7-GNSS/INS.
 ///
-/// - Iodec changes with the clock data; the manual has it roll over at 4.
+/// - Iodc changes with the clock data; the manual has it roll over at 4.
 ///
 /// Source: 3dm-cv7-gnss-ins: GPS Ephemeris (0x92,0x61).
 pub type GpsEphemeris = crate::gnss_1::GpsEphemeris;
@@ -270,7 +270,7 @@ pub type GlonassEphemeris = crate::gnss_1::GlonassEphemeris;
 ///
 /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
 ///   corrections hold here.
-/// - Iodec changes with the clock data; the manual has it roll over at 4.
+/// - Iodc changes with the clock data; the manual has it roll over at 4.
 ///
 /// Source: 3dm-cv7-gnss-ins: Galileo Ephemeris (0x92,0x63).
 pub type GalileoEphemeris = crate::gnss_1::GalileoEphemeris;
@@ -284,7 +284,7 @@ pub type GalileoEphemeris = crate::gnss_1::GalileoEphemeris;
 ///
 /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
 ///   corrections hold here.
-/// - Iodec changes with the clock data; the manual has it roll over at 4.
+/// - Iodc changes with the clock data; the manual has it roll over at 4.
 ///
 /// Source: 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x92,0x64).
 pub type BeidouEphemeris = crate::gnss_1::BeidouEphemeris;

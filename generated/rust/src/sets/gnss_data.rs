@@ -12,21 +12,19 @@ pub const SET: u8 = 0x81;
 ///
 /// GNSS position as latitude, longitude and height.
 ///
-/// Has the layout of [`gnss_1::GnssLlhPosition`](crate::gnss_1::GnssLlhPosition). Also called
-/// `pos_llh`.
+/// Has the layout of [`gnss_1::LlhPosition`](crate::gnss_1::LlhPosition). Also called `pos_llh`.
 ///
 /// Source: mip-sdk-4: Gnss Data (0x81).
-pub type GnssLlhPosition = crate::gnss_1::GnssLlhPosition;
+pub type LlhPosition = crate::gnss_1::LlhPosition;
 
 /// GNSS ECEF position (0x81,0x04).
 ///
 /// GNSS position in Earth-fixed coordinates.
 ///
-/// Has the layout of [`gnss_1::GnssEcefPosition`](crate::gnss_1::GnssEcefPosition). Also called
-/// `pos_ecef`.
+/// Has the layout of [`gnss_1::EcefPosition`](crate::gnss_1::EcefPosition). Also called `pos_ecef`.
 ///
 /// Source: mip-sdk-4: Gnss Data (0x81).
-pub type GnssEcefPosition = crate::gnss_1::GnssEcefPosition;
+pub type EcefPosition = crate::gnss_1::EcefPosition;
 
 /// NED velocity (0x81,0x05).
 ///
@@ -41,11 +39,10 @@ pub type NedVelocity = crate::gnss_1::NedVelocity;
 ///
 /// GNSS velocity in Earth-fixed coordinates.
 ///
-/// Has the layout of [`gnss_1::GnssEcefVelocity`](crate::gnss_1::GnssEcefVelocity). Also called
-/// `vel_ecef`.
+/// Has the layout of [`gnss_1::EcefVelocity`](crate::gnss_1::EcefVelocity). Also called `vel_ecef`.
 ///
 /// Source: 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06).
-pub type GnssEcefVelocity = crate::gnss_1::GnssEcefVelocity;
+pub type EcefVelocity = crate::gnss_1::EcefVelocity;
 
 /// DOP (0x81,0x07).
 ///
@@ -110,11 +107,11 @@ pub type SvInfo = crate::gnss_1::SvInfo;
 ///
 /// State of the receiver and of its antenna.
 ///
-/// Has the layout of [`gnss_1::GnssHardwareStatus`](crate::gnss_1::GnssHardwareStatus). Also called
+/// Has the layout of [`gnss_1::HardwareStatus`](crate::gnss_1::HardwareStatus). Also called
 /// `hw_status`.
 ///
 /// Source: mip-sdk-4: Gnss Data (0x81).
-pub type GnssHardwareStatus = crate::gnss_1::GnssHardwareStatus;
+pub type HardwareStatus = crate::gnss_1::HardwareStatus;
 
 /// DGPS info (0x81,0x0E).
 ///
@@ -238,7 +235,7 @@ pub type RtkCorrectionsStatus = crate::gnss_1::RtkCorrectionsStatus;
 ///
 /// Has the layout of [`gnss_1::GpsEphemeris`](crate::gnss_1::GpsEphemeris).
 ///
-/// - Iodec changes with the clock data; the manual has it roll over at 4.
+/// - Iodc changes with the clock data; the manual has it roll over at 4.
 ///
 /// Source: mip-sdk-4: Gnss Data (0x81).
 pub type GpsEphemeris = crate::gnss_1::GpsEphemeris;
@@ -264,7 +261,7 @@ pub type GlonassEphemeris = crate::gnss_1::GlonassEphemeris;
 ///
 /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
 ///   corrections hold here.
-/// - Iodec changes with the clock data; the manual has it roll over at 4.
+/// - Iodc changes with the clock data; the manual has it roll over at 4.
 ///
 /// Source: mip-sdk-4: Gnss Data (0x81).
 pub type GalileoEphemeris = crate::gnss_1::GalileoEphemeris;
@@ -277,7 +274,7 @@ pub type GalileoEphemeris = crate::gnss_1::GalileoEphemeris;
 ///
 /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
 ///   corrections hold here.
-/// - Iodec changes with the clock data; the manual has it roll over at 4.
+/// - Iodc changes with the clock data; the manual has it roll over at 4.
 ///
 /// Source: mip-sdk-4: Gnss Data (0x81).
 pub type BeidouEphemeris = crate::gnss_1::BeidouEphemeris;

@@ -14,21 +14,20 @@ pub const SET: u8 = 0x94;
 ///
 /// GNSS position as latitude, longitude and height.
 ///
-/// Has the layout of [`gnss_1::GnssLlhPosition`](crate::gnss_1::GnssLlhPosition). Also called
-/// `pos_llh`. Supported by 3DM-CV7-GNSS/INS.
+/// Has the layout of [`gnss_1::LlhPosition`](crate::gnss_1::LlhPosition). Also called `pos_llh`.
+/// Supported by 3DM-CV7-GNSS/INS.
 ///
 /// Source: 3dm-cv7-gnss-ins: GNSS LLH Position (0x94,0x03).
-pub type GnssLlhPosition = crate::gnss_1::GnssLlhPosition;
+pub type LlhPosition = crate::gnss_1::LlhPosition;
 
 /// GNSS ECEF position (0x94,0x04).
 ///
 /// GNSS position in Earth-fixed coordinates.
 ///
-/// Has the layout of [`gnss_1::GnssEcefPosition`](crate::gnss_1::GnssEcefPosition). Also called
-/// `pos_ecef`.
+/// Has the layout of [`gnss_1::EcefPosition`](crate::gnss_1::EcefPosition). Also called `pos_ecef`.
 ///
 /// Source: mip-sdk-4: Gnss4 Data (0x94).
-pub type GnssEcefPosition = crate::gnss_1::GnssEcefPosition;
+pub type EcefPosition = crate::gnss_1::EcefPosition;
 
 /// NED velocity (0x94,0x05).
 ///
@@ -44,11 +43,10 @@ pub type NedVelocity = crate::gnss_1::NedVelocity;
 ///
 /// GNSS velocity in Earth-fixed coordinates.
 ///
-/// Has the layout of [`gnss_1::GnssEcefVelocity`](crate::gnss_1::GnssEcefVelocity). Also called
-/// `vel_ecef`.
+/// Has the layout of [`gnss_1::EcefVelocity`](crate::gnss_1::EcefVelocity). Also called `vel_ecef`.
 ///
 /// Source: mip-sdk-4: Gnss4 Data (0x94).
-pub type GnssEcefVelocity = crate::gnss_1::GnssEcefVelocity;
+pub type EcefVelocity = crate::gnss_1::EcefVelocity;
 
 /// DOP (0x94,0x07).
 ///
@@ -113,11 +111,11 @@ pub type SvInfo = crate::gnss_1::SvInfo;
 ///
 /// State of the receiver and of its antenna.
 ///
-/// Has the layout of [`gnss_1::GnssHardwareStatus`](crate::gnss_1::GnssHardwareStatus). Also called
+/// Has the layout of [`gnss_1::HardwareStatus`](crate::gnss_1::HardwareStatus). Also called
 /// `hw_status`.
 ///
 /// Source: mip-sdk-4: Gnss4 Data (0x94).
-pub type GnssHardwareStatus = crate::gnss_1::GnssHardwareStatus;
+pub type HardwareStatus = crate::gnss_1::HardwareStatus;
 
 /// DGPS info (0x94,0x0E).
 ///
@@ -242,7 +240,7 @@ pub type RtkCorrectionsStatus = crate::gnss_1::RtkCorrectionsStatus;
 ///
 /// Has the layout of [`gnss_1::GpsEphemeris`](crate::gnss_1::GpsEphemeris).
 ///
-/// - Iodec changes with the clock data; the manual has it roll over at 4.
+/// - Iodc changes with the clock data; the manual has it roll over at 4.
 ///
 /// Source: mip-sdk-4: Gnss4 Data (0x94).
 pub type GpsEphemeris = crate::gnss_1::GpsEphemeris;
@@ -268,7 +266,7 @@ pub type GlonassEphemeris = crate::gnss_1::GlonassEphemeris;
 ///
 /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
 ///   corrections hold here.
-/// - Iodec changes with the clock data; the manual has it roll over at 4.
+/// - Iodc changes with the clock data; the manual has it roll over at 4.
 ///
 /// Source: mip-sdk-4: Gnss4 Data (0x94).
 pub type GalileoEphemeris = crate::gnss_1::GalileoEphemeris;
@@ -281,7 +279,7 @@ pub type GalileoEphemeris = crate::gnss_1::GalileoEphemeris;
 ///
 /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
 ///   corrections hold here.
-/// - Iodec changes with the clock data; the manual has it roll over at 4.
+/// - Iodc changes with the clock data; the manual has it roll over at 4.
 ///
 /// Source: mip-sdk-4: Gnss4 Data (0x94).
 pub type BeidouEphemeris = crate::gnss_1::BeidouEphemeris;

@@ -165,7 +165,7 @@ open_enum! {
     /// Which part of the event system is asked about.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
-    SupportedEventsQuery: u8 {
+    EventSupportQuery: u8 {
         /// Triggers.
         TRIGGER_TYPES = 1, "trigger_types";
         /// Actions.
@@ -178,7 +178,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Info.
     #[derive(Default)]
-    pub struct SupportedEventInfo {
+    pub struct EventSupportInfo {
         /// A value of event_trigger_type if triggers were asked about, else of event_action_type.
         pub type_: u8,
         /// Instances of this type at most.
@@ -193,7 +193,7 @@ record! {
 }
 
 constructors! {
-    SupportedEventInfo
+    EventSupportInfo
 
     /// Puts the values together.
     fn new(type_: u8, count: u8);
@@ -269,7 +269,7 @@ open_enum! {
         /// Magnetometer; gauss.
         MAG = 3, "mag";
         /// Pressure sensor; hectopascals, that is millibars.
-        PRESS = 4, "press";
+        PRESSURE = 4, "pressure";
     }
 }
 
@@ -433,7 +433,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.2 Poll Estimation Filter Data (0x0C, 0x03).
     #[derive(Default)]
-    pub struct PollEstimationFilterData {
+    pub struct PollFilterData {
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
         /// Fields to send.
@@ -447,18 +447,18 @@ record! {
 }
 
 constructors! {
-    PollEstimationFilterData
+    PollFilterData
 
     /// The command with its parameters.
     fn new(suppress_ack: bool, descriptors: impl Into<crate::List<PollEntry, 83>>);
 }
 
 field! {
-    PollEstimationFilterData: 0x0C, 0x03, "3dm.poll_estimation_filter_data"
+    PollFilterData: 0x0C, 0x03, "3dm.poll_filter_data"
 }
 
 command! {
-    PollEstimationFilterData -> ();
+    PollFilterData -> ();
     silent if suppress_ack = crate::Bool(1);
 }
 
@@ -514,28 +514,28 @@ record! {
     ///
     /// Asks for the rate that the decimations of the IMU message format divide.
     ///
-    /// Also called `imu_get_base_rate`. Answered by [`GetImuDataBaseRateResponse`]. Supported by
+    /// Also called `imu_get_base_rate`. Answered by [`GetImuBaseRateResponse`]. Supported by
     /// 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
     #[derive(Default)]
-    pub struct GetImuDataBaseRate;
+    pub struct GetImuBaseRate;
 }
 
 constructors! {
-    GetImuDataBaseRate
+    GetImuBaseRate
 
     /// The command with its parameters.
     fn new();
 }
 
 field! {
-    GetImuDataBaseRate: 0x0C, 0x06, "3dm.get_imu_data_base_rate"
+    GetImuBaseRate: 0x0C, 0x06, "3dm.get_imu_base_rate"
 }
 
 command! {
-    GetImuDataBaseRate -> GetImuDataBaseRateResponse;
-    responds GetImuDataBaseRateResponse;
+    GetImuBaseRate -> GetImuBaseRateResponse;
+    responds GetImuBaseRateResponse;
 }
 
 record! {
@@ -543,27 +543,27 @@ record! {
     ///
     /// Asks for the rate that the decimations of the GNSS message format divide.
     ///
-    /// Also called `gnss_get_base_rate`. Answered by [`GetGnssDataBaseRateResponse`].
+    /// Also called `gnss_get_base_rate`. Answered by [`GetGnssBaseRateResponse`].
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
     #[derive(Default)]
-    pub struct GetGnssDataBaseRate;
+    pub struct GetGnssBaseRate;
 }
 
 constructors! {
-    GetGnssDataBaseRate
+    GetGnssBaseRate
 
     /// The command with its parameters.
     fn new();
 }
 
 field! {
-    GetGnssDataBaseRate: 0x0C, 0x07, "3dm.get_gnss_data_base_rate"
+    GetGnssBaseRate: 0x0C, 0x07, "3dm.get_gnss_base_rate"
 }
 
 command! {
-    GetGnssDataBaseRate -> GetGnssDataBaseRateResponse;
-    responds GetGnssDataBaseRateResponse;
+    GetGnssBaseRate -> GetGnssBaseRateResponse;
+    responds GetGnssBaseRateResponse;
 }
 
 record! {
@@ -695,8 +695,8 @@ record! {
     ///
     /// Fields of the filter data packets (0x82), in order, with their decimations.
     ///
-    /// Also called `filter_message_format`. Functions: write, read, save, load and default.
-    /// Answered by [`EstimationFilterMessageFormatResponse`]. Supported by 3DM-GX5-15.
+    /// Functions: write, read, save, load and default. Answered by [`FilterMessageFormatResponse`].
+    /// Supported by 3DM-GX5-15.
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
     /// `descriptors`. Required for write.
@@ -707,7 +707,7 @@ record! {
     ///   changes nothing.
     ///
     /// Source: 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A).
-    pub struct EstimationFilterMessageFormat {
+    pub struct FilterMessageFormat {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Fields and decimations.
@@ -726,7 +726,7 @@ record! {
 }
 
 constructors! {
-    EstimationFilterMessageFormat { function, descriptors }
+    FilterMessageFormat { function, descriptors }
 
     /// Apply the new setting.
     fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
@@ -745,12 +745,12 @@ constructors! {
 }
 
 field! {
-    EstimationFilterMessageFormat: 0x0C, 0x0A, "3dm.estimation_filter_message_format"
+    FilterMessageFormat: 0x0C, 0x0A, "3dm.filter_message_format"
 }
 
 command! {
-    EstimationFilterMessageFormat -> EstimationFilterMessageFormatResponse;
-    responds EstimationFilterMessageFormatResponse for READ;
+    FilterMessageFormat -> FilterMessageFormatResponse;
+    responds FilterMessageFormatResponse for READ;
 }
 
 record! {
@@ -758,28 +758,28 @@ record! {
     ///
     /// Asks for the rate that the decimations of the estimation filter message format divide.
     ///
-    /// Also called `filter_get_base_rate`. Answered by [`GetEstimationFilterDataBaseRateResponse`].
-    /// Supported by 3DM-GX5-15.
+    /// Also called `filter_get_base_rate`. Answered by [`GetFilterBaseRateResponse`]. Supported by
+    /// 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
     #[derive(Default)]
-    pub struct GetEstimationFilterDataBaseRate;
+    pub struct GetFilterBaseRate;
 }
 
 constructors! {
-    GetEstimationFilterDataBaseRate
+    GetFilterBaseRate
 
     /// The command with its parameters.
     fn new();
 }
 
 field! {
-    GetEstimationFilterDataBaseRate: 0x0C, 0x0B, "3dm.get_estimation_filter_data_base_rate"
+    GetFilterBaseRate: 0x0C, 0x0B, "3dm.get_filter_base_rate"
 }
 
 command! {
-    GetEstimationFilterDataBaseRate -> GetEstimationFilterDataBaseRateResponse;
-    responds GetEstimationFilterDataBaseRateResponse;
+    GetFilterBaseRate -> GetFilterBaseRateResponse;
+    responds GetFilterBaseRateResponse;
 }
 
 record! {
@@ -864,14 +864,14 @@ record! {
         /// Data descriptor set.
         ///
         /// Range: 128 to 254.
-        pub desc_set: u8,
+        pub descriptor_set: u8,
         /// Send no acknowledge.
         pub suppress_ack: crate::Bool,
         /// Field descriptors.
         pub descriptors: crate::List<u8, 250>,
     }
     wire 253 {
-        [desc_set]
+        [descriptor_set]
         [suppress_ack]
         [num_descriptors: u8 counts descriptors]
         [descriptors by num_descriptors]
@@ -883,7 +883,7 @@ constructors! {
 
     /// The command with its parameters.
     fn new(
-        desc_set: u8,
+        descriptor_set: u8,
         suppress_ack: bool,
         descriptors: impl Into<crate::List<u8, 250>>,
     );
@@ -903,33 +903,32 @@ record! {
     ///
     /// Asks for the rate that the decimations of a descriptor set divide.
     ///
-    /// Also called `get_base_rate`. Answered by [`GetDataBaseRateResponse`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// Answered by [`GetBaseRateResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
     #[derive(Default)]
-    pub struct GetDataBaseRate {
+    pub struct GetBaseRate {
         /// Data descriptor set.
         ///
         /// Range: 128 to 254.
-        pub desc_set: u8,
+        pub descriptor_set: u8,
     }
 }
 
 constructors! {
-    GetDataBaseRate
+    GetBaseRate
 
     /// The command with its parameters.
-    fn new(desc_set: u8);
+    fn new(descriptor_set: u8);
 }
 
 field! {
-    GetDataBaseRate: 0x0C, 0x0E, "3dm.get_data_base_rate"
+    GetBaseRate: 0x0C, 0x0E, "3dm.get_base_rate"
 }
 
 command! {
-    GetDataBaseRate -> GetDataBaseRateResponse;
-    responds GetDataBaseRateResponse;
+    GetBaseRate -> GetBaseRateResponse;
+    responds GetBaseRateResponse;
 }
 
 record! {
@@ -953,7 +952,7 @@ record! {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Data descriptor set; 0 means all of them (save, load, default).
-        pub desc_set: Option<u8>,
+        pub descriptor_set: Option<u8>,
         /// Fields and decimations.
         ///
         /// Required for write.
@@ -961,7 +960,7 @@ record! {
     }
     wire 252 {
         [function selects]
-        [desc_set for WRITE READ SAVE LOAD DEFAULT]
+        [descriptor_set for WRITE READ SAVE LOAD DEFAULT]
         [(descriptors) for WRITE {
 
             [num_descriptors: u8 counts descriptors]
@@ -971,22 +970,22 @@ record! {
 }
 
 constructors! {
-    MessageFormat { function, desc_set, descriptors }
+    MessageFormat { function, descriptor_set, descriptors }
 
     /// Apply the new setting.
-    fn write(desc_set: u8, descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
+    fn write(descriptor_set: u8, descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
 
     /// Send the current setting back in a response.
-    fn read(desc_set: u8) = READ;
+    fn read(descriptor_set: u8) = READ;
 
     /// Save the current setting to non-volatile memory.
-    fn save(desc_set: u8) = SAVE;
+    fn save(descriptor_set: u8) = SAVE;
 
     /// Load the saved setting.
-    fn load(desc_set: u8) = LOAD;
+    fn load(descriptor_set: u8) = LOAD;
 
     /// Load the factory default setting.
-    fn load_default(desc_set: u8) = DEFAULT;
+    fn load_default(descriptor_set: u8) = DEFAULT;
 }
 
 field! {
@@ -1049,7 +1048,7 @@ record! {
         /// Data descriptor set; 0 means all streams (save, load, default).
         ///
         /// On the 3DM-GX5-15: values of [`LegacyDataStream`].
-        pub desc_set: Option<u8>,
+        pub descriptor_set: Option<u8>,
         /// Whether the stream is sent.
         ///
         /// Default: true. Required for write.
@@ -1057,38 +1056,38 @@ record! {
     }
     wire 3 {
         [function selects]
-        [desc_set for WRITE READ SAVE LOAD DEFAULT]
+        [descriptor_set for WRITE READ SAVE LOAD DEFAULT]
         [enable for WRITE]
     }
 }
 
 constructors! {
-    DataStreamControl { function, desc_set, enable }
+    DataStreamControl { function, descriptor_set, enable }
 
     /// Apply the new setting.
-    fn write(desc_set: u8, enable: bool) = WRITE;
+    fn write(descriptor_set: u8, enable: bool) = WRITE;
 
     /// Send the current setting back in a response.
-    fn read(desc_set: u8) = READ;
+    fn read(descriptor_set: u8) = READ;
 
     /// Save the current setting to non-volatile memory.
-    fn save(desc_set: u8) = SAVE;
+    fn save(descriptor_set: u8) = SAVE;
 
     /// Load the saved setting.
-    fn load(desc_set: u8) = LOAD;
+    fn load(descriptor_set: u8) = LOAD;
 
     /// Load the factory default setting.
-    fn load_default(desc_set: u8) = DEFAULT;
+    fn load_default(descriptor_set: u8) = DEFAULT;
 }
 
 #[rustfmt::skip]
 impl DataStreamControl {
-    /// Reads `desc_set` as [`LegacyDataStream`].
+    /// Reads `descriptor_set` as [`LegacyDataStream`].
     ///
     /// On the 3DM-GX5-15: values of [`LegacyDataStream`].
     #[must_use]
-    pub fn desc_set_as_legacy_data_stream(&self) -> Option<LegacyDataStream> {
-        self.desc_set.map(Into::into)
+    pub fn descriptor_set_as_legacy_data_stream(&self) -> Option<LegacyDataStream> {
+        self.descriptor_set.map(Into::into)
     }
 }
 
@@ -1424,31 +1423,30 @@ record! {
     ///
     /// Asks which types of event triggers or actions there are and how many of each.
     ///
-    /// Also called `get_event_support`. Answered by [`GetSupportedEventsResponse`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// Answered by [`GetEventSupportResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
     #[derive(Default)]
-    pub struct GetSupportedEvents {
+    pub struct GetEventSupport {
         /// Triggers or actions.
-        pub query: SupportedEventsQuery,
+        pub query: EventSupportQuery,
     }
 }
 
 constructors! {
-    GetSupportedEvents
+    GetEventSupport
 
     /// The command with its parameters.
-    fn new(query: SupportedEventsQuery);
+    fn new(query: EventSupportQuery);
 }
 
 field! {
-    GetSupportedEvents: 0x0C, 0x2A, "3dm.get_supported_events"
+    GetEventSupport: 0x0C, 0x2A, "3dm.get_event_support"
 }
 
 command! {
-    GetSupportedEvents -> GetSupportedEventsResponse;
-    responds GetSupportedEventsResponse;
+    GetEventSupport -> GetEventSupportResponse;
+    responds GetEventSupportResponse;
 }
 
 record! {
@@ -1590,13 +1588,13 @@ record! {
     /// Kind and condition of an event trigger.
     ///
     /// Also called `event_trigger`. Functions: write, read, save, load and default. Answered by
-    /// [`EventTriggerConfigurationResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// [`EventTriggerConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - The trigger is disabled afterwards; the event control command enables it.
     /// - A GPIO trigger needs its pin configured by the GPIO configuration command.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
-    pub struct EventTriggerConfiguration {
+    pub struct EventTriggerConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Trigger instance; 0 means all (save, load, default).
@@ -1608,7 +1606,7 @@ record! {
         /// The condition.
         ///
         /// Selected by `type_`. Required for write.
-        pub parameters: Option<EventTriggerConfigurationParameters>,
+        pub parameters: Option<EventTriggerConfigParameters>,
     }
     wire 23 {
         [function selects]
@@ -1619,8 +1617,8 @@ record! {
 }
 
 union! {
-    /// The alternatives of `parameters` in [`EventTriggerConfiguration`].
-    pub enum EventTriggerConfigurationParameters: types::EventTriggerType {
+    /// The alternatives of `parameters` in [`EventTriggerConfig`].
+    pub enum EventTriggerConfigParameters: types::EventTriggerType {
         /// The slot is free. It is never active and cannot be enabled.
         ///
         /// Empty if `type_` is [`types::EventTriggerType::NONE`].
@@ -1638,14 +1636,14 @@ union! {
         /// If `type_` is [`types::EventTriggerType::COMBINATION`].
         COMBINATION => Combination(types::EventTriggerCombination) "combination",
     }
-    default EventTriggerConfigurationParameters::None
+    default EventTriggerConfigParameters::None
 }
 
 constructors! {
-    EventTriggerConfiguration { function, instance, type_, parameters }
+    EventTriggerConfig { function, instance, type_, parameters }
 
     /// Apply the new setting.
-    fn write(instance: u8, parameters: EventTriggerConfigurationParameters) = WRITE, type_: parameters.tag();
+    fn write(instance: u8, parameters: EventTriggerConfigParameters) = WRITE, type_: parameters.tag();
 
     /// Send the current setting back in a response.
     fn read(instance: u8) = READ;
@@ -1661,12 +1659,12 @@ constructors! {
 }
 
 field! {
-    EventTriggerConfiguration: 0x0C, 0x2E, "3dm.event_trigger_configuration"
+    EventTriggerConfig: 0x0C, 0x2E, "3dm.event_trigger_config"
 }
 
 command! {
-    EventTriggerConfiguration -> EventTriggerConfigurationResponse;
-    responds EventTriggerConfigurationResponse for READ;
+    EventTriggerConfig -> EventTriggerConfigResponse;
+    responds EventTriggerConfigResponse for READ;
 }
 
 record! {
@@ -1675,14 +1673,14 @@ record! {
     /// Trigger and effect of an event action.
     ///
     /// Also called `event_action`. Functions: write, read, save, load and default. Answered by
-    /// [`EventActionConfigurationResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// [`EventActionConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - A packet holds one descriptor set; for several sets use several actions with the same
     ///   trigger.
     /// - A GPIO action needs its pin configured as an output with the gpio feature.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F).
-    pub struct EventActionConfiguration {
+    pub struct EventActionConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Action instance; 0 means all (save, load, default).
@@ -1698,7 +1696,7 @@ record! {
         /// The effect.
         ///
         /// Selected by `type_`. Required for write.
-        pub parameters: Option<EventActionConfigurationParameters>,
+        pub parameters: Option<EventActionConfigParameters>,
     }
     wire 253 {
         [function selects]
@@ -1710,8 +1708,8 @@ record! {
 }
 
 union! {
-    /// The alternatives of `parameters` in [`EventActionConfiguration`].
-    pub enum EventActionConfigurationParameters: types::EventActionType {
+    /// The alternatives of `parameters` in [`EventActionConfig`].
+    pub enum EventActionConfigParameters: types::EventActionType {
         /// The slot is free.
         ///
         /// Empty if `type_` is [`types::EventActionType::NONE`].
@@ -1725,17 +1723,17 @@ union! {
         /// If `type_` is [`types::EventActionType::MESSAGE`].
         MESSAGE => Message(types::EventActionMessage) "message",
     }
-    default EventActionConfigurationParameters::None
+    default EventActionConfigParameters::None
 }
 
 constructors! {
-    EventActionConfiguration { function, instance, trigger, type_, parameters }
+    EventActionConfig { function, instance, trigger, type_, parameters }
 
     /// Apply the new setting.
     fn write(
         instance: u8,
         trigger: u8,
-        parameters: EventActionConfigurationParameters,
+        parameters: EventActionConfigParameters,
     ) = WRITE, type_: parameters.tag();
 
     /// Send the current setting back in a response.
@@ -1752,12 +1750,12 @@ constructors! {
 }
 
 field! {
-    EventActionConfiguration: 0x0C, 0x2F, "3dm.event_action_configuration"
+    EventActionConfig: 0x0C, 0x2F, "3dm.event_action_config"
 }
 
 command! {
-    EventActionConfiguration -> EventActionConfigurationResponse;
-    responds EventActionConfigurationResponse for READ;
+    EventActionConfig -> EventActionConfigResponse;
+    responds EventActionConfigResponse for READ;
 }
 
 record! {
@@ -1765,21 +1763,21 @@ record! {
     ///
     /// Saves, loads or resets all settings of the device at once.
     ///
-    /// Also called `device_settings`. Functions: save, load and default. The device may take 1 s to
-    /// answer. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Functions: save, load and default. The device may take 1 s to answer. Supported by
+    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// - A save may disturb the data output for a short time.
     ///
     /// Source: 3dm-gx5-15: 4.2.8 Device Startup Settings (0x0C, 0x30); 3dm-cv7-gnss-ins: Device
     /// Start Up Settings (0x0C,0x30).
-    pub struct DeviceStartUpSettings {
+    pub struct DeviceSettings {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
     }
 }
 
 constructors! {
-    DeviceStartUpSettings { function }
+    DeviceSettings { function }
 
     /// Save the current setting to non-volatile memory.
     fn save() = SAVE;
@@ -1792,11 +1790,11 @@ constructors! {
 }
 
 field! {
-    DeviceStartUpSettings: 0x0C, 0x30, "3dm.device_start_up_settings"
+    DeviceSettings: 0x0C, 0x30, "3dm.device_settings"
 }
 
 command! {
-    DeviceStartUpSettings -> ();
+    DeviceSettings -> ();
     timeout 1000;
 }
 
@@ -1806,7 +1804,7 @@ record! {
     /// Mounting of the sensor in the vehicle as Euler angles.
     ///
     /// Also called `sensor_2_vehicle_transform_euler`. Functions: write, read, save, load and
-    /// default. Answered by [`SensorToVehicleFrameTransformationEulerResponse`]. Supported by
+    /// default. Answered by [`SensorToVehicleTransformEulerResponse`]. Supported by
     /// 3DM-CV7-GNSS/INS.
     ///
     /// - The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read
@@ -1821,7 +1819,7 @@ record! {
     /// - On some older products the setting means the inverse rotation.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
-    pub struct SensorToVehicleFrameTransformationEuler {
+    pub struct SensorToVehicleTransformEuler {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Rotation about the x axis.
@@ -1846,7 +1844,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleFrameTransformationEuler { function, roll, pitch, yaw }
+    SensorToVehicleTransformEuler { function, roll, pitch, yaw }
 
     /// Apply the new setting.
     fn write(
@@ -1869,12 +1867,12 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleFrameTransformationEuler: 0x0C, 0x31, "3dm.sensor_to_vehicle_frame_transformation_euler"
+    SensorToVehicleTransformEuler: 0x0C, 0x31, "3dm.sensor_to_vehicle_transform_euler"
 }
 
 command! {
-    SensorToVehicleFrameTransformationEuler -> SensorToVehicleFrameTransformationEulerResponse;
-    responds SensorToVehicleFrameTransformationEulerResponse for READ;
+    SensorToVehicleTransformEuler -> SensorToVehicleTransformEulerResponse;
+    responds SensorToVehicleTransformEulerResponse for READ;
 }
 
 record! {
@@ -1883,7 +1881,7 @@ record! {
     /// Mounting of the sensor in the vehicle as a quaternion.
     ///
     /// Also called `sensor_2_vehicle_transform_quaternion`. Functions: write, read, save, load and
-    /// default. Answered by [`SensorToVehicleFrameTransformationQuaternionResponse`]. Supported by
+    /// default. Answered by [`SensorToVehicleTransformQuaternionResponse`]. Supported by
     /// 3DM-CV7-GNSS/INS.
     ///
     /// - The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read
@@ -1891,7 +1889,7 @@ record! {
     /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
-    pub struct SensorToVehicleFrameTransformationQuaternion {
+    pub struct SensorToVehicleTransformQuaternion {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
@@ -1906,7 +1904,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleFrameTransformationQuaternion { function, q }
+    SensorToVehicleTransformQuaternion { function, q }
 
     /// Apply the new setting.
     fn write(q: impl Into<types::Quatf>) = WRITE;
@@ -1925,12 +1923,12 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleFrameTransformationQuaternion: 0x0C, 0x32, "3dm.sensor_to_vehicle_frame_transformation_quaternion"
+    SensorToVehicleTransformQuaternion: 0x0C, 0x32, "3dm.sensor_to_vehicle_transform_quaternion"
 }
 
 command! {
-    SensorToVehicleFrameTransformationQuaternion -> SensorToVehicleFrameTransformationQuaternionResponse;
-    responds SensorToVehicleFrameTransformationQuaternionResponse for READ;
+    SensorToVehicleTransformQuaternion -> SensorToVehicleTransformQuaternionResponse;
+    responds SensorToVehicleTransformQuaternionResponse for READ;
 }
 
 record! {
@@ -1939,8 +1937,7 @@ record! {
     /// Mounting of the sensor in the vehicle as a direction cosine matrix.
     ///
     /// Also called `sensor_2_vehicle_transform_dcm`. Functions: write, read, save, load and
-    /// default. Answered by [`SensorToVehicleFrameTransformationDirectionCosineMatrixResponse`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// default. Answered by [`SensorToVehicleTransformDcmResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read
     ///   back may be another form of it.
@@ -1949,7 +1946,7 @@ record! {
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
     /// (0x0C,0x33).
-    pub struct SensorToVehicleFrameTransformationDirectionCosineMatrix {
+    pub struct SensorToVehicleTransformDcm {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// The matrix in row-major order.
@@ -1964,7 +1961,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleFrameTransformationDirectionCosineMatrix { function, dcm }
+    SensorToVehicleTransformDcm { function, dcm }
 
     /// Apply the new setting.
     fn write(dcm: impl Into<types::Matrix3f>) = WRITE;
@@ -1983,12 +1980,12 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleFrameTransformationDirectionCosineMatrix: 0x0C, 0x33, "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix"
+    SensorToVehicleTransformDcm: 0x0C, 0x33, "3dm.sensor_to_vehicle_transform_dcm"
 }
 
 command! {
-    SensorToVehicleFrameTransformationDirectionCosineMatrix -> SensorToVehicleFrameTransformationDirectionCosineMatrixResponse;
-    responds SensorToVehicleFrameTransformationDirectionCosineMatrixResponse for READ;
+    SensorToVehicleTransformDcm -> SensorToVehicleTransformDcmResponse;
+    responds SensorToVehicleTransformDcmResponse for READ;
 }
 
 record! {
@@ -1996,13 +1993,13 @@ record! {
     ///
     /// Bias that is subtracted from the scaled acceleration.
     ///
-    /// For advanced use. Also called `accel_bias`. Functions: write, read, save, load, default and
-    /// apply. Answered by [`AccelerometerBiasConfigurationResponse`]. Supported by 3DM-CV7-GNSS/INS
-    /// and 3DM-GX5-15. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+    /// For advanced use. Functions: write, read, save, load, default and apply. Answered by
+    /// [`AccelBiasResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the
+    /// 3DM-CV7-GNSS/INS: write, read, save, load and default only.
     ///
     /// Source: 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37); 3dm-cv7-gnss-ins: Accelerometer Bias
     /// Configuration (0x0C,0x37).
-    pub struct AccelerometerBiasConfiguration {
+    pub struct AccelBias {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Accelerometer bias.
@@ -2017,7 +2014,7 @@ record! {
 }
 
 constructors! {
-    AccelerometerBiasConfiguration { function, bias }
+    AccelBias { function, bias }
 
     /// Apply the new setting.
     fn write(bias: impl Into<types::Vector3f>) = WRITE;
@@ -2039,12 +2036,12 @@ constructors! {
 }
 
 field! {
-    AccelerometerBiasConfiguration: 0x0C, 0x37, "3dm.accelerometer_bias_configuration"
+    AccelBias: 0x0C, 0x37, "3dm.accel_bias"
 }
 
 command! {
-    AccelerometerBiasConfiguration -> AccelerometerBiasConfigurationResponse;
-    responds AccelerometerBiasConfigurationResponse for READ;
+    AccelBias -> AccelBiasResponse;
+    responds AccelBiasResponse for READ;
     silent for APPLY;
 }
 
@@ -2053,13 +2050,13 @@ record! {
     ///
     /// Bias that is subtracted from the scaled angular rate.
     ///
-    /// For advanced use. Also called `gyro_bias`. Functions: write, read, save, load, default and
-    /// apply. Answered by [`GyroscopeBiasConfigurationResponse`]. Supported by 3DM-CV7-GNSS/INS and
-    /// 3DM-GX5-15. On the 3DM-CV7-GNSS/INS: write, read, save, load and default only.
+    /// For advanced use. Functions: write, read, save, load, default and apply. Answered by
+    /// [`GyroBiasResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15. On the 3DM-CV7-GNSS/INS:
+    /// write, read, save, load and default only.
     ///
     /// Source: 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38); 3dm-cv7-gnss-ins: Gyroscope Bias
     /// Configuration (0x0C,0x38).
-    pub struct GyroscopeBiasConfiguration {
+    pub struct GyroBias {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Gyroscope bias.
@@ -2074,7 +2071,7 @@ record! {
 }
 
 constructors! {
-    GyroscopeBiasConfiguration { function, bias }
+    GyroBias { function, bias }
 
     /// Apply the new setting.
     fn write(bias: impl Into<types::Vector3f>) = WRITE;
@@ -2096,12 +2093,12 @@ constructors! {
 }
 
 field! {
-    GyroscopeBiasConfiguration: 0x0C, 0x38, "3dm.gyroscope_bias_configuration"
+    GyroBias: 0x0C, 0x38, "3dm.gyro_bias"
 }
 
 command! {
-    GyroscopeBiasConfiguration -> GyroscopeBiasConfigurationResponse;
-    responds GyroscopeBiasConfigurationResponse for READ;
+    GyroBias -> GyroBiasResponse;
+    responds GyroBiasResponse for READ;
     silent for APPLY;
 }
 
@@ -2110,8 +2107,8 @@ record! {
     ///
     /// Averages the angular rate of the device at rest and takes the result as the gyroscope bias.
     ///
-    /// Also called `capture_gyro_bias`. Answered by [`GyroscopeBiasConfigurationResponse`]. The
-    /// device may take 31 s to answer. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answered by [`GyroBiasResponse`]. The device may take 31 s to answer. Supported by
+    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// - The device must stand still, with as little vibration as possible, for the whole time.
     /// - The reply comes after the averaging time.
@@ -2121,7 +2118,7 @@ record! {
     /// Source: 3dm-gx5-15: 4.2.11 Capture Gyro Bias (0x0C, 0x39); 3dm-cv7-gnss-ins: Capture
     /// Gyroscope Bias (0x0C,0x39).
     #[derive(Default)]
-    pub struct CaptureGyroscopeBias {
+    pub struct CaptureGyroBias {
         /// Time to average over.
         ///
         /// Unit: ms. Range: 1000 to 30000.
@@ -2130,19 +2127,19 @@ record! {
 }
 
 constructors! {
-    CaptureGyroscopeBias
+    CaptureGyroBias
 
     /// The command with its parameters.
     fn new(averaging_time_ms: u16);
 }
 
 field! {
-    CaptureGyroscopeBias: 0x0C, 0x39, "3dm.capture_gyroscope_bias"
+    CaptureGyroBias: 0x0C, 0x39, "3dm.capture_gyro_bias"
 }
 
 command! {
-    CaptureGyroscopeBias -> GyroscopeBiasConfigurationResponse;
-    responds GyroscopeBiasConfigurationResponse;
+    CaptureGyroBias -> GyroBiasResponse;
+    responds GyroBiasResponse;
     timeout 31000;
 }
 
@@ -2151,13 +2148,13 @@ record! {
     ///
     /// Offset that corrects the scaled magnetic field for hard iron.
     ///
-    /// Also called `mag_hard_iron_offset`. Functions: write, read, save, load and default. Answered
-    /// by [`MagnetometerHardIronOffsetResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: write, read, save, load and default. Answered by [`MagHardIronOffsetResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - The values come from a calibration of the device as it is installed.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A).
-    pub struct MagnetometerHardIronOffset {
+    pub struct MagHardIronOffset {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Hard iron offset.
@@ -2172,7 +2169,7 @@ record! {
 }
 
 constructors! {
-    MagnetometerHardIronOffset { function, offset }
+    MagHardIronOffset { function, offset }
 
     /// Apply the new setting.
     fn write(offset: impl Into<types::Vector3f>) = WRITE;
@@ -2191,12 +2188,12 @@ constructors! {
 }
 
 field! {
-    MagnetometerHardIronOffset: 0x0C, 0x3A, "3dm.magnetometer_hard_iron_offset"
+    MagHardIronOffset: 0x0C, 0x3A, "3dm.mag_hard_iron_offset"
 }
 
 command! {
-    MagnetometerHardIronOffset -> MagnetometerHardIronOffsetResponse;
-    responds MagnetometerHardIronOffsetResponse for READ;
+    MagHardIronOffset -> MagHardIronOffsetResponse;
+    responds MagHardIronOffsetResponse for READ;
 }
 
 record! {
@@ -2204,32 +2201,32 @@ record! {
     ///
     /// Matrix that corrects the scaled magnetic field for soft iron.
     ///
-    /// Also called `mag_soft_iron_matrix`. Functions: write, read, save, load and default. Answered
-    /// by [`MagnetometerSoftIronMatrixResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: write, read, save, load and default. Answered by [`MagSoftIronMatrixResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - The values come from a calibration of the device as it is installed.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B).
-    pub struct MagnetometerSoftIronMatrix {
+    pub struct MagSoftIronMatrix {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Soft iron matrix in row-major order.
         ///
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: sensor. Required
         /// for write.
-        pub offset: Option<types::Matrix3f>,
+        pub matrix: Option<types::Matrix3f>,
     }
     wire 37 {
         [function selects]
-        [offset for WRITE]
+        [matrix for WRITE]
     }
 }
 
 constructors! {
-    MagnetometerSoftIronMatrix { function, offset }
+    MagSoftIronMatrix { function, matrix }
 
     /// Apply the new setting.
-    fn write(offset: impl Into<types::Matrix3f>) = WRITE;
+    fn write(matrix: impl Into<types::Matrix3f>) = WRITE;
 
     /// Send the current setting back in a response.
     fn read() = READ;
@@ -2245,12 +2242,12 @@ constructors! {
 }
 
 field! {
-    MagnetometerSoftIronMatrix: 0x0C, 0x3B, "3dm.magnetometer_soft_iron_matrix"
+    MagSoftIronMatrix: 0x0C, 0x3B, "3dm.mag_soft_iron_matrix"
 }
 
 command! {
-    MagnetometerSoftIronMatrix -> MagnetometerSoftIronMatrixResponse;
-    responds MagnetometerSoftIronMatrixResponse for READ;
+    MagSoftIronMatrix -> MagSoftIronMatrixResponse;
+    responds MagSoftIronMatrixResponse for READ;
 }
 
 record! {
@@ -2258,11 +2255,11 @@ record! {
     ///
     /// Switches the compensation of coning and sculling on or off.
     ///
-    /// Also called `coning_sculling_enable`. Functions: write, read, save, load and default.
-    /// Answered by [`ConingAndScullingEnableResponse`]. Supported by 3DM-GX5-15.
+    /// Functions: write, read, save, load and default. Answered by
+    /// [`ConingScullingEnableResponse`]. Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
-    pub struct ConingAndScullingEnable {
+    pub struct ConingScullingEnable {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Whether the compensation is on.
@@ -2277,7 +2274,7 @@ record! {
 }
 
 constructors! {
-    ConingAndScullingEnable { function, enable }
+    ConingScullingEnable { function, enable }
 
     /// Apply the new setting.
     fn write(enable: bool) = WRITE;
@@ -2296,12 +2293,12 @@ constructors! {
 }
 
 field! {
-    ConingAndScullingEnable: 0x0C, 0x3E, "3dm.coning_and_sculling_enable"
+    ConingScullingEnable: 0x0C, 0x3E, "3dm.coning_sculling_enable"
 }
 
 command! {
-    ConingAndScullingEnable -> ConingAndScullingEnableResponse;
-    responds ConingAndScullingEnableResponse for READ;
+    ConingScullingEnable -> ConingScullingEnableResponse;
+    responds ConingScullingEnableResponse for READ;
 }
 
 record! {
@@ -2367,8 +2364,8 @@ record! {
     ///
     /// What a GPIO pin is used for.
     ///
-    /// Also called `gpio_config`. Functions: write, read, save, load and default. Answered by
-    /// [`GpioConfigurationResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// Functions: write, read, save, load and default. Answered by [`GpioConfigResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - Not every pin has every feature.
     /// - Configure the function behind an output before its pin, and the pin of an input before its
@@ -2379,7 +2376,7 @@ record! {
     ///   takes over.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41).
-    pub struct GpioConfiguration {
+    pub struct GpioConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// GPIO pin, counted from 1; 0 means all pins (save, load, default).
@@ -2413,7 +2410,7 @@ record! {
 }
 
 constructors! {
-    GpioConfiguration { function, pin, feature, behavior, pin_mode }
+    GpioConfig { function, pin, feature, behavior, pin_mode }
 
     /// Apply the new setting.
     fn write(
@@ -2437,7 +2434,7 @@ constructors! {
 }
 
 #[rustfmt::skip]
-impl GpioConfiguration {
+impl GpioConfig {
     /// Reads `behavior` as [`types::GpioUnusedBehavior`].
     ///
     /// If `feature` is [`types::GpioFeature::UNUSED`]: values of [`types::GpioUnusedBehavior`].
@@ -2495,12 +2492,12 @@ impl GpioConfiguration {
 }
 
 field! {
-    GpioConfiguration: 0x0C, 0x41, "3dm.gpio_configuration"
+    GpioConfig: 0x0C, 0x41, "3dm.gpio_config"
 }
 
 command! {
-    GpioConfiguration -> GpioConfigurationResponse;
-    responds GpioConfigurationResponse for READ;
+    GpioConfig -> GpioConfigResponse;
+    responds GpioConfigResponse for READ;
 }
 
 record! {
@@ -2561,10 +2558,10 @@ record! {
     /// Input from a wheel encoder.
     ///
     /// Also called `odometer`. Functions: write, read, save, load and default. Answered by
-    /// [`OdometerConfigurationResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// [`OdometerConfigResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
-    pub struct OdometerConfiguration {
+    pub struct OdometerConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// How the input works.
@@ -2591,7 +2588,7 @@ record! {
 }
 
 constructors! {
-    OdometerConfiguration { function, mode, scaling, uncertainty }
+    OdometerConfig { function, mode, scaling, uncertainty }
 
     /// Apply the new setting.
     fn write(
@@ -2614,12 +2611,12 @@ constructors! {
 }
 
 field! {
-    OdometerConfiguration: 0x0C, 0x43, "3dm.odometer_configuration"
+    OdometerConfig: 0x0C, 0x43, "3dm.odometer_config"
 }
 
 command! {
-    OdometerConfiguration -> OdometerConfigurationResponse;
-    responds OdometerConfigurationResponse for READ;
+    OdometerConfig -> OdometerConfigResponse;
+    responds OdometerConfigResponse for READ;
 }
 
 record! {
@@ -2627,17 +2624,17 @@ record! {
     ///
     /// Low-pass filter of one quantity of the sensor data.
     ///
-    /// Deprecated: use [`LowPassAntiAliasingFilter`] where the device has it. For advanced use.
-    /// Also called `imu_lowpass_filter`. Functions: write, read, save, load and default. Answered
-    /// by [`AdvancedLowPassFilterSettingsResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Deprecated: use [`LowPassFilter`] where the device has it. For advanced use. Also called
+    /// `imu_lowpass_filter`. Functions: write, read, save, load and default. Answered by
+    /// [`ImuLowPassFilterResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// - The filter has one pole. By default it is on and its cutoff is half the rate of the
     ///   message format.
     ///
     /// Source: 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50); 3dm-cv7-gnss-ins:
     /// Advanced Low-Pass Filter Settings (0x0C,0x50).
-    #[deprecated(note = "use 3dm.low_pass_anti_aliasing_filter where the device has it")]
-    pub struct AdvancedLowPassFilterSettings {
+    #[deprecated(note = "use 3dm.low_pass_filter where the device has it")]
+    pub struct ImuLowPassFilter {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
@@ -2673,7 +2670,7 @@ record! {
 }
 
 constructors! {
-    AdvancedLowPassFilterSettings { function, target_descriptor, enable, manual, frequency, reserved }
+    ImuLowPassFilter { function, target_descriptor, enable, manual, frequency, reserved }
 
     /// Apply the new setting.
     fn write(
@@ -2697,12 +2694,12 @@ constructors! {
 }
 
 field! {
-    AdvancedLowPassFilterSettings: 0x0C, 0x50, "3dm.advanced_low_pass_filter_settings"
+    ImuLowPassFilter: 0x0C, 0x50, "3dm.imu_low_pass_filter"
 }
 
 command! {
-    AdvancedLowPassFilterSettings -> AdvancedLowPassFilterSettingsResponse;
-    responds AdvancedLowPassFilterSettingsResponse for READ;
+    ImuLowPassFilter -> ImuLowPassFilterResponse;
+    responds ImuLowPassFilterResponse for READ;
 }
 
 record! {
@@ -2711,9 +2708,8 @@ record! {
     /// Corrections of the complementary filter, which makes attitudes apart from the estimation
     /// filter.
     ///
-    /// Also called `complementary_filter`. Functions: write, read, save, load and default. Answered
-    /// by [`ComplementaryFilterConfigurationResponse`]. Supported by 3DM-CV7-GNSS/INS and
-    /// 3DM-GX5-15.
+    /// Functions: write, read, save, load and default. Answered by [`ComplementaryFilterResponse`].
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// - Pitch and roll follow the accelerometers, which takes the mean acceleration to be zero.
     /// - The heading follows the magnetometer, if the device has one.
@@ -2723,7 +2719,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51); 3dm-cv7-gnss-ins:
     /// Complementary Filter Configuration (0x0C,0x51).
-    pub struct ComplementaryFilterConfiguration {
+    pub struct ComplementaryFilter {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Corrects pitch and roll (up, in terms of the 5-series).
@@ -2753,7 +2749,7 @@ record! {
 }
 
 constructors! {
-    ComplementaryFilterConfiguration { function, pitch_roll_enable, heading_enable, pitch_roll_time_constant, heading_time_constant }
+    ComplementaryFilter { function, pitch_roll_enable, heading_enable, pitch_roll_time_constant, heading_time_constant }
 
     /// Apply the new setting.
     fn write(
@@ -2777,12 +2773,12 @@ constructors! {
 }
 
 field! {
-    ComplementaryFilterConfiguration: 0x0C, 0x51, "3dm.complementary_filter_configuration"
+    ComplementaryFilter: 0x0C, 0x51, "3dm.complementary_filter"
 }
 
 command! {
-    ComplementaryFilterConfiguration -> ComplementaryFilterConfigurationResponse;
-    responds ComplementaryFilterConfigurationResponse for READ;
+    ComplementaryFilter -> ComplementaryFilterResponse;
+    responds ComplementaryFilterResponse for READ;
 }
 
 record! {
@@ -2880,19 +2876,19 @@ record! {
     /// Low-pass filter of a data field.
     ///
     /// Also called `lowpass_filter`. Functions: write, read, save, load and default. Answered by
-    /// [`LowPassAntiAliasingFilterResponse`]. Supported by 3DM-CV7-GNSS/INS.
+    /// [`LowPassFilterResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - Except for read, a field descriptor of 0 means all fields of the set, and both 0 mean all
     ///   sets.
     ///
     /// Source: 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54).
-    pub struct LowPassAntiAliasingFilter {
+    pub struct LowPassFilter {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Descriptor set of the field.
-        pub desc_set: Option<u8>,
+        pub descriptor_set: Option<u8>,
         /// Field descriptor; 0 if the set is 0.
-        pub field_desc: Option<u8>,
+        pub field_descriptor: Option<u8>,
         /// Whether the field is filtered.
         ///
         /// Required for write.
@@ -2908,8 +2904,8 @@ record! {
     }
     wire 9 {
         [function selects]
-        [desc_set for WRITE READ SAVE LOAD DEFAULT]
-        [field_desc for WRITE READ SAVE LOAD DEFAULT]
+        [descriptor_set for WRITE READ SAVE LOAD DEFAULT]
+        [field_descriptor for WRITE READ SAVE LOAD DEFAULT]
         [enable for WRITE]
         [manual for WRITE]
         [frequency for WRITE]
@@ -2917,37 +2913,37 @@ record! {
 }
 
 constructors! {
-    LowPassAntiAliasingFilter { function, desc_set, field_desc, enable, manual, frequency }
+    LowPassFilter { function, descriptor_set, field_descriptor, enable, manual, frequency }
 
     /// Apply the new setting.
     fn write(
-        desc_set: u8,
-        field_desc: u8,
+        descriptor_set: u8,
+        field_descriptor: u8,
         enable: bool,
         manual: bool,
         frequency: f32,
     ) = WRITE;
 
     /// Send the current setting back in a response.
-    fn read(desc_set: u8, field_desc: u8) = READ;
+    fn read(descriptor_set: u8, field_descriptor: u8) = READ;
 
     /// Save the current setting to non-volatile memory.
-    fn save(desc_set: u8, field_desc: u8) = SAVE;
+    fn save(descriptor_set: u8, field_descriptor: u8) = SAVE;
 
     /// Load the saved setting.
-    fn load(desc_set: u8, field_desc: u8) = LOAD;
+    fn load(descriptor_set: u8, field_descriptor: u8) = LOAD;
 
     /// Load the factory default setting.
-    fn load_default(desc_set: u8, field_desc: u8) = DEFAULT;
+    fn load_default(descriptor_set: u8, field_descriptor: u8) = DEFAULT;
 }
 
 field! {
-    LowPassAntiAliasingFilter: 0x0C, 0x54, "3dm.low_pass_anti_aliasing_filter"
+    LowPassFilter: 0x0C, 0x54, "3dm.low_pass_filter"
 }
 
 command! {
-    LowPassAntiAliasingFilter -> LowPassAntiAliasingFilterResponse;
-    responds LowPassAntiAliasingFilterResponse for READ;
+    LowPassFilter -> LowPassFilterResponse;
+    responds LowPassFilterResponse for READ;
 }
 
 record! {
@@ -3054,15 +3050,14 @@ field! {
 record! {
     /// Estimation Filter Message Format response (0x0C,0x82).
     ///
-    /// Also called `filter_message_format_response`. Answers [`EstimationFilterMessageFormat`].
-    /// Supported by 3DM-GX5-15.
+    /// Answers [`FilterMessageFormat`]. Supported by 3DM-GX5-15.
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
     /// `descriptors`.
     ///
     /// Source: 3dm-gx5-15: 4.2.6 Estimation Filter Message Format (0x0C, 0x0A).
     #[derive(Default)]
-    pub struct EstimationFilterMessageFormatResponse {
+    pub struct FilterMessageFormatResponse {
         /// Fields and decimations.
         pub descriptors: crate::List<types::DescriptorRate, 84>,
     }
@@ -3073,18 +3068,18 @@ record! {
 }
 
 field! {
-    EstimationFilterMessageFormatResponse: 0x0C, 0x82, "3dm.estimation_filter_message_format_response", answers EstimationFilterMessageFormat
+    FilterMessageFormatResponse: 0x0C, 0x82, "3dm.filter_message_format_response", answers FilterMessageFormat
 }
 
 record! {
     /// Get IMU Data Base Rate response (0x0C,0x83).
     ///
-    /// Also called `imu_get_base_rate_response`. Answers [`GetImuDataBaseRate`]. Supported by
+    /// Also called `imu_get_base_rate_response`. Answers [`GetImuBaseRate`]. Supported by
     /// 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.2.3 Get IMU Data Base Rate (0x0C, 0x06).
     #[derive(Default)]
-    pub struct GetImuDataBaseRateResponse {
+    pub struct GetImuBaseRateResponse {
         /// Base rate of the sensor data.
         ///
         /// Unit: Hz.
@@ -3093,17 +3088,17 @@ record! {
 }
 
 field! {
-    GetImuDataBaseRateResponse: 0x0C, 0x83, "3dm.get_imu_data_base_rate_response", answers GetImuDataBaseRate
+    GetImuBaseRateResponse: 0x0C, 0x83, "3dm.get_imu_base_rate_response", answers GetImuBaseRate
 }
 
 record! {
     /// Get GNSS Data Base Rate response (0x0C,0x84).
     ///
-    /// Also called `gnss_get_base_rate_response`. Answers [`GetGnssDataBaseRate`].
+    /// Also called `gnss_get_base_rate_response`. Answers [`GetGnssBaseRate`].
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
     #[derive(Default)]
-    pub struct GetGnssDataBaseRateResponse {
+    pub struct GetGnssBaseRateResponse {
         /// Base rate of the GNSS data.
         ///
         /// Unit: Hz.
@@ -3112,7 +3107,7 @@ record! {
 }
 
 field! {
-    GetGnssDataBaseRateResponse: 0x0C, 0x84, "3dm.get_gnss_data_base_rate_response", answers GetGnssDataBaseRate
+    GetGnssBaseRateResponse: 0x0C, 0x84, "3dm.get_gnss_base_rate_response", answers GetGnssBaseRate
 }
 
 record! {
@@ -3128,7 +3123,7 @@ record! {
         /// Stream of the command.
         ///
         /// On the 3DM-GX5-15: values of [`LegacyDataStream`].
-        pub desc_set: u8,
+        pub descriptor_set: u8,
         /// Whether the stream is sent.
         pub enabled: crate::Bool,
     }
@@ -3136,12 +3131,12 @@ record! {
 
 #[rustfmt::skip]
 impl DataStreamControlResponse {
-    /// Reads `desc_set` as [`LegacyDataStream`].
+    /// Reads `descriptor_set` as [`LegacyDataStream`].
     ///
     /// On the 3DM-GX5-15: values of [`LegacyDataStream`].
     #[must_use]
-    pub fn desc_set_as_legacy_data_stream(&self) -> LegacyDataStream {
-        self.desc_set.into()
+    pub fn descriptor_set_as_legacy_data_stream(&self) -> LegacyDataStream {
+        self.descriptor_set.into()
     }
 }
 
@@ -3173,12 +3168,12 @@ field! {
 record! {
     /// Get Estimation Filter Data Base Rate response (0x0C,0x8A).
     ///
-    /// Also called `filter_get_base_rate_response`. Answers [`GetEstimationFilterDataBaseRate`].
-    /// Supported by 3DM-GX5-15.
+    /// Also called `filter_get_base_rate_response`. Answers [`GetFilterBaseRate`]. Supported by
+    /// 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.2.4 Get Estimation Filter Data Base Rate (0x0C, 0x0B).
     #[derive(Default)]
-    pub struct GetEstimationFilterDataBaseRateResponse {
+    pub struct GetFilterBaseRateResponse {
         /// Base rate of the filter data.
         ///
         /// Unit: Hz.
@@ -3187,19 +3182,19 @@ record! {
 }
 
 field! {
-    GetEstimationFilterDataBaseRateResponse: 0x0C, 0x8A, "3dm.get_estimation_filter_data_base_rate_response", answers GetEstimationFilterDataBaseRate
+    GetFilterBaseRateResponse: 0x0C, 0x8A, "3dm.get_filter_base_rate_response", answers GetFilterBaseRate
 }
 
 record! {
     /// Advanced Low-Pass Filter Settings response (0x0C,0x8B).
     ///
-    /// Also called `imu_lowpass_filter_response`. Answers [`AdvancedLowPassFilterSettings`].
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Also called `imu_lowpass_filter_response`. Answers [`ImuLowPassFilter`]. Supported by
+    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50); 3dm-cv7-gnss-ins:
     /// Advanced Low-Pass Filter Settings (0x0C,0x50).
     #[derive(Default)]
-    pub struct AdvancedLowPassFilterSettingsResponse {
+    pub struct ImuLowPassFilterResponse {
         /// Field descriptor in the sensor data set: scaled acceleration 0x04, angular rate 0x05,
         /// magnetic field 0x06 or pressure 0x17.
         pub target_descriptor: u8,
@@ -3221,7 +3216,7 @@ record! {
 }
 
 field! {
-    AdvancedLowPassFilterSettingsResponse: 0x0C, 0x8B, "3dm.advanced_low_pass_filter_settings_response", answers AdvancedLowPassFilterSettings
+    ImuLowPassFilterResponse: 0x0C, 0x8B, "3dm.imu_low_pass_filter_response", answers ImuLowPassFilter
 }
 
 record! {
@@ -3251,14 +3246,13 @@ field! {
 record! {
     /// Get Data Base Rate response (0x0C,0x8E).
     ///
-    /// Also called `get_base_rate_response`. Answers [`GetDataBaseRate`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// Answers [`GetBaseRate`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Data Base Rate (0x0C,0x0E).
     #[derive(Default)]
-    pub struct GetDataBaseRateResponse {
+    pub struct GetBaseRateResponse {
         /// Data descriptor set of the command.
-        pub desc_set: u8,
+        pub descriptor_set: u8,
         /// Base rate; 0 if the rate is variable or unknown and data is sent as it comes.
         ///
         /// Unit: Hz.
@@ -3267,7 +3261,7 @@ record! {
 }
 
 field! {
-    GetDataBaseRateResponse: 0x0C, 0x8E, "3dm.get_data_base_rate_response", answers GetDataBaseRate
+    GetBaseRateResponse: 0x0C, 0x8E, "3dm.get_base_rate_response", answers GetBaseRate
 }
 
 record! {
@@ -3282,12 +3276,12 @@ record! {
     #[derive(Default)]
     pub struct MessageFormatResponse {
         /// Data descriptor set; 0 means all of them (save, load, default).
-        pub desc_set: u8,
+        pub descriptor_set: u8,
         /// Fields and decimations.
         pub descriptors: crate::List<types::DescriptorRate, 83>,
     }
     wire 251 {
-        [desc_set]
+        [descriptor_set]
         [num_descriptors: u8 counts descriptors]
         [descriptors by num_descriptors]
     }
@@ -3372,19 +3366,19 @@ record! {
         /// Bytes written to the port.
         ///
         /// Unit: byte.
-        pub com_port_bytes_written: u32,
+        pub comm_port_bytes_written: u32,
         /// Bytes read from the port.
         ///
         /// Unit: byte.
-        pub com_port_bytes_read: u32,
+        pub comm_port_bytes_read: u32,
         /// Overruns while writing to the port.
         ///
         /// Unit: 1.
-        pub com_port_write_overruns: u32,
+        pub comm_port_write_overruns: u32,
         /// Overruns while reading from the port.
         ///
         /// Unit: 1.
-        pub com_port_read_overruns: u32,
+        pub comm_port_read_overruns: u32,
         /// Messages of the IMU that could not be parsed.
         ///
         /// Unit: 1.
@@ -3408,10 +3402,10 @@ record! {
         [filter_stream_enabled]
         [imu_dropped_packets]
         [filter_dropped_packets]
-        [com_port_bytes_written]
-        [com_port_bytes_read]
-        [com_port_write_overruns]
-        [com_port_read_overruns]
+        [comm_port_bytes_written]
+        [comm_port_bytes_read]
+        [comm_port_write_overruns]
+        [comm_port_read_overruns]
         [imu_parser_errors]
         [imu_message_count]
         [imu_last_message_time]
@@ -3425,13 +3419,12 @@ field! {
 record! {
     /// Complementary Filter Configuration response (0x0C,0x97).
     ///
-    /// Also called `complementary_filter_response`. Answers [`ComplementaryFilterConfiguration`].
-    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`ComplementaryFilter`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.2.15 Complementary Filter Settings (0x0C, 0x51); 3dm-cv7-gnss-ins:
     /// Complementary Filter Configuration (0x0C,0x51).
     #[derive(Default)]
-    pub struct ComplementaryFilterConfigurationResponse {
+    pub struct ComplementaryFilterResponse {
         /// Corrects pitch and roll (up, in terms of the 5-series).
         pub pitch_roll_enable: crate::Bool,
         /// Corrects the heading (north, in terms of the 5-series).
@@ -3448,19 +3441,18 @@ record! {
 }
 
 field! {
-    ComplementaryFilterConfigurationResponse: 0x0C, 0x97, "3dm.complementary_filter_configuration_response", answers ComplementaryFilterConfiguration
+    ComplementaryFilterResponse: 0x0C, 0x97, "3dm.complementary_filter_response", answers ComplementaryFilter
 }
 
 record! {
     /// Accelerometer Bias Configuration response (0x0C,0x9A).
     ///
-    /// Also called `accel_bias_response`. Answers [`AccelerometerBiasConfiguration`]. Supported by
-    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Answers [`AccelBias`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.2.9 Accel Bias (0x0C, 0x37); 3dm-cv7-gnss-ins: Accelerometer Bias
     /// Configuration (0x0C,0x37).
     #[derive(Default)]
-    pub struct AccelerometerBiasConfigurationResponse {
+    pub struct AccelBiasResponse {
         /// Accelerometer bias.
         ///
         /// Elements: x, y, z. Unit: g. Frame: sensor.
@@ -3469,7 +3461,7 @@ record! {
 }
 
 field! {
-    AccelerometerBiasConfigurationResponse: 0x0C, 0x9A, "3dm.accelerometer_bias_configuration_response", answers AccelerometerBiasConfiguration
+    AccelBiasResponse: 0x0C, 0x9A, "3dm.accel_bias_response", answers AccelBias
 }
 
 record! {
@@ -3477,14 +3469,13 @@ record! {
     ///
     /// The bias in use.
     ///
-    /// Also called `gyro_bias_response` and `capture_gyro_bias_response`. Answers
-    /// [`GyroscopeBiasConfiguration`] and [`CaptureGyroscopeBias`]. Supported by 3DM-CV7-GNSS/INS
-    /// and 3DM-GX5-15.
+    /// Also called `capture_gyro_bias_response`. Answers [`GyroBias`] and [`CaptureGyroBias`].
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.2.10 Gyro Bias (0x0C, 0x38); 3dm-cv7-gnss-ins: Gyroscope Bias
     /// Configuration (0x0C,0x38).
     #[derive(Default)]
-    pub struct GyroscopeBiasConfigurationResponse {
+    pub struct GyroBiasResponse {
         /// Gyroscope bias.
         ///
         /// Elements: x, y, z. Unit: rad/s. Frame: sensor.
@@ -3493,18 +3484,17 @@ record! {
 }
 
 field! {
-    GyroscopeBiasConfigurationResponse: 0x0C, 0x9B, "3dm.gyroscope_bias_configuration_response", answers GyroscopeBiasConfiguration CaptureGyroscopeBias
+    GyroBiasResponse: 0x0C, 0x9B, "3dm.gyro_bias_response", answers GyroBias CaptureGyroBias
 }
 
 record! {
     /// Magnetometer Hard Iron Offset response (0x0C,0x9C).
     ///
-    /// Also called `mag_hard_iron_offset_response`. Answers [`MagnetometerHardIronOffset`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`MagHardIronOffset`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Hard Iron Offset (0x0C,0x3A).
     #[derive(Default)]
-    pub struct MagnetometerHardIronOffsetResponse {
+    pub struct MagHardIronOffsetResponse {
         /// Hard iron offset.
         ///
         /// Elements: x, y, z. Unit: gauss. Frame: sensor.
@@ -3513,38 +3503,36 @@ record! {
 }
 
 field! {
-    MagnetometerHardIronOffsetResponse: 0x0C, 0x9C, "3dm.magnetometer_hard_iron_offset_response", answers MagnetometerHardIronOffset
+    MagHardIronOffsetResponse: 0x0C, 0x9C, "3dm.mag_hard_iron_offset_response", answers MagHardIronOffset
 }
 
 record! {
     /// Magnetometer Soft Iron Matrix response (0x0C,0x9D).
     ///
-    /// Also called `mag_soft_iron_matrix_response`. Answers [`MagnetometerSoftIronMatrix`].
-    /// Supported by 3DM-CV7-GNSS/INS.
+    /// Answers [`MagSoftIronMatrix`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Magnetometer Soft Iron Matrix (0x0C,0x3B).
     #[derive(Default)]
-    pub struct MagnetometerSoftIronMatrixResponse {
+    pub struct MagSoftIronMatrixResponse {
         /// Soft iron matrix in row-major order.
         ///
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. Frame: sensor.
-        pub offset: types::Matrix3f,
+        pub matrix: types::Matrix3f,
     }
 }
 
 field! {
-    MagnetometerSoftIronMatrixResponse: 0x0C, 0x9D, "3dm.magnetometer_soft_iron_matrix_response", answers MagnetometerSoftIronMatrix
+    MagSoftIronMatrixResponse: 0x0C, 0x9D, "3dm.mag_soft_iron_matrix_response", answers MagSoftIronMatrix
 }
 
 record! {
     /// Coning and Sculling Enable response (0x0C,0x9E).
     ///
-    /// Also called `coning_sculling_enable_response`. Answers [`ConingAndScullingEnable`].
-    /// Supported by 3DM-GX5-15.
+    /// Answers [`ConingScullingEnable`]. Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.2.12 Coning and Sculling Enable (0x0C, 0x3E).
     #[derive(Default)]
-    pub struct ConingAndScullingEnableResponse {
+    pub struct ConingScullingEnableResponse {
         /// Whether the compensation is on.
         ///
         /// Default: true.
@@ -3553,7 +3541,7 @@ record! {
 }
 
 field! {
-    ConingAndScullingEnableResponse: 0x0C, 0x9E, "3dm.coning_and_sculling_enable_response", answers ConingAndScullingEnable
+    ConingScullingEnableResponse: 0x0C, 0x9E, "3dm.coning_sculling_enable_response", answers ConingScullingEnable
 }
 
 record! {
@@ -3706,11 +3694,11 @@ record! {
     /// Sensor-to-Vehicle Frame Transformation Euler response (0x0C,0xB1).
     ///
     /// Also called `sensor_2_vehicle_transform_euler_response`. Answers
-    /// [`SensorToVehicleFrameTransformationEuler`]. Supported by 3DM-CV7-GNSS/INS.
+    /// [`SensorToVehicleTransformEuler`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31).
     #[derive(Default)]
-    pub struct SensorToVehicleFrameTransformationEulerResponse {
+    pub struct SensorToVehicleTransformEulerResponse {
         /// Rotation about the x axis.
         ///
         /// Unit: rad.
@@ -3727,18 +3715,18 @@ record! {
 }
 
 field! {
-    SensorToVehicleFrameTransformationEulerResponse: 0x0C, 0xB1, "3dm.sensor_to_vehicle_frame_transformation_euler_response", answers SensorToVehicleFrameTransformationEuler
+    SensorToVehicleTransformEulerResponse: 0x0C, 0xB1, "3dm.sensor_to_vehicle_transform_euler_response", answers SensorToVehicleTransformEuler
 }
 
 record! {
     /// Sensor-to-Vehicle Frame Transformation Quaternion response (0x0C,0xB2).
     ///
     /// Also called `sensor_2_vehicle_transform_quaternion_response`. Answers
-    /// [`SensorToVehicleFrameTransformationQuaternion`]. Supported by 3DM-CV7-GNSS/INS.
+    /// [`SensorToVehicleTransformQuaternion`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
     #[derive(Default)]
-    pub struct SensorToVehicleFrameTransformationQuaternionResponse {
+    pub struct SensorToVehicleTransformQuaternionResponse {
         /// Unit quaternion that transforms vectors from the sensor frame to the vehicle frame.
         ///
         /// Elements: w, x, y, z. Unit: 1.
@@ -3747,19 +3735,19 @@ record! {
 }
 
 field! {
-    SensorToVehicleFrameTransformationQuaternionResponse: 0x0C, 0xB2, "3dm.sensor_to_vehicle_frame_transformation_quaternion_response", answers SensorToVehicleFrameTransformationQuaternion
+    SensorToVehicleTransformQuaternionResponse: 0x0C, 0xB2, "3dm.sensor_to_vehicle_transform_quaternion_response", answers SensorToVehicleTransformQuaternion
 }
 
 record! {
     /// Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix response (0x0C,0xB3).
     ///
     /// Also called `sensor_2_vehicle_transform_dcm_response`. Answers
-    /// [`SensorToVehicleFrameTransformationDirectionCosineMatrix`]. Supported by 3DM-CV7-GNSS/INS.
+    /// [`SensorToVehicleTransformDcm`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
     /// (0x0C,0x33).
     #[derive(Default)]
-    pub struct SensorToVehicleFrameTransformationDirectionCosineMatrixResponse {
+    pub struct SensorToVehicleTransformDcmResponse {
         /// The matrix in row-major order.
         ///
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1.
@@ -3768,29 +3756,28 @@ record! {
 }
 
 field! {
-    SensorToVehicleFrameTransformationDirectionCosineMatrixResponse: 0x0C, 0xB3, "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response", answers SensorToVehicleFrameTransformationDirectionCosineMatrix
+    SensorToVehicleTransformDcmResponse: 0x0C, 0xB3, "3dm.sensor_to_vehicle_transform_dcm_response", answers SensorToVehicleTransformDcm
 }
 
 record! {
     /// Get Supported Events response (0x0C,0xB4).
     ///
-    /// Also called `get_event_support_response`. Answers [`GetSupportedEvents`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// Answers [`GetEventSupport`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// On the wire there is also `num_entries`: Number of types. The number of elements of
     /// `entries`.
     ///
     /// Source: 3dm-cv7-gnss-ins: Get Supported Events (0x0C,0x2A).
     #[derive(Default)]
-    pub struct GetSupportedEventsResponse {
+    pub struct GetEventSupportResponse {
         /// Query of the command.
-        pub query: SupportedEventsQuery,
+        pub query: EventSupportQuery,
         /// Number of slots; instances go from 1 to this.
         ///
         /// Unit: 1.
         pub max_instances: u8,
         /// The types.
-        pub entries: crate::List<SupportedEventInfo, 125>,
+        pub entries: crate::List<EventSupportInfo, 125>,
     }
     wire 253 {
         [query]
@@ -3801,7 +3788,7 @@ record! {
 }
 
 field! {
-    GetSupportedEventsResponse: 0x0C, 0xB4, "3dm.get_supported_events_response", answers GetSupportedEvents
+    GetEventSupportResponse: 0x0C, 0xB4, "3dm.get_event_support_response", answers GetEventSupport
 }
 
 record! {
@@ -3874,12 +3861,12 @@ field! {
 record! {
     /// Event Trigger Configuration response (0x0C,0xB8).
     ///
-    /// Also called `event_trigger_response`. Answers [`EventTriggerConfiguration`]. Supported by
+    /// Also called `event_trigger_response`. Answers [`EventTriggerConfig`]. Supported by
     /// 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Trigger Configuration (0x0C,0x2E).
     #[derive(Default)]
-    pub struct EventTriggerConfigurationResponse {
+    pub struct EventTriggerConfigResponse {
         /// Trigger instance; 0 means all (save, load, default).
         pub instance: u8,
         /// Kind of trigger.
@@ -3889,7 +3876,7 @@ record! {
         /// The condition.
         ///
         /// Selected by `type_`.
-        pub parameters: EventTriggerConfigurationParameters,
+        pub parameters: EventTriggerConfigParameters,
     }
     wire 22 {
         [instance]
@@ -3899,18 +3886,18 @@ record! {
 }
 
 field! {
-    EventTriggerConfigurationResponse: 0x0C, 0xB8, "3dm.event_trigger_configuration_response", answers EventTriggerConfiguration
+    EventTriggerConfigResponse: 0x0C, 0xB8, "3dm.event_trigger_config_response", answers EventTriggerConfig
 }
 
 record! {
     /// Event Action Configuration response (0x0C,0xB9).
     ///
-    /// Also called `event_action_response`. Answers [`EventActionConfiguration`]. Supported by
+    /// Also called `event_action_response`. Answers [`EventActionConfig`]. Supported by
     /// 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Event Action Configuration (0x0C,0x2F).
     #[derive(Default)]
-    pub struct EventActionConfigurationResponse {
+    pub struct EventActionConfigResponse {
         /// Action instance; 0 means all (save, load, default).
         pub instance: u8,
         /// Trigger instance that the action follows.
@@ -3922,7 +3909,7 @@ record! {
         /// The effect.
         ///
         /// Selected by `type_`.
-        pub parameters: EventActionConfigurationParameters,
+        pub parameters: EventActionConfigParameters,
     }
     wire 253 {
         [instance]
@@ -3933,18 +3920,17 @@ record! {
 }
 
 field! {
-    EventActionConfigurationResponse: 0x0C, 0xB9, "3dm.event_action_configuration_response", answers EventActionConfiguration
+    EventActionConfigResponse: 0x0C, 0xB9, "3dm.event_action_config_response", answers EventActionConfig
 }
 
 record! {
     /// GPIO Configuration response (0x0C,0xC1).
     ///
-    /// Also called `gpio_config_response`. Answers [`GpioConfiguration`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// Answers [`GpioConfig`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO Configuration (0x0C,0x41).
     #[derive(Default)]
-    pub struct GpioConfigurationResponse {
+    pub struct GpioConfigResponse {
         /// GPIO pin, counted from 1; 0 means all pins (save, load, default).
         pub pin: u8,
         /// Use of the pin.
@@ -3967,7 +3953,7 @@ record! {
 }
 
 #[rustfmt::skip]
-impl GpioConfigurationResponse {
+impl GpioConfigResponse {
     /// Reads `behavior` as [`types::GpioUnusedBehavior`].
     ///
     /// If `feature` is [`types::GpioFeature::UNUSED`]: values of [`types::GpioUnusedBehavior`].
@@ -4025,7 +4011,7 @@ impl GpioConfigurationResponse {
 }
 
 field! {
-    GpioConfigurationResponse: 0x0C, 0xC1, "3dm.gpio_configuration_response", answers GpioConfiguration
+    GpioConfigResponse: 0x0C, 0xC1, "3dm.gpio_config_response", answers GpioConfig
 }
 
 record! {
@@ -4052,12 +4038,11 @@ field! {
 record! {
     /// Odometer Configuration response (0x0C,0xC3).
     ///
-    /// Also called `odometer_response`. Answers [`OdometerConfiguration`]. Supported by
-    /// 3DM-CV7-GNSS/INS.
+    /// Also called `odometer_response`. Answers [`OdometerConfig`]. Supported by 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Odometer Configuration (0x0C,0x43).
     #[derive(Default)]
-    pub struct OdometerConfigurationResponse {
+    pub struct OdometerConfigResponse {
         /// How the input works.
         pub mode: OdometerMode,
         /// Pulses over the distance travelled; negative if the encoder turns backwards.
@@ -4074,7 +4059,7 @@ record! {
 }
 
 field! {
-    OdometerConfigurationResponse: 0x0C, 0xC3, "3dm.odometer_configuration_response", answers OdometerConfiguration
+    OdometerConfigResponse: 0x0C, 0xC3, "3dm.odometer_config_response", answers OdometerConfig
 }
 
 record! {
@@ -4127,16 +4112,16 @@ field! {
 record! {
     /// Low-Pass Anti-Aliasing Filter response (0x0C,0xD4).
     ///
-    /// Also called `lowpass_filter_response`. Answers [`LowPassAntiAliasingFilter`]. Supported by
+    /// Also called `lowpass_filter_response`. Answers [`LowPassFilter`]. Supported by
     /// 3DM-CV7-GNSS/INS.
     ///
     /// Source: 3dm-cv7-gnss-ins: Low-Pass Anti-Aliasing Filter (0x0C,0x54).
     #[derive(Default)]
-    pub struct LowPassAntiAliasingFilterResponse {
+    pub struct LowPassFilterResponse {
         /// Descriptor set of the field.
-        pub desc_set: u8,
+        pub descriptor_set: u8,
         /// Field descriptor; 0 if the set is 0.
-        pub field_desc: u8,
+        pub field_descriptor: u8,
         /// Whether the field is filtered.
         pub enable: crate::Bool,
         /// True uses the frequency; false follows half the rate of the field in the message format.
@@ -4149,5 +4134,5 @@ record! {
 }
 
 field! {
-    LowPassAntiAliasingFilterResponse: 0x0C, 0xD4, "3dm.low_pass_anti_aliasing_filter_response", answers LowPassAntiAliasingFilter
+    LowPassFilterResponse: 0x0C, 0xD4, "3dm.low_pass_filter_response", answers LowPassFilter
 }

@@ -40,8 +40,8 @@ bitfield! {
         MAG_Z: bool = 10,
             mag_z, set_mag_z, with_mag_z;
         /// Pressure sensor. Bit 12.
-        PRESS: bool = 12,
-            press, set_press, with_press;
+        PRESSURE: bool = 12,
+            pressure, set_pressure, with_pressure;
     }
 }
 
@@ -229,14 +229,14 @@ record! {
     /// Attitude by the complementary filter as a direction cosine matrix, relative to the NED
     /// frame.
     ///
-    /// Also called `comp_orientation_matrix`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// - V_vehicle = M \* v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09); 3dm-cv7-gnss-ins:
     /// Complementary Filter Orientation Matrix (0x80,0x09).
     #[derive(Default)]
-    pub struct ComplementaryFilterOrientationMatrix {
+    pub struct CompOrientationMatrix {
         /// Rotation from the NED frame to the vehicle frame.
         ///
         /// Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33. Unit: 1. On the 3DM-GX5-15: From
@@ -246,7 +246,7 @@ record! {
 }
 
 field! {
-    ComplementaryFilterOrientationMatrix: 0x80, 0x09, "sensor.complementary_filter_orientation_matrix"
+    CompOrientationMatrix: 0x80, 0x09, "sensor.comp_orientation_matrix"
 }
 
 record! {
@@ -254,14 +254,14 @@ record! {
     ///
     /// Attitude by the complementary filter as a quaternion, relative to the NED frame.
     ///
-    /// Also called `comp_quaternion`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// - V_vehicle = q^-1 \* v_ned \* q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A); 3dm-cv7-gnss-ins: Complementary Filter
     /// Quaternion (0x80,0x0A).
     #[derive(Default)]
-    pub struct ComplementaryFilterQuaternion {
+    pub struct CompQuaternion {
         /// Rotation between the NED frame and the vehicle frame.
         ///
         /// Elements: w, x, y, z. Unit: 1. On the 3DM-GX5-15: Between NED and the sensor frame.
@@ -270,7 +270,7 @@ record! {
 }
 
 field! {
-    ComplementaryFilterQuaternion: 0x80, 0x0A, "sensor.complementary_filter_quaternion"
+    CompQuaternion: 0x80, 0x0A, "sensor.comp_quaternion"
 }
 
 record! {
@@ -301,14 +301,14 @@ record! {
     ///
     /// Attitude by the complementary filter as Euler angles, relative to the NED frame.
     ///
-    /// Also called `comp_euler_angles`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// - The rotations are in the order yaw, pitch, roll (3-2-1).
     ///
     /// Source: 3dm-gx5-15: 5.1.8 CF Euler Angles (0x80, 0x0C); 3dm-cv7-gnss-ins: Complementary
     /// Filter Euler Angles (0x80,0x0C).
     #[derive(Default)]
-    pub struct ComplementaryFilterEulerAngles {
+    pub struct CompEulerAngles {
         /// Roll angle.
         ///
         /// Unit: rad.
@@ -325,7 +325,7 @@ record! {
 }
 
 field! {
-    ComplementaryFilterEulerAngles: 0x80, 0x0C, "sensor.complementary_filter_euler_angles"
+    CompEulerAngles: 0x80, 0x0C, "sensor.comp_euler_angles"
 }
 
 record! {
@@ -333,21 +333,22 @@ record! {
     ///
     /// Raw readings of four temperature sensors.
     ///
-    /// Deprecated: the SDK marks it so and names no replacement.
+    /// Deprecated: the SDK marks it so and names no replacement. Also called
+    /// `orientation_raw_temp`.
     ///
     /// Source: mip-sdk-4: Orientation Raw Temp (0x80,0x0D).
     #[derive(Default)]
     #[deprecated(note = "the SDK marks it so and names no replacement")]
-    pub struct OrientationRawTemp {
+    pub struct OrientationRawTemperature {
         /// Temperatures in counts.
         ///
         /// Unit: 1. Uncertain: The scale. Uncertain: and which sensor is which.
-        pub raw_temp: [u16; 4],
+        pub raw_temperature: [u16; 4],
     }
 }
 
 field! {
-    OrientationRawTemp: 0x80, 0x0D, "sensor.orientation_raw_temp"
+    OrientationRawTemperature: 0x80, 0x0D, "sensor.orientation_raw_temperature"
 }
 
 record! {
@@ -403,14 +404,14 @@ record! {
     ///
     /// Estimate of the geomagnetic field by the complementary filter, free of short disturbances.
     ///
-    /// Also called `north_vector`. Supported by 3DM-GX5-15.
+    /// Supported by 3DM-GX5-15.
     ///
     /// - Without magnetic disturbance it equals the measured magnetic field.
     /// - A lasting disturbance is not compensated.
     ///
     /// Source: 3dm-gx5-15: 5.1.9 CF Stabilized North Vector (0x80, 0x10).
     #[derive(Default)]
-    pub struct ComplementaryFilterStabilizedNorthVector {
+    pub struct NorthVector {
         /// Geomagnetic field.
         ///
         /// Elements: x, y, z. Unit: gauss. Frame: sensor.
@@ -419,7 +420,7 @@ record! {
 }
 
 field! {
-    ComplementaryFilterStabilizedNorthVector: 0x80, 0x10, "sensor.complementary_filter_stabilized_north_vector"
+    NorthVector: 0x80, 0x10, "sensor.north_vector"
 }
 
 record! {
@@ -427,13 +428,13 @@ record! {
     ///
     /// Estimate of the vertical (up) by the complementary filter, free of linear acceleration.
     ///
-    /// Also called `up_vector`. Supported by 3DM-GX5-15.
+    /// Supported by 3DM-GX5-15.
     ///
     /// - At rest it equals the measured acceleration.
     ///
     /// Source: 3dm-gx5-15: 5.1.10 CF Stabilized Up Vector (0x80, 0x11).
     #[derive(Default)]
-    pub struct ComplementaryFilterStabilizedUpVector {
+    pub struct UpVector {
         /// The part of the measured acceleration that gravity causes.
         ///
         /// Elements: x, y, z. Unit: g. Frame: sensor.
@@ -442,7 +443,7 @@ record! {
 }
 
 field! {
-    ComplementaryFilterStabilizedUpVector: 0x80, 0x11, "sensor.complementary_filter_stabilized_up_vector"
+    UpVector: 0x80, 0x11, "sensor.up_vector"
 }
 
 record! {
@@ -510,15 +511,15 @@ record! {
         /// Lowest temperature.
         ///
         /// Unit: degC.
-        pub min_temp: f32,
+        pub min_temperature: f32,
         /// Highest temperature.
         ///
         /// Unit: degC.
-        pub max_temp: f32,
+        pub max_temperature: f32,
         /// Mean temperature.
         ///
         /// Unit: degC.
-        pub mean_temp: f32,
+        pub mean_temperature: f32,
     }
 }
 

@@ -12,7 +12,7 @@ open_enum! {
     /// A port of a device.
     ///
     /// Source: mip-sdk-4: Interface Control (0x7F,0x02).
-    CommsInterface: u8 {
+    CommInterface: u8 {
         /// All ports.
         ALL = 0, "all";
         /// The main port: USB while it is connected, else the main UART.
@@ -34,7 +34,7 @@ bitfield! {
     /// Protocols of a port.
     ///
     /// Source: mip-sdk-4: Interface Control (0x7F,0x02).
-    CommsProtocols: u32 {
+    CommProtocols: u32 {
         /// MIP. Bit 0.
         MIP: bool = 0,
             mip, set_mip, with_mip;
@@ -84,15 +84,15 @@ record! {
         /// The port.
         ///
         /// Uncertain: Whether write and read take `all`.
-        pub port: Option<CommsInterface>,
+        pub port: Option<CommInterface>,
         /// Protocols that it takes in.
         ///
         /// Required for write.
-        pub protocols_incoming: Option<CommsProtocols>,
+        pub protocols_incoming: Option<CommProtocols>,
         /// Protocols that it gives out.
         ///
         /// Required for write.
-        pub protocols_outgoing: Option<CommsProtocols>,
+        pub protocols_outgoing: Option<CommProtocols>,
     }
     wire 10 {
         [function selects]
@@ -107,22 +107,22 @@ constructors! {
 
     /// Apply the new setting.
     fn write(
-        port: CommsInterface,
-        protocols_incoming: CommsProtocols,
-        protocols_outgoing: CommsProtocols,
+        port: CommInterface,
+        protocols_incoming: CommProtocols,
+        protocols_outgoing: CommProtocols,
     ) = WRITE;
 
     /// Send the current setting back in a response.
-    fn read(port: CommsInterface) = READ;
+    fn read(port: CommInterface) = READ;
 
     /// Save the current setting to non-volatile memory.
-    fn save(port: CommsInterface) = SAVE;
+    fn save(port: CommInterface) = SAVE;
 
     /// Load the saved setting.
-    fn load(port: CommsInterface) = LOAD;
+    fn load(port: CommInterface) = LOAD;
 
     /// Load the factory default setting.
-    fn load_default(port: CommsInterface) = DEFAULT;
+    fn load_default(port: CommInterface) = DEFAULT;
 }
 
 field! {
@@ -139,15 +139,15 @@ record! {
     ///
     /// Switches the port between the device and one of the sensors inside it.
     ///
-    /// For advanced use. Also called `comm_mode`. Functions: write, read, save, load and default.
-    /// Answered by [`CommunicationModeResponse`]. Supported by 3DM-GX5-15.
+    /// For advanced use. Functions: write, read, save, load and default. Answered by
+    /// [`CommModeResponse`]. Supported by 3DM-GX5-15.
     ///
     /// - The acknowledge is sent in the old mode, just before the switch.
     /// - In a direct mode only this command and device status
     ///   [(0x0C,0x64)](crate::mip_3dm::DeviceStatus) of the device itself are answered.
     ///
     /// Source: 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10).
-    pub struct CommunicationMode {
+    pub struct CommMode {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
         /// Communication mode.
@@ -162,7 +162,7 @@ record! {
 }
 
 constructors! {
-    CommunicationMode { function, mode }
+    CommMode { function, mode }
 
     /// Apply the new setting.
     fn write(mode: ProtocolMode) = WRITE;
@@ -181,12 +181,12 @@ constructors! {
 }
 
 field! {
-    CommunicationMode: 0x7F, 0x10, "system.communication_mode"
+    CommMode: 0x7F, 0x10, "system.comm_mode"
 }
 
 command! {
-    CommunicationMode -> CommunicationModeResponse;
-    responds CommunicationModeResponse for READ;
+    CommMode -> CommModeResponse;
+    responds CommModeResponse for READ;
 }
 
 record! {
@@ -200,11 +200,11 @@ record! {
         /// The port.
         ///
         /// Uncertain: Whether write and read take `all`.
-        pub port: CommsInterface,
+        pub port: CommInterface,
         /// Protocols that it takes in.
-        pub protocols_incoming: CommsProtocols,
+        pub protocols_incoming: CommProtocols,
         /// Protocols that it gives out.
-        pub protocols_outgoing: CommsProtocols,
+        pub protocols_outgoing: CommProtocols,
     }
 }
 
@@ -215,11 +215,11 @@ field! {
 record! {
     /// Communication mode response (0x7F,0x90).
     ///
-    /// Also called `comm_mode_response`. Answers [`CommunicationMode`]. Supported by 3DM-GX5-15.
+    /// Answers [`CommMode`]. Supported by 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.4.1 Communication Mode (0x7F, 0x10).
     #[derive(Default)]
-    pub struct CommunicationModeResponse {
+    pub struct CommModeResponse {
         /// Communication mode.
         ///
         /// Default: [`ProtocolMode::STANDARD`].
@@ -228,5 +228,5 @@ record! {
 }
 
 field! {
-    CommunicationModeResponse: 0x7F, 0x90, "system.communication_mode_response", answers CommunicationMode
+    CommModeResponse: 0x7F, 0x90, "system.comm_mode_response", answers CommMode
 }

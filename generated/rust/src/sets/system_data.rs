@@ -81,7 +81,7 @@ record! {
         /// Time since the last pulse, at most 255.
         ///
         /// Unit: s.
-        pub last_pps_rcvd: u8,
+        pub last_pps_received: u8,
     }
 }
 
@@ -98,7 +98,7 @@ record! {
     ///
     /// - The pins are sampled within one base period of this set; shorter pulses can be missed.
     /// - Only pins that are configured to the GPIO feature by
-    ///   [(0x0C,0x41)](crate::mip_3dm::GpioConfiguration) are sure to give valid levels.
+    ///   [(0x0C,0x41)](crate::mip_3dm::GpioConfig) are sure to give valid levels.
     /// - For fast signals and exact times use the timestamp feature and the event system.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPIO State (0xA0,0x03).
