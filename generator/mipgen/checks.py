@@ -85,7 +85,7 @@ def named(model: m.Model, problems: Problems) -> None:
                 problems.add(
                     x.position,
                     f"'{x.name}' has the descriptor 0x{x.descriptor:02X} of '{seen[x.descriptor]}'; "
-                    "drop it from the named ones",
+                    "remove it from the named ones",
                 )
             seen.setdefault(x.descriptor, x.name)
 
