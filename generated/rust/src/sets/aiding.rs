@@ -174,7 +174,7 @@ union! {
 }
 
 constructors! {
-    FrameConfiguration { function, frame_id, format, tracking_enabled, translation, rotation }
+    FrameConfiguration
 
     /// Apply the new setting.
     fn write(
@@ -198,7 +198,7 @@ constructors! {
 }
 
 field! {
-    FrameConfiguration: 0x13, 0x01, "aiding.frame_configuration"
+    FrameConfiguration: 0x13, 0x01, "aiding.frame_configuration";
 }
 
 command! {
@@ -233,7 +233,7 @@ record! {
 }
 
 constructors! {
-    EchoControl { function, mode }
+    EchoControl
 
     /// Apply the new setting.
     fn write(mode: AidingEchoMode) = WRITE;
@@ -252,7 +252,7 @@ constructors! {
 }
 
 field! {
-    EchoControl: 0x13, 0x1F, "aiding.echo_control"
+    EchoControl: 0x13, 0x1F, "aiding.echo_control";
 }
 
 command! {
@@ -312,7 +312,7 @@ constructors! {
 }
 
 field! {
-    EcefPosition: 0x13, 0x21, "aiding.ecef_position"
+    EcefPosition: 0x13, 0x21, "aiding.ecef_position";
 }
 
 command! {
@@ -381,7 +381,7 @@ constructors! {
 }
 
 field! {
-    LlhPosition: 0x13, 0x22, "aiding.llh_position"
+    LlhPosition: 0x13, 0x22, "aiding.llh_position";
 }
 
 command! {
@@ -433,7 +433,7 @@ constructors! {
 }
 
 field! {
-    HeightAboveEllipsoid: 0x13, 0x23, "aiding.height_above_ellipsoid"
+    HeightAboveEllipsoid: 0x13, 0x23, "aiding.height_above_ellipsoid";
 }
 
 command! {
@@ -493,7 +493,7 @@ constructors! {
 }
 
 field! {
-    EcefVelocity: 0x13, 0x28, "aiding.ecef_velocity"
+    EcefVelocity: 0x13, 0x28, "aiding.ecef_velocity";
 }
 
 command! {
@@ -553,7 +553,7 @@ constructors! {
 }
 
 field! {
-    NedVelocity: 0x13, 0x29, "aiding.ned_velocity"
+    NedVelocity: 0x13, 0x29, "aiding.ned_velocity";
 }
 
 command! {
@@ -617,7 +617,7 @@ constructors! {
 }
 
 field! {
-    BodyFrameVelocity: 0x13, 0x2A, "aiding.body_frame_velocity"
+    BodyFrameVelocity: 0x13, 0x2A, "aiding.body_frame_velocity";
 }
 
 command! {
@@ -671,7 +671,7 @@ constructors! {
 }
 
 field! {
-    TrueHeading: 0x13, 0x31, "aiding.true_heading"
+    TrueHeading: 0x13, 0x31, "aiding.true_heading";
 }
 
 command! {
@@ -730,7 +730,7 @@ constructors! {
 }
 
 field! {
-    MagneticField: 0x13, 0x32, "aiding.magnetic_field"
+    MagneticField: 0x13, 0x32, "aiding.magnetic_field";
 }
 
 command! {
@@ -784,7 +784,7 @@ constructors! {
 }
 
 field! {
-    Pressure: 0x13, 0x33, "aiding.pressure"
+    Pressure: 0x13, 0x33, "aiding.pressure";
 }
 
 command! {
@@ -826,7 +826,8 @@ record! {
 }
 
 field! {
-    FrameConfigurationResponse: 0x13, 0x81, "aiding.frame_configuration_response", answers FrameConfiguration
+    FrameConfigurationResponse: 0x13, 0x81, "aiding.frame_configuration_response";
+    answers FrameConfiguration;
 }
 
 record! {
@@ -844,5 +845,6 @@ record! {
 }
 
 field! {
-    EchoControlResponse: 0x13, 0x9F, "aiding.echo_control_response", answers EchoControl
+    EchoControlResponse: 0x13, 0x9F, "aiding.echo_control_response";
+    answers EchoControl;
 }

@@ -77,7 +77,7 @@ constructors! {
 }
 
 field! {
-    Ping: 0x01, 0x01, "base.ping"
+    Ping: 0x01, 0x01, "base.ping";
 }
 
 command! {
@@ -108,7 +108,7 @@ constructors! {
 }
 
 field! {
-    SetToIdle: 0x01, 0x02, "base.set_to_idle"
+    SetToIdle: 0x01, 0x02, "base.set_to_idle";
 }
 
 command! {
@@ -136,7 +136,7 @@ constructors! {
 }
 
 field! {
-    GetDeviceInformation: 0x01, 0x03, "base.get_device_information"
+    GetDeviceInformation: 0x01, 0x03, "base.get_device_information";
 }
 
 command! {
@@ -168,7 +168,7 @@ constructors! {
 }
 
 field! {
-    GetDeviceDescriptors: 0x01, 0x04, "base.get_device_descriptors"
+    GetDeviceDescriptors: 0x01, 0x04, "base.get_device_descriptors";
 }
 
 command! {
@@ -203,7 +203,7 @@ constructors! {
 }
 
 field! {
-    BuiltInTest: 0x01, 0x05, "base.built_in_test"
+    BuiltInTest: 0x01, 0x05, "base.built_in_test";
 }
 
 command! {
@@ -234,7 +234,7 @@ constructors! {
 }
 
 field! {
-    Resume: 0x01, 0x06, "base.resume"
+    Resume: 0x01, 0x06, "base.resume";
 }
 
 command! {
@@ -266,7 +266,7 @@ constructors! {
 }
 
 field! {
-    GetDeviceDescriptorsExtended: 0x01, 0x07, "base.get_device_descriptors_extended"
+    GetDeviceDescriptorsExtended: 0x01, 0x07, "base.get_device_descriptors_extended";
 }
 
 command! {
@@ -299,7 +299,7 @@ constructors! {
 }
 
 field! {
-    ContinuousBuiltInTest: 0x01, 0x08, "base.continuous_built_in_test"
+    ContinuousBuiltInTest: 0x01, 0x08, "base.continuous_built_in_test";
 }
 
 command! {
@@ -338,7 +338,7 @@ record! {
 }
 
 constructors! {
-    CommPortSpeed { function, port, baud }
+    CommPortSpeed
 
     /// Apply the new setting.
     fn write(port: u8, baud: u32) = WRITE;
@@ -357,7 +357,7 @@ constructors! {
 }
 
 field! {
-    CommPortSpeed: 0x01, 0x09, "base.comm_port_speed"
+    CommPortSpeed: 0x01, 0x09, "base.comm_port_speed";
 }
 
 command! {
@@ -403,7 +403,7 @@ record! {
 }
 
 constructors! {
-    GpsTimeUpdate { function, field_id, value }
+    GpsTimeUpdate
 
     /// Apply the new setting.
     fn write(field_id: GpsTimeField, value: u32) = WRITE;
@@ -416,7 +416,7 @@ constructors! {
 }
 
 field! {
-    GpsTimeUpdate: 0x01, 0x72, "base.gps_time_update"
+    GpsTimeUpdate: 0x01, 0x72, "base.gps_time_update";
 }
 
 command! {
@@ -456,7 +456,7 @@ constructors! {
 }
 
 field! {
-    ResetDevice: 0x01, 0x7E, "base.reset_device"
+    ResetDevice: 0x01, 0x7E, "base.reset_device";
 }
 
 command! {
@@ -478,7 +478,8 @@ record! {
 }
 
 field! {
-    GetDeviceInformationResponse: 0x01, 0x81, "base.get_device_information_response", answers GetDeviceInformation
+    GetDeviceInformationResponse: 0x01, 0x81, "base.get_device_information_response";
+    answers GetDeviceInformation;
 }
 
 record! {
@@ -497,7 +498,8 @@ record! {
 }
 
 field! {
-    GetDeviceDescriptorsResponse: 0x01, 0x82, "base.get_device_descriptors_response", answers GetDeviceDescriptors
+    GetDeviceDescriptorsResponse: 0x01, 0x82, "base.get_device_descriptors_response";
+    answers GetDeviceDescriptors;
 }
 
 record! {
@@ -537,7 +539,8 @@ impl BuiltInTestResponse {
 }
 
 field! {
-    BuiltInTestResponse: 0x01, 0x83, "base.built_in_test_response", answers BuiltInTest
+    BuiltInTestResponse: 0x01, 0x83, "base.built_in_test_response";
+    answers BuiltInTest;
 }
 
 record! {
@@ -560,7 +563,8 @@ record! {
 }
 
 field! {
-    GpsTimeUpdateWeekNumberResponse: 0x01, 0x84, "base.gps_time_update_week_number_response", answers GpsTimeUpdate
+    GpsTimeUpdateWeekNumberResponse: 0x01, 0x84, "base.gps_time_update_week_number_response";
+    answers GpsTimeUpdate;
 }
 
 record! {
@@ -583,7 +587,8 @@ record! {
 }
 
 field! {
-    GpsTimeUpdateTimeOfWeekResponse: 0x01, 0x85, "base.gps_time_update_time_of_week_response", answers GpsTimeUpdate
+    GpsTimeUpdateTimeOfWeekResponse: 0x01, 0x85, "base.gps_time_update_time_of_week_response";
+    answers GpsTimeUpdate;
 }
 
 record! {
@@ -602,7 +607,8 @@ record! {
 }
 
 field! {
-    GetDeviceDescriptorsExtendedResponse: 0x01, 0x86, "base.get_device_descriptors_extended_response", answers GetDeviceDescriptorsExtended
+    GetDeviceDescriptorsExtendedResponse: 0x01, 0x86, "base.get_device_descriptors_extended_response";
+    answers GetDeviceDescriptorsExtended;
 }
 
 record! {
@@ -633,7 +639,8 @@ impl ContinuousBuiltInTestResponse {
 }
 
 field! {
-    ContinuousBuiltInTestResponse: 0x01, 0x88, "base.continuous_built_in_test_response", answers ContinuousBuiltInTest
+    ContinuousBuiltInTestResponse: 0x01, 0x88, "base.continuous_built_in_test_response";
+    answers ContinuousBuiltInTest;
 }
 
 record! {
@@ -654,5 +661,6 @@ record! {
 }
 
 field! {
-    CommPortSpeedResponse: 0x01, 0x89, "base.comm_port_speed_response", answers CommPortSpeed
+    CommPortSpeedResponse: 0x01, 0x89, "base.comm_port_speed_response";
+    answers CommPortSpeed;
 }

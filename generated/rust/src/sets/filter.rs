@@ -238,7 +238,7 @@ constructors! {
 }
 
 field! {
-    ResetNavigationFilter: 0x0D, 0x01, "filter.reset_navigation_filter"
+    ResetNavigationFilter: 0x0D, 0x01, "filter.reset_navigation_filter";
 }
 
 command! {
@@ -284,7 +284,7 @@ constructors! {
 }
 
 field! {
-    SetInitialAttitude: 0x0D, 0x02, "filter.set_initial_attitude"
+    SetInitialAttitude: 0x0D, 0x02, "filter.set_initial_attitude";
 }
 
 command! {
@@ -321,7 +321,7 @@ constructors! {
 }
 
 field! {
-    SetInitialHeadingControl: 0x0D, 0x03, "filter.set_initial_heading_control"
+    SetInitialHeadingControl: 0x0D, 0x03, "filter.set_initial_heading_control";
 }
 
 command! {
@@ -351,7 +351,7 @@ constructors! {
 }
 
 field! {
-    RunNavigationFilter: 0x0D, 0x05, "filter.run_navigation_filter"
+    RunNavigationFilter: 0x0D, 0x05, "filter.run_navigation_filter";
 }
 
 command! {
@@ -397,7 +397,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleFrameTransformation { function, roll, pitch, yaw }
+    SensorToVehicleFrameTransformation
 
     /// Apply the new setting.
     fn write(
@@ -420,7 +420,7 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleFrameTransformation: 0x0D, 0x11, "filter.sensor_to_vehicle_frame_transformation"
+    SensorToVehicleFrameTransformation: 0x0D, 0x11, "filter.sensor_to_vehicle_frame_transformation";
 }
 
 command! {
@@ -457,7 +457,7 @@ record! {
 }
 
 constructors! {
-    GnssAntennaOffsetControl { function, offset }
+    GnssAntennaOffsetControl
 
     /// Apply the new setting.
     fn write(offset: impl Into<types::Vector3f>) = WRITE;
@@ -476,7 +476,7 @@ constructors! {
 }
 
 field! {
-    GnssAntennaOffsetControl: 0x0D, 0x13, "filter.gnss_antenna_offset_control"
+    GnssAntennaOffsetControl: 0x0D, 0x13, "filter.gnss_antenna_offset_control";
 }
 
 command! {
@@ -508,7 +508,7 @@ record! {
 }
 
 constructors! {
-    EstimationControlFlags { function, flags }
+    EstimationControlFlags
 
     /// Apply the new setting.
     fn write(flags: EstimatedStates) = WRITE;
@@ -527,7 +527,7 @@ constructors! {
 }
 
 field! {
-    EstimationControlFlags: 0x0D, 0x14, "filter.estimation_control_flags"
+    EstimationControlFlags: 0x0D, 0x14, "filter.estimation_control_flags";
 }
 
 command! {
@@ -562,7 +562,7 @@ record! {
 }
 
 constructors! {
-    GnssAidingSourceControl { function, source }
+    GnssAidingSourceControl
 
     /// Apply the new setting.
     fn write(source: GnssAidingSource) = WRITE;
@@ -581,7 +581,7 @@ constructors! {
 }
 
 field! {
-    GnssAidingSourceControl: 0x0D, 0x15, "filter.gnss_aiding_source_control"
+    GnssAidingSourceControl: 0x0D, 0x15, "filter.gnss_aiding_source_control";
 }
 
 command! {
@@ -636,7 +636,7 @@ constructors! {
 }
 
 field! {
-    ExternalHeadingUpdate: 0x0D, 0x17, "filter.external_heading_update"
+    ExternalHeadingUpdate: 0x0D, 0x17, "filter.external_heading_update";
 }
 
 command! {
@@ -667,7 +667,7 @@ record! {
 }
 
 constructors! {
-    HeadingUpdateControl { function, enable }
+    HeadingUpdateControl
 
     /// Apply the new setting.
     fn write(enable: HeadingUpdateSource) = WRITE;
@@ -686,7 +686,7 @@ constructors! {
 }
 
 field! {
-    HeadingUpdateControl: 0x0D, 0x18, "filter.heading_update_control"
+    HeadingUpdateControl: 0x0D, 0x18, "filter.heading_update_control";
 }
 
 command! {
@@ -720,7 +720,7 @@ record! {
 }
 
 constructors! {
-    AutoInitializationControl { function, enable }
+    AutoInitializationControl
 
     /// Apply the new setting.
     fn write(enable: u8) = WRITE;
@@ -739,7 +739,7 @@ constructors! {
 }
 
 field! {
-    AutoInitializationControl: 0x0D, 0x19, "filter.auto_initialization_control"
+    AutoInitializationControl: 0x0D, 0x19, "filter.auto_initialization_control";
 }
 
 command! {
@@ -775,7 +775,7 @@ record! {
 }
 
 constructors! {
-    AccelerometerNoiseStandardDeviation { function, noise }
+    AccelerometerNoiseStandardDeviation
 
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
@@ -794,7 +794,7 @@ constructors! {
 }
 
 field! {
-    AccelerometerNoiseStandardDeviation: 0x0D, 0x1A, "filter.accelerometer_noise_standard_deviation"
+    AccelerometerNoiseStandardDeviation: 0x0D, 0x1A, "filter.accelerometer_noise_standard_deviation";
 }
 
 command! {
@@ -829,7 +829,7 @@ record! {
 }
 
 constructors! {
-    GyroscopeNoiseStandardDeviation { function, noise }
+    GyroscopeNoiseStandardDeviation
 
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
@@ -848,7 +848,7 @@ constructors! {
 }
 
 field! {
-    GyroscopeNoiseStandardDeviation: 0x0D, 0x1B, "filter.gyroscope_noise_standard_deviation"
+    GyroscopeNoiseStandardDeviation: 0x0D, 0x1B, "filter.gyroscope_noise_standard_deviation";
 }
 
 command! {
@@ -887,7 +887,7 @@ record! {
 }
 
 constructors! {
-    AccelerometerBiasModelParameters { function, beta, noise }
+    AccelerometerBiasModelParameters
 
     /// Apply the new setting.
     fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) = WRITE;
@@ -906,7 +906,7 @@ constructors! {
 }
 
 field! {
-    AccelerometerBiasModelParameters: 0x0D, 0x1C, "filter.accelerometer_bias_model_parameters"
+    AccelerometerBiasModelParameters: 0x0D, 0x1C, "filter.accelerometer_bias_model_parameters";
 }
 
 command! {
@@ -946,7 +946,7 @@ record! {
 }
 
 constructors! {
-    GyroscopeBiasModelParameters { function, beta, noise }
+    GyroscopeBiasModelParameters
 
     /// Apply the new setting.
     fn write(beta: impl Into<types::Vector3f>, noise: impl Into<types::Vector3f>) = WRITE;
@@ -965,7 +965,7 @@ constructors! {
 }
 
 field! {
-    GyroscopeBiasModelParameters: 0x0D, 0x1D, "filter.gyroscope_bias_model_parameters"
+    GyroscopeBiasModelParameters: 0x0D, 0x1D, "filter.gyroscope_bias_model_parameters";
 }
 
 command! {
@@ -1034,7 +1034,7 @@ constructors! {
 }
 
 field! {
-    ExternalHeadingUpdateWithTime: 0x0D, 0x1F, "filter.external_heading_update_with_time"
+    ExternalHeadingUpdateWithTime: 0x0D, 0x1F, "filter.external_heading_update_with_time";
 }
 
 command! {
@@ -1074,7 +1074,7 @@ record! {
 }
 
 constructors! {
-    ZeroAngularRateUpdateControl { function, enable, threshold }
+    ZeroAngularRateUpdateControl
 
     /// Apply the new setting.
     fn write(enable: u8, threshold: f32) = WRITE;
@@ -1093,7 +1093,7 @@ constructors! {
 }
 
 field! {
-    ZeroAngularRateUpdateControl: 0x0D, 0x20, "filter.zero_angular_rate_update_control"
+    ZeroAngularRateUpdateControl: 0x0D, 0x20, "filter.zero_angular_rate_update_control";
 }
 
 command! {
@@ -1126,7 +1126,7 @@ record! {
 }
 
 constructors! {
-    TareOrientation { function, axes }
+    TareOrientation
 
     /// Apply the new setting.
     fn write(axes: TareAxes) = WRITE;
@@ -1142,7 +1142,7 @@ constructors! {
 }
 
 field! {
-    TareOrientation: 0x0D, 0x21, "filter.tare_orientation"
+    TareOrientation: 0x0D, 0x21, "filter.tare_orientation";
 }
 
 command! {
@@ -1171,7 +1171,7 @@ constructors! {
 }
 
 field! {
-    CommandedZeroAngularRateUpdate: 0x0D, 0x23, "filter.commanded_zero_angular_rate_update"
+    CommandedZeroAngularRateUpdate: 0x0D, 0x23, "filter.commanded_zero_angular_rate_update";
 }
 
 command! {
@@ -1217,7 +1217,7 @@ record! {
 }
 
 constructors! {
-    SetReferencePosition { function, enable, latitude, longitude, altitude }
+    SetReferencePosition
 
     /// Apply the new setting.
     fn write(
@@ -1241,7 +1241,7 @@ constructors! {
 }
 
 field! {
-    SetReferencePosition: 0x0D, 0x26, "filter.set_reference_position"
+    SetReferencePosition: 0x0D, 0x26, "filter.set_reference_position";
 }
 
 command! {
@@ -1276,7 +1276,7 @@ record! {
 }
 
 constructors! {
-    GravityNoiseStandardDeviation { function, noise }
+    GravityNoiseStandardDeviation
 
     /// Apply the new setting.
     fn write(noise: impl Into<types::Vector3f>) = WRITE;
@@ -1295,7 +1295,7 @@ constructors! {
 }
 
 field! {
-    GravityNoiseStandardDeviation: 0x0D, 0x28, "filter.gravity_noise_standard_deviation"
+    GravityNoiseStandardDeviation: 0x0D, 0x28, "filter.gravity_noise_standard_deviation";
 }
 
 command! {
@@ -1327,7 +1327,7 @@ record! {
 }
 
 constructors! {
-    EnableDisableMeasurements { function, control }
+    EnableDisableMeasurements
 
     /// Apply the new setting.
     fn write(control: MeasurementFlags) = WRITE;
@@ -1346,7 +1346,7 @@ constructors! {
 }
 
 field! {
-    EnableDisableMeasurements: 0x0D, 0x41, "filter.enable_disable_measurements"
+    EnableDisableMeasurements: 0x0D, 0x41, "filter.enable_disable_measurements";
 }
 
 command! {
@@ -1385,7 +1385,7 @@ record! {
 }
 
 constructors! {
-    MagneticFieldDeclinationSourceControl { function, source, declination }
+    MagneticFieldDeclinationSourceControl
 
     /// Apply the new setting.
     fn write(source: DeclinationSource, declination: f32) = WRITE;
@@ -1404,7 +1404,7 @@ constructors! {
 }
 
 field! {
-    MagneticFieldDeclinationSourceControl: 0x0D, 0x43, "filter.magnetic_field_declination_source_control"
+    MagneticFieldDeclinationSourceControl: 0x0D, 0x43, "filter.magnetic_field_declination_source_control";
 }
 
 command! {
@@ -1472,7 +1472,7 @@ record! {
 }
 
 constructors! {
-    GravityMagnitudeErrorAdaptiveMeasurement { function, adaptive_measurement, frequency, low_limit, high_limit, low_limit_uncertainty, high_limit_uncertainty, minimum_uncertainty }
+    GravityMagnitudeErrorAdaptiveMeasurement
 
     /// Apply the new setting.
     fn write(adaptive_measurement: AdaptiveMeasurementSelector) = WRITE;
@@ -1491,18 +1491,17 @@ constructors! {
 }
 
 setters! {
-    GravityMagnitudeErrorAdaptiveMeasurement {
-        fn with_frequency(frequency: f32);
-        fn with_low_limit(low_limit: f32);
-        fn with_high_limit(high_limit: f32);
-        fn with_low_limit_uncertainty(low_limit_uncertainty: f32);
-        fn with_high_limit_uncertainty(high_limit_uncertainty: f32);
-        fn with_minimum_uncertainty(minimum_uncertainty: f32);
-    }
+    GravityMagnitudeErrorAdaptiveMeasurement
+    fn with_frequency(frequency: f32);
+    fn with_low_limit(low_limit: f32);
+    fn with_high_limit(high_limit: f32);
+    fn with_low_limit_uncertainty(low_limit_uncertainty: f32);
+    fn with_high_limit_uncertainty(high_limit_uncertainty: f32);
+    fn with_minimum_uncertainty(minimum_uncertainty: f32);
 }
 
 field! {
-    GravityMagnitudeErrorAdaptiveMeasurement: 0x0D, 0x44, "filter.gravity_magnitude_error_adaptive_measurement"
+    GravityMagnitudeErrorAdaptiveMeasurement: 0x0D, 0x44, "filter.gravity_magnitude_error_adaptive_measurement";
 }
 
 command! {
@@ -1534,7 +1533,7 @@ record! {
 }
 
 constructors! {
-    PitchRollAidingControl { function, aiding }
+    PitchRollAidingControl
 
     /// Apply the new setting.
     fn write(aiding: PitchRollAidingSource) = WRITE;
@@ -1553,7 +1552,7 @@ constructors! {
 }
 
 field! {
-    PitchRollAidingControl: 0x0D, 0x4B, "filter.pitch_roll_aiding_control"
+    PitchRollAidingControl: 0x0D, 0x4B, "filter.pitch_roll_aiding_control";
 }
 
 command! {
@@ -1588,7 +1587,7 @@ record! {
 }
 
 constructors! {
-    AidingMeasurementControl { function, aiding_source, enable }
+    AidingMeasurementControl
 
     /// Apply the new setting.
     fn write(aiding_source: AidingSource, enable: bool) = WRITE;
@@ -1607,7 +1606,7 @@ constructors! {
 }
 
 field! {
-    AidingMeasurementControl: 0x0D, 0x50, "filter.aiding_measurement_control"
+    AidingMeasurementControl: 0x0D, 0x50, "filter.aiding_measurement_control";
 }
 
 command! {
@@ -1688,7 +1687,7 @@ record! {
 }
 
 constructors! {
-    NavigationFilterInitialization { function, wait_for_run_command, initial_cond_src, auto_heading_alignment_selector, initial_heading, initial_pitch, initial_roll, initial_position, initial_velocity, reference_frame_selector }
+    NavigationFilterInitialization
 
     /// Apply the new setting.
     fn write(
@@ -1717,7 +1716,7 @@ constructors! {
 }
 
 field! {
-    NavigationFilterInitialization: 0x0D, 0x52, "filter.navigation_filter_initialization"
+    NavigationFilterInitialization: 0x0D, 0x52, "filter.navigation_filter_initialization";
 }
 
 command! {
@@ -1754,7 +1753,7 @@ record! {
 }
 
 constructors! {
-    AdaptiveFilterControl { function, level, time_limit }
+    AdaptiveFilterControl
 
     /// Apply the new setting.
     fn write(level: AdaptiveLevel, time_limit: u16) = WRITE;
@@ -1773,7 +1772,7 @@ constructors! {
 }
 
 field! {
-    AdaptiveFilterControl: 0x0D, 0x53, "filter.adaptive_filter_control"
+    AdaptiveFilterControl: 0x0D, 0x53, "filter.adaptive_filter_control";
 }
 
 command! {
@@ -1812,7 +1811,7 @@ record! {
 }
 
 constructors! {
-    GnssMultiAntennaOffsetControl { function, receiver_id, antenna_offset }
+    GnssMultiAntennaOffsetControl
 
     /// Apply the new setting.
     fn write(receiver_id: u8, antenna_offset: impl Into<types::Vector3f>) = WRITE;
@@ -1831,7 +1830,7 @@ constructors! {
 }
 
 field! {
-    GnssMultiAntennaOffsetControl: 0x0D, 0x54, "filter.gnss_multi_antenna_offset_control"
+    GnssMultiAntennaOffsetControl: 0x0D, 0x54, "filter.gnss_multi_antenna_offset_control";
 }
 
 command! {
@@ -1875,7 +1874,7 @@ record! {
 }
 
 constructors! {
-    RelativePositionConfiguration { function, source, reference_frame_selector, reference_coordinates }
+    RelativePositionConfiguration
 
     /// Apply the new setting.
     fn write(
@@ -1898,7 +1897,7 @@ constructors! {
 }
 
 field! {
-    RelativePositionConfiguration: 0x0D, 0x55, "filter.relative_position_configuration"
+    RelativePositionConfiguration: 0x0D, 0x55, "filter.relative_position_configuration";
 }
 
 command! {
@@ -1940,7 +1939,7 @@ record! {
 }
 
 constructors! {
-    ReferencePointLeverArm { function, ref_point_sel, lever_arm_offset }
+    ReferencePointLeverArm
 
     /// Apply the new setting.
     fn write(ref_point_sel: ReferencePoint, lever_arm_offset: impl Into<types::Vector3f>) = WRITE;
@@ -1959,7 +1958,7 @@ constructors! {
 }
 
 field! {
-    ReferencePointLeverArm: 0x0D, 0x56, "filter.reference_point_lever_arm"
+    ReferencePointLeverArm: 0x0D, 0x56, "filter.reference_point_lever_arm";
 }
 
 command! {
@@ -1998,7 +1997,7 @@ record! {
 }
 
 constructors! {
-    MeasurementSpeedLeverArm { function, source, lever_arm_offset }
+    MeasurementSpeedLeverArm
 
     /// Apply the new setting.
     fn write(lever_arm_offset: impl Into<types::Vector3f>) = WRITE, source: 1;
@@ -2017,7 +2016,7 @@ constructors! {
 }
 
 field! {
-    MeasurementSpeedLeverArm: 0x0D, 0x61, "filter.measurement_speed_lever_arm"
+    MeasurementSpeedLeverArm: 0x0D, 0x61, "filter.measurement_speed_lever_arm";
 }
 
 command! {
@@ -2052,7 +2051,7 @@ record! {
 }
 
 constructors! {
-    WheeledVehicleConstraintControl { function, enable }
+    WheeledVehicleConstraintControl
 
     /// Apply the new setting.
     fn write(enable: u8) = WRITE;
@@ -2071,7 +2070,7 @@ constructors! {
 }
 
 field! {
-    WheeledVehicleConstraintControl: 0x0D, 0x63, "filter.wheeled_vehicle_constraint_control"
+    WheeledVehicleConstraintControl: 0x0D, 0x63, "filter.wheeled_vehicle_constraint_control";
 }
 
 command! {
@@ -2109,7 +2108,7 @@ record! {
 }
 
 constructors! {
-    GnssAntennaOffsetCalibrationControl { function, enable, max_offset }
+    GnssAntennaOffsetCalibrationControl
 
     /// Apply the new setting.
     fn write(enable: u8, max_offset: f32) = WRITE;
@@ -2128,7 +2127,7 @@ constructors! {
 }
 
 field! {
-    GnssAntennaOffsetCalibrationControl: 0x0D, 0x64, "filter.gnss_antenna_offset_calibration_control"
+    GnssAntennaOffsetCalibrationControl: 0x0D, 0x64, "filter.gnss_antenna_offset_calibration_control";
 }
 
 command! {
@@ -2160,7 +2159,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleFrameTransformationResponse: 0x0D, 0x81, "filter.sensor_to_vehicle_frame_transformation_response", answers SensorToVehicleFrameTransformation
+    SensorToVehicleFrameTransformationResponse: 0x0D, 0x81, "filter.sensor_to_vehicle_frame_transformation_response";
+    answers SensorToVehicleFrameTransformation;
 }
 
 record! {
@@ -2179,7 +2179,8 @@ record! {
 }
 
 field! {
-    GnssAntennaOffsetControlResponse: 0x0D, 0x83, "filter.gnss_antenna_offset_control_response", answers GnssAntennaOffsetControl
+    GnssAntennaOffsetControlResponse: 0x0D, 0x83, "filter.gnss_antenna_offset_control_response";
+    answers GnssAntennaOffsetControl;
 }
 
 record! {
@@ -2196,7 +2197,8 @@ record! {
 }
 
 field! {
-    EstimationControlFlagsResponse: 0x0D, 0x84, "filter.estimation_control_flags_response", answers EstimationControlFlags
+    EstimationControlFlagsResponse: 0x0D, 0x84, "filter.estimation_control_flags_response";
+    answers EstimationControlFlags;
 }
 
 record! {
@@ -2213,7 +2215,8 @@ record! {
 }
 
 field! {
-    GnssAidingSourceControlResponse: 0x0D, 0x86, "filter.gnss_aiding_source_control_response", answers GnssAidingSourceControl
+    GnssAidingSourceControlResponse: 0x0D, 0x86, "filter.gnss_aiding_source_control_response";
+    answers GnssAidingSourceControl;
 }
 
 record! {
@@ -2230,7 +2233,8 @@ record! {
 }
 
 field! {
-    HeadingUpdateControlResponse: 0x0D, 0x87, "filter.heading_update_control_response", answers HeadingUpdateControl
+    HeadingUpdateControlResponse: 0x0D, 0x87, "filter.heading_update_control_response";
+    answers HeadingUpdateControl;
 }
 
 record! {
@@ -2249,7 +2253,8 @@ record! {
 }
 
 field! {
-    AutoInitializationControlResponse: 0x0D, 0x88, "filter.auto_initialization_control_response", answers AutoInitializationControl
+    AutoInitializationControlResponse: 0x0D, 0x88, "filter.auto_initialization_control_response";
+    answers AutoInitializationControl;
 }
 
 record! {
@@ -2270,7 +2275,8 @@ record! {
 }
 
 field! {
-    AccelerometerNoiseStandardDeviationResponse: 0x0D, 0x89, "filter.accelerometer_noise_standard_deviation_response", answers AccelerometerNoiseStandardDeviation
+    AccelerometerNoiseStandardDeviationResponse: 0x0D, 0x89, "filter.accelerometer_noise_standard_deviation_response";
+    answers AccelerometerNoiseStandardDeviation;
 }
 
 record! {
@@ -2290,7 +2296,8 @@ record! {
 }
 
 field! {
-    GyroscopeNoiseStandardDeviationResponse: 0x0D, 0x8A, "filter.gyroscope_noise_standard_deviation_response", answers GyroscopeNoiseStandardDeviation
+    GyroscopeNoiseStandardDeviationResponse: 0x0D, 0x8A, "filter.gyroscope_noise_standard_deviation_response";
+    answers GyroscopeNoiseStandardDeviation;
 }
 
 record! {
@@ -2313,7 +2320,8 @@ record! {
 }
 
 field! {
-    AccelerometerBiasModelParametersResponse: 0x0D, 0x8B, "filter.accelerometer_bias_model_parameters_response", answers AccelerometerBiasModelParameters
+    AccelerometerBiasModelParametersResponse: 0x0D, 0x8B, "filter.accelerometer_bias_model_parameters_response";
+    answers AccelerometerBiasModelParameters;
 }
 
 record! {
@@ -2337,7 +2345,8 @@ record! {
 }
 
 field! {
-    GyroscopeBiasModelParametersResponse: 0x0D, 0x8C, "filter.gyroscope_bias_model_parameters_response", answers GyroscopeBiasModelParameters
+    GyroscopeBiasModelParametersResponse: 0x0D, 0x8C, "filter.gyroscope_bias_model_parameters_response";
+    answers GyroscopeBiasModelParameters;
 }
 
 record! {
@@ -2361,7 +2370,8 @@ record! {
 }
 
 field! {
-    ZeroAngularRateUpdateControlResponse: 0x0D, 0x8E, "filter.zero_angular_rate_update_control_response", answers ZeroAngularRateUpdateControl
+    ZeroAngularRateUpdateControlResponse: 0x0D, 0x8E, "filter.zero_angular_rate_update_control_response";
+    answers ZeroAngularRateUpdateControl;
 }
 
 record! {
@@ -2392,7 +2402,8 @@ record! {
 }
 
 field! {
-    SetReferencePositionResponse: 0x0D, 0x90, "filter.set_reference_position_response", answers SetReferencePosition
+    SetReferencePositionResponse: 0x0D, 0x90, "filter.set_reference_position_response";
+    answers SetReferencePosition;
 }
 
 record! {
@@ -2412,7 +2423,8 @@ record! {
 }
 
 field! {
-    GravityNoiseStandardDeviationResponse: 0x0D, 0x93, "filter.gravity_noise_standard_deviation_response", answers GravityNoiseStandardDeviation
+    GravityNoiseStandardDeviationResponse: 0x0D, 0x93, "filter.gravity_noise_standard_deviation_response";
+    answers GravityNoiseStandardDeviation;
 }
 
 record! {
@@ -2429,7 +2441,8 @@ record! {
 }
 
 field! {
-    EnableDisableMeasurementsResponse: 0x0D, 0xB0, "filter.enable_disable_measurements_response", answers EnableDisableMeasurements
+    EnableDisableMeasurementsResponse: 0x0D, 0xB0, "filter.enable_disable_measurements_response";
+    answers EnableDisableMeasurements;
 }
 
 record! {
@@ -2450,7 +2463,8 @@ record! {
 }
 
 field! {
-    MagneticFieldDeclinationSourceControlResponse: 0x0D, 0xB2, "filter.magnetic_field_declination_source_control_response", answers MagneticFieldDeclinationSourceControl
+    MagneticFieldDeclinationSourceControlResponse: 0x0D, 0xB2, "filter.magnetic_field_declination_source_control_response";
+    answers MagneticFieldDeclinationSourceControl;
 }
 
 record! {
@@ -2491,7 +2505,8 @@ record! {
 }
 
 field! {
-    GravityMagnitudeErrorAdaptiveMeasurementResponse: 0x0D, 0xB3, "filter.gravity_magnitude_error_adaptive_measurement_response", answers GravityMagnitudeErrorAdaptiveMeasurement
+    GravityMagnitudeErrorAdaptiveMeasurementResponse: 0x0D, 0xB3, "filter.gravity_magnitude_error_adaptive_measurement_response";
+    answers GravityMagnitudeErrorAdaptiveMeasurement;
 }
 
 record! {
@@ -2508,7 +2523,8 @@ record! {
 }
 
 field! {
-    PitchRollAidingControlResponse: 0x0D, 0xBB, "filter.pitch_roll_aiding_control_response", answers PitchRollAidingControl
+    PitchRollAidingControlResponse: 0x0D, 0xBB, "filter.pitch_roll_aiding_control_response";
+    answers PitchRollAidingControl;
 }
 
 record! {
@@ -2527,7 +2543,8 @@ record! {
 }
 
 field! {
-    AidingMeasurementControlResponse: 0x0D, 0xD0, "filter.aiding_measurement_control_response", answers AidingMeasurementControl
+    AidingMeasurementControlResponse: 0x0D, 0xD0, "filter.aiding_measurement_control_response";
+    answers AidingMeasurementControl;
 }
 
 record! {
@@ -2575,7 +2592,8 @@ record! {
 }
 
 field! {
-    NavigationFilterInitializationResponse: 0x0D, 0xD2, "filter.navigation_filter_initialization_response", answers NavigationFilterInitialization
+    NavigationFilterInitializationResponse: 0x0D, 0xD2, "filter.navigation_filter_initialization_response";
+    answers NavigationFilterInitialization;
 }
 
 record! {
@@ -2598,7 +2616,8 @@ record! {
 }
 
 field! {
-    AdaptiveFilterControlResponse: 0x0D, 0xD3, "filter.adaptive_filter_control_response", answers AdaptiveFilterControl
+    AdaptiveFilterControlResponse: 0x0D, 0xD3, "filter.adaptive_filter_control_response";
+    answers AdaptiveFilterControl;
 }
 
 record! {
@@ -2621,7 +2640,8 @@ record! {
 }
 
 field! {
-    GnssMultiAntennaOffsetControlResponse: 0x0D, 0xD4, "filter.gnss_multi_antenna_offset_control_response", answers GnssMultiAntennaOffsetControl
+    GnssMultiAntennaOffsetControlResponse: 0x0D, 0xD4, "filter.gnss_multi_antenna_offset_control_response";
+    answers GnssMultiAntennaOffsetControl;
 }
 
 record! {
@@ -2646,7 +2666,8 @@ record! {
 }
 
 field! {
-    RelativePositionConfigurationResponse: 0x0D, 0xD5, "filter.relative_position_configuration_response", answers RelativePositionConfiguration
+    RelativePositionConfigurationResponse: 0x0D, 0xD5, "filter.relative_position_configuration_response";
+    answers RelativePositionConfiguration;
 }
 
 record! {
@@ -2667,7 +2688,8 @@ record! {
 }
 
 field! {
-    ReferencePointLeverArmResponse: 0x0D, 0xD6, "filter.reference_point_lever_arm_response", answers ReferencePointLeverArm
+    ReferencePointLeverArmResponse: 0x0D, 0xD6, "filter.reference_point_lever_arm_response";
+    answers ReferencePointLeverArm;
 }
 
 record! {
@@ -2699,7 +2721,8 @@ impl core::default::Default for MeasurementSpeedLeverArmResponse {
 }
 
 field! {
-    MeasurementSpeedLeverArmResponse: 0x0D, 0xE1, "filter.measurement_speed_lever_arm_response", answers MeasurementSpeedLeverArm
+    MeasurementSpeedLeverArmResponse: 0x0D, 0xE1, "filter.measurement_speed_lever_arm_response";
+    answers MeasurementSpeedLeverArm;
 }
 
 record! {
@@ -2718,7 +2741,8 @@ record! {
 }
 
 field! {
-    WheeledVehicleConstraintControlResponse: 0x0D, 0xE3, "filter.wheeled_vehicle_constraint_control_response", answers WheeledVehicleConstraintControl
+    WheeledVehicleConstraintControlResponse: 0x0D, 0xE3, "filter.wheeled_vehicle_constraint_control_response";
+    answers WheeledVehicleConstraintControl;
 }
 
 record! {
@@ -2742,5 +2766,6 @@ record! {
 }
 
 field! {
-    GnssAntennaOffsetCalibrationControlResponse: 0x0D, 0xE4, "filter.gnss_antenna_offset_calibration_control_response", answers GnssAntennaOffsetCalibrationControl
+    GnssAntennaOffsetCalibrationControlResponse: 0x0D, 0xE4, "filter.gnss_antenna_offset_calibration_control_response";
+    answers GnssAntennaOffsetCalibrationControl;
 }

@@ -366,7 +366,7 @@ record! {
 }
 
 field! {
-    LlhPosition: 0x82, 0x01, "filter_data.llh_position"
+    LlhPosition: 0x82, 0x01, "filter_data.llh_position";
 }
 
 record! {
@@ -397,7 +397,7 @@ record! {
 }
 
 field! {
-    VelocityNed: 0x82, 0x02, "filter_data.velocity_ned"
+    VelocityNed: 0x82, 0x02, "filter_data.velocity_ned";
 }
 
 record! {
@@ -424,7 +424,7 @@ record! {
 }
 
 field! {
-    AttitudeQuaternion: 0x82, 0x03, "filter_data.attitude_quaternion"
+    AttitudeQuaternion: 0x82, 0x03, "filter_data.attitude_quaternion";
 }
 
 record! {
@@ -451,7 +451,7 @@ record! {
 }
 
 field! {
-    AttitudeDcm: 0x82, 0x04, "filter_data.attitude_dcm"
+    AttitudeDcm: 0x82, 0x04, "filter_data.attitude_dcm";
 }
 
 record! {
@@ -485,7 +485,7 @@ record! {
 }
 
 field! {
-    EulerAngles: 0x82, 0x05, "filter_data.euler_angles"
+    EulerAngles: 0x82, 0x05, "filter_data.euler_angles";
 }
 
 record! {
@@ -509,7 +509,7 @@ record! {
 }
 
 field! {
-    GyroBias: 0x82, 0x06, "filter_data.gyro_bias"
+    GyroBias: 0x82, 0x06, "filter_data.gyro_bias";
 }
 
 record! {
@@ -533,7 +533,7 @@ record! {
 }
 
 field! {
-    AccelBias: 0x82, 0x07, "filter_data.accel_bias"
+    AccelBias: 0x82, 0x07, "filter_data.accel_bias";
 }
 
 record! {
@@ -564,7 +564,7 @@ record! {
 }
 
 field! {
-    LlhPositionUncertainty: 0x82, 0x08, "filter_data.llh_position_uncertainty"
+    LlhPositionUncertainty: 0x82, 0x08, "filter_data.llh_position_uncertainty";
 }
 
 record! {
@@ -595,7 +595,7 @@ record! {
 }
 
 field! {
-    NedVelocityUncertainty: 0x82, 0x09, "filter_data.ned_velocity_uncertainty"
+    NedVelocityUncertainty: 0x82, 0x09, "filter_data.ned_velocity_uncertainty";
 }
 
 record! {
@@ -630,7 +630,7 @@ record! {
 }
 
 field! {
-    EulerAnglesUncertainty: 0x82, 0x0A, "filter_data.euler_angles_uncertainty"
+    EulerAnglesUncertainty: 0x82, 0x0A, "filter_data.euler_angles_uncertainty";
 }
 
 record! {
@@ -655,7 +655,7 @@ record! {
 }
 
 field! {
-    GyroBiasUncertainty: 0x82, 0x0B, "filter_data.gyro_bias_uncertainty"
+    GyroBiasUncertainty: 0x82, 0x0B, "filter_data.gyro_bias_uncertainty";
 }
 
 record! {
@@ -679,7 +679,7 @@ record! {
 }
 
 field! {
-    AccelBiasUncertainty: 0x82, 0x0C, "filter_data.accel_bias_uncertainty"
+    AccelBiasUncertainty: 0x82, 0x0C, "filter_data.accel_bias_uncertainty";
 }
 
 record! {
@@ -704,7 +704,7 @@ record! {
 }
 
 field! {
-    LinearAccel: 0x82, 0x0D, "filter_data.linear_accel"
+    LinearAccel: 0x82, 0x0D, "filter_data.linear_accel";
 }
 
 record! {
@@ -729,7 +729,7 @@ record! {
 }
 
 field! {
-    CompAngularRate: 0x82, 0x0E, "filter_data.comp_angular_rate"
+    CompAngularRate: 0x82, 0x0E, "filter_data.comp_angular_rate";
 }
 
 record! {
@@ -754,7 +754,7 @@ record! {
 }
 
 field! {
-    Wgs84LocalGravityMagnitude: 0x82, 0x0F, "filter_data.wgs84_local_gravity_magnitude"
+    Wgs84LocalGravityMagnitude: 0x82, 0x0F, "filter_data.wgs84_local_gravity_magnitude";
 }
 
 record! {
@@ -842,7 +842,7 @@ impl Status {
 }
 
 field! {
-    Status: 0x82, 0x10, "filter_data.status"
+    Status: 0x82, 0x10, "filter_data.status";
 }
 
 record! {
@@ -875,7 +875,7 @@ record! {
 }
 
 field! {
-    Timestamp: 0x82, 0x11, "filter_data.timestamp"
+    Timestamp: 0x82, 0x11, "filter_data.timestamp";
 }
 
 record! {
@@ -899,7 +899,7 @@ record! {
 }
 
 field! {
-    QuaternionAttitudeUncertainty: 0x82, 0x12, "filter_data.quaternion_attitude_uncertainty"
+    QuaternionAttitudeUncertainty: 0x82, 0x12, "filter_data.quaternion_attitude_uncertainty";
 }
 
 record! {
@@ -924,7 +924,7 @@ record! {
 }
 
 field! {
-    GravityVector: 0x82, 0x13, "filter_data.gravity_vector"
+    GravityVector: 0x82, 0x13, "filter_data.gravity_vector";
 }
 
 record! {
@@ -955,7 +955,7 @@ record! {
 }
 
 field! {
-    HeadingUpdateSourceState: 0x82, 0x14, "filter_data.heading_update_source_state"
+    HeadingUpdateSourceState: 0x82, 0x14, "filter_data.heading_update_source_state";
 }
 
 record! {
@@ -996,7 +996,7 @@ record! {
 }
 
 field! {
-    MagneticModel: 0x82, 0x15, "filter_data.magnetic_model"
+    MagneticModel: 0x82, 0x15, "filter_data.magnetic_model";
 }
 
 record! {
@@ -1021,7 +1021,7 @@ record! {
 }
 
 field! {
-    CompensatedAcceleration: 0x82, 0x1C, "filter_data.compensated_acceleration"
+    CompensatedAcceleration: 0x82, 0x1C, "filter_data.compensated_acceleration";
 }
 
 record! {
@@ -1048,7 +1048,7 @@ record! {
 }
 
 field! {
-    PressureAltitude: 0x82, 0x21, "filter_data.pressure_altitude"
+    PressureAltitude: 0x82, 0x21, "filter_data.pressure_altitude";
 }
 
 record! {
@@ -1076,7 +1076,7 @@ record! {
 }
 
 field! {
-    MultiAntennaOffsetCorrection: 0x82, 0x34, "filter_data.multi_antenna_offset_correction"
+    MultiAntennaOffsetCorrection: 0x82, 0x34, "filter_data.multi_antenna_offset_correction";
 }
 
 record! {
@@ -1102,7 +1102,7 @@ record! {
 }
 
 field! {
-    MultiAntennaOffsetCorrectionUncertainty: 0x82, 0x35, "filter_data.multi_antenna_offset_correction_uncertainty"
+    MultiAntennaOffsetCorrectionUncertainty: 0x82, 0x35, "filter_data.multi_antenna_offset_correction_uncertainty";
 }
 
 record! {
@@ -1126,7 +1126,7 @@ record! {
 }
 
 field! {
-    EcefPositionUncertainty: 0x82, 0x36, "filter_data.ecef_position_uncertainty"
+    EcefPositionUncertainty: 0x82, 0x36, "filter_data.ecef_position_uncertainty";
 }
 
 record! {
@@ -1150,7 +1150,7 @@ record! {
 }
 
 field! {
-    EcefVelocityUncertainty: 0x82, 0x37, "filter_data.ecef_velocity_uncertainty"
+    EcefVelocityUncertainty: 0x82, 0x37, "filter_data.ecef_velocity_uncertainty";
 }
 
 record! {
@@ -1174,7 +1174,7 @@ record! {
 }
 
 field! {
-    EcefPosition: 0x82, 0x40, "filter_data.ecef_position"
+    EcefPosition: 0x82, 0x40, "filter_data.ecef_position";
 }
 
 record! {
@@ -1198,7 +1198,7 @@ record! {
 }
 
 field! {
-    EcefVelocity: 0x82, 0x41, "filter_data.ecef_velocity"
+    EcefVelocity: 0x82, 0x41, "filter_data.ecef_velocity";
 }
 
 record! {
@@ -1222,7 +1222,7 @@ record! {
 }
 
 field! {
-    NedRelativePosition: 0x82, 0x42, "filter_data.ned_relative_position"
+    NedRelativePosition: 0x82, 0x42, "filter_data.ned_relative_position";
 }
 
 record! {
@@ -1253,7 +1253,7 @@ record! {
 }
 
 field! {
-    GnssPositionAidingStatus: 0x82, 0x43, "filter_data.gnss_position_aiding_status"
+    GnssPositionAidingStatus: 0x82, 0x43, "filter_data.gnss_position_aiding_status";
 }
 
 record! {
@@ -1288,7 +1288,7 @@ record! {
 }
 
 field! {
-    AidingMeasurementSummary: 0x82, 0x46, "filter_data.aiding_measurement_summary"
+    AidingMeasurementSummary: 0x82, 0x46, "filter_data.aiding_measurement_summary";
 }
 
 record! {
@@ -1313,7 +1313,7 @@ record! {
 }
 
 field! {
-    OdometerScaleFactorError: 0x82, 0x47, "filter_data.odometer_scale_factor_error"
+    OdometerScaleFactorError: 0x82, 0x47, "filter_data.odometer_scale_factor_error";
 }
 
 record! {
@@ -1336,7 +1336,7 @@ record! {
 }
 
 field! {
-    OdometerScaleFactorErrorUncertainty: 0x82, 0x48, "filter_data.odometer_scale_factor_error_uncertainty"
+    OdometerScaleFactorErrorUncertainty: 0x82, 0x48, "filter_data.odometer_scale_factor_error_uncertainty";
 }
 
 record! {
@@ -1373,7 +1373,7 @@ record! {
 }
 
 field! {
-    GnssDualAntennaStatus: 0x82, 0x49, "filter_data.gnss_dual_antenna_status"
+    GnssDualAntennaStatus: 0x82, 0x49, "filter_data.gnss_dual_antenna_status";
 }
 
 record! {
@@ -1400,7 +1400,7 @@ record! {
 }
 
 field! {
-    AidingFrameConfigurationError: 0x82, 0x50, "filter_data.aiding_frame_configuration_error"
+    AidingFrameConfigurationError: 0x82, 0x50, "filter_data.aiding_frame_configuration_error";
 }
 
 record! {
@@ -1427,5 +1427,5 @@ record! {
 }
 
 field! {
-    AidingFrameConfigurationErrorUncertainty: 0x82, 0x51, "filter_data.aiding_frame_configuration_error_uncertainty"
+    AidingFrameConfigurationErrorUncertainty: 0x82, 0x51, "filter_data.aiding_frame_configuration_error_uncertainty";
 }

@@ -127,7 +127,7 @@ constructors! {
 }
 
 field! {
-    ReceiverInfo: 0x0E, 0x01, "gnss.receiver_info"
+    ReceiverInfo: 0x0E, 0x01, "gnss.receiver_info";
 }
 
 command! {
@@ -182,7 +182,7 @@ record! {
 }
 
 constructors! {
-    SignalConfiguration { function, gps_enable, glonass_enable, galileo_enable, beidou_enable, reserved }
+    SignalConfiguration
 
     /// Apply the new setting.
     fn write(
@@ -206,7 +206,7 @@ constructors! {
 }
 
 field! {
-    SignalConfiguration: 0x0E, 0x02, "gnss.signal_configuration"
+    SignalConfiguration: 0x0E, 0x02, "gnss.signal_configuration";
 }
 
 command! {
@@ -280,7 +280,7 @@ record! {
 }
 
 constructors! {
-    SpartnConfiguration { function, enable, type_, current_key_tow, current_key_week, current_key, next_key_tow, next_key_week, next_key }
+    SpartnConfiguration
 
     /// Apply the new setting.
     fn write(
@@ -308,7 +308,7 @@ constructors! {
 }
 
 field! {
-    SpartnConfiguration: 0x0E, 0x20, "gnss.spartn_configuration"
+    SpartnConfiguration: 0x0E, 0x20, "gnss.spartn_configuration";
 }
 
 command! {
@@ -337,7 +337,8 @@ record! {
 }
 
 field! {
-    ReceiverInfoResponse: 0x0E, 0x81, "gnss.receiver_info_response", answers ReceiverInfo
+    ReceiverInfoResponse: 0x0E, 0x81, "gnss.receiver_info_response";
+    answers ReceiverInfo;
 }
 
 record! {
@@ -362,7 +363,8 @@ record! {
 }
 
 field! {
-    SignalConfigurationResponse: 0x0E, 0x82, "gnss.signal_configuration_response", answers SignalConfiguration
+    SignalConfigurationResponse: 0x0E, 0x82, "gnss.signal_configuration_response";
+    answers SignalConfiguration;
 }
 
 record! {
@@ -414,5 +416,6 @@ record! {
 }
 
 field! {
-    SpartnConfigurationResponse: 0x0E, 0xA0, "gnss.spartn_configuration_response", answers SpartnConfiguration
+    SpartnConfigurationResponse: 0x0E, 0xA0, "gnss.spartn_configuration_response";
+    answers SpartnConfiguration;
 }

@@ -518,7 +518,8 @@ record! {
 }
 
 field! {
-    GnssLlhPosition: 0x91, 0x03, "gnss_1.gnss_llh_position", in 0x91 | 0x92 | 0x94
+    GnssLlhPosition: 0x91, 0x03, "gnss_1.gnss_llh_position";
+    in [0x91 | 0x92 | 0x94];
 }
 
 record! {
@@ -547,7 +548,8 @@ record! {
 }
 
 field! {
-    GnssEcefPosition: 0x91, 0x04, "gnss_1.gnss_ecef_position", in 0x91 | 0x92
+    GnssEcefPosition: 0x91, 0x04, "gnss_1.gnss_ecef_position";
+    in [0x91 | 0x92];
 }
 
 record! {
@@ -594,7 +596,8 @@ record! {
 }
 
 field! {
-    NedVelocity: 0x91, 0x05, "gnss_1.ned_velocity", in 0x91 | 0x92 | 0x94
+    NedVelocity: 0x91, 0x05, "gnss_1.ned_velocity";
+    in [0x91 | 0x92 | 0x94];
 }
 
 record! {
@@ -623,7 +626,8 @@ record! {
 }
 
 field! {
-    GnssEcefVelocity: 0x91, 0x06, "gnss_1.gnss_ecef_velocity", in 0x91 | 0x92
+    GnssEcefVelocity: 0x91, 0x06, "gnss_1.gnss_ecef_velocity";
+    in [0x91 | 0x92];
 }
 
 record! {
@@ -670,7 +674,8 @@ record! {
 }
 
 field! {
-    Dop: 0x91, 0x07, "gnss_1.dop", in 0x91 | 0x92
+    Dop: 0x91, 0x07, "gnss_1.dop";
+    in [0x91 | 0x92];
 }
 
 record! {
@@ -723,7 +728,8 @@ record! {
 }
 
 field! {
-    UtcTime: 0x91, 0x08, "gnss_1.utc_time", in 0x91 | 0x92 | 0x94
+    UtcTime: 0x91, 0x08, "gnss_1.utc_time";
+    in [0x91 | 0x92 | 0x94];
 }
 
 record! {
@@ -750,7 +756,8 @@ record! {
 }
 
 field! {
-    GpsTime: 0x91, 0x09, "gnss_1.gps_time", in 0x91 | 0x92
+    GpsTime: 0x91, 0x09, "gnss_1.gps_time";
+    in [0x91 | 0x92];
 }
 
 record! {
@@ -781,7 +788,8 @@ record! {
 }
 
 field! {
-    FixInfo: 0x91, 0x0B, "gnss_1.fix_info", in 0x91 | 0x92 | 0x94
+    FixInfo: 0x91, 0x0B, "gnss_1.fix_info";
+    in [0x91 | 0x92 | 0x94];
 }
 
 record! {
@@ -812,7 +820,8 @@ record! {
 }
 
 field! {
-    GnssHardwareStatus: 0x91, 0x0D, "gnss_1.gnss_hardware_status", in 0x91 | 0x92
+    GnssHardwareStatus: 0x91, 0x0D, "gnss_1.gnss_hardware_status";
+    in [0x91 | 0x92];
 }
 
 record! {
@@ -850,7 +859,8 @@ record! {
 }
 
 field! {
-    ClockInfo2: 0x91, 0x10, "gnss_1.clock_info_2", in 0x91 | 0x92
+    ClockInfo2: 0x91, 0x10, "gnss_1.clock_info_2";
+    in [0x91 | 0x92];
 }
 
 record! {
@@ -874,7 +884,8 @@ record! {
 }
 
 field! {
-    GpsLeapSeconds: 0x91, 0x11, "gnss_1.gps_leap_seconds", in 0x91 | 0x92
+    GpsLeapSeconds: 0x91, 0x11, "gnss_1.gps_leap_seconds";
+    in [0x91 | 0x92];
 }
 
 record! {
@@ -917,7 +928,8 @@ record! {
 }
 
 field! {
-    SbasInfo: 0x91, 0x12, "gnss_1.sbas_info", in 0x91 | 0x92
+    SbasInfo: 0x91, 0x12, "gnss_1.sbas_info";
+    in [0x91 | 0x92];
 }
 
 record! {
@@ -971,7 +983,8 @@ record! {
 }
 
 field! {
-    SatelliteStatus: 0x91, 0x20, "gnss_1.satellite_status", in 0x91 | 0x92 | 0x94
+    SatelliteStatus: 0x91, 0x20, "gnss_1.satellite_status";
+    in [0x91 | 0x92 | 0x94];
 }
 
 record! {
@@ -1063,7 +1076,8 @@ record! {
 }
 
 field! {
-    Raw: 0x91, 0x22, "gnss_1.raw", in 0x91 | 0x92
+    Raw: 0x91, 0x22, "gnss_1.raw";
+    in [0x91 | 0x92];
 }
 
 record! {
@@ -1210,7 +1224,8 @@ record! {
 }
 
 field! {
-    GpsEphemeris: 0x91, 0x61, "gnss_1.gps_ephemeris", in 0x91 | 0x92
+    GpsEphemeris: 0x91, 0x61, "gnss_1.gps_ephemeris";
+    in [0x91 | 0x92];
 }
 
 record! {
@@ -1327,7 +1342,8 @@ record! {
 }
 
 field! {
-    GlonassEphemeris: 0x91, 0x62, "gnss_1.glonass_ephemeris", in 0x91 | 0x92
+    GlonassEphemeris: 0x91, 0x62, "gnss_1.glonass_ephemeris";
+    in [0x91 | 0x92];
 }
 
 record! {
@@ -1476,7 +1492,8 @@ record! {
 }
 
 field! {
-    GalileoEphemeris: 0x91, 0x63, "gnss_1.galileo_ephemeris", in 0x91 | 0x92
+    GalileoEphemeris: 0x91, 0x63, "gnss_1.galileo_ephemeris";
+    in [0x91 | 0x92];
 }
 
 record! {
@@ -1625,5 +1642,6 @@ record! {
 }
 
 field! {
-    BeidouEphemeris: 0x91, 0x64, "gnss_1.beidou_ephemeris", in 0x91 | 0x92
+    BeidouEphemeris: 0x91, 0x64, "gnss_1.beidou_ephemeris";
+    in [0x91 | 0x92];
 }

@@ -178,7 +178,7 @@ record! {
 }
 
 field! {
-    BaseStationInfo: 0x93, 0x30, "gnss_corrections.base_station_info"
+    BaseStationInfo: 0x93, 0x30, "gnss_corrections.base_station_info";
 }
 
 record! {
@@ -238,5 +238,5 @@ record! {
 }
 
 field! {
-    RtkCorrectionsStatus: 0x93, 0x31, "gnss_corrections.rtk_corrections_status"
+    RtkCorrectionsStatus: 0x93, 0x31, "gnss_corrections.rtk_corrections_status";
 }

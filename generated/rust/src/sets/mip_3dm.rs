@@ -276,7 +276,7 @@ constructors! {
 }
 
 field! {
-    PollImuData: 0x0C, 0x01, "3dm.poll_imu_data"
+    PollImuData: 0x0C, 0x01, "3dm.poll_imu_data";
 }
 
 command! {
@@ -321,7 +321,7 @@ constructors! {
 }
 
 field! {
-    PollEstimationFilterData: 0x0C, 0x03, "3dm.poll_estimation_filter_data"
+    PollEstimationFilterData: 0x0C, 0x03, "3dm.poll_estimation_filter_data";
 }
 
 command! {
@@ -367,7 +367,7 @@ constructors! {
 }
 
 field! {
-    PollNmeaData: 0x0C, 0x04, "3dm.poll_nmea_data"
+    PollNmeaData: 0x0C, 0x04, "3dm.poll_nmea_data";
 }
 
 command! {
@@ -395,7 +395,7 @@ constructors! {
 }
 
 field! {
-    GetImuDataBaseRate: 0x0C, 0x06, "3dm.get_imu_data_base_rate"
+    GetImuDataBaseRate: 0x0C, 0x06, "3dm.get_imu_data_base_rate";
 }
 
 command! {
@@ -431,7 +431,6 @@ record! {
     wire 251 {
         [function selects]
         [(descriptors) for WRITE {
-
             [num_descriptors: u8 counts descriptors]
             [descriptors by num_descriptors]
         }]
@@ -439,7 +438,7 @@ record! {
 }
 
 constructors! {
-    ImuMessageFormat { function, descriptors }
+    ImuMessageFormat
 
     /// Apply the new setting.
     fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
@@ -458,7 +457,7 @@ constructors! {
 }
 
 field! {
-    ImuMessageFormat: 0x0C, 0x08, "3dm.imu_message_format"
+    ImuMessageFormat: 0x0C, 0x08, "3dm.imu_message_format";
 }
 
 command! {
@@ -494,7 +493,6 @@ record! {
     wire 251 {
         [function selects]
         [(descriptors) for WRITE {
-
             [num_descriptors: u8 counts descriptors]
             [descriptors by num_descriptors]
         }]
@@ -502,7 +500,7 @@ record! {
 }
 
 constructors! {
-    EstimationFilterMessageFormat { function, descriptors }
+    EstimationFilterMessageFormat
 
     /// Apply the new setting.
     fn write(descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
@@ -521,7 +519,7 @@ constructors! {
 }
 
 field! {
-    EstimationFilterMessageFormat: 0x0C, 0x0A, "3dm.estimation_filter_message_format"
+    EstimationFilterMessageFormat: 0x0C, 0x0A, "3dm.estimation_filter_message_format";
 }
 
 command! {
@@ -549,7 +547,7 @@ constructors! {
 }
 
 field! {
-    GetEstimationFilterDataBaseRate: 0x0C, 0x0B, "3dm.get_estimation_filter_data_base_rate"
+    GetEstimationFilterDataBaseRate: 0x0C, 0x0B, "3dm.get_estimation_filter_data_base_rate";
 }
 
 command! {
@@ -583,7 +581,6 @@ record! {
     wire 252 {
         [function selects]
         [(format_entries) for WRITE {
-
             [count: u8 counts format_entries]
             [format_entries by count]
         }]
@@ -591,7 +588,7 @@ record! {
 }
 
 constructors! {
-    NmeaMessageFormat { function, format_entries }
+    NmeaMessageFormat
 
     /// Apply the new setting.
     fn write(format_entries: impl Into<crate::List<types::NmeaMessage, 50>>) = WRITE;
@@ -610,7 +607,7 @@ constructors! {
 }
 
 field! {
-    NmeaMessageFormat: 0x0C, 0x0C, "3dm.nmea_message_format"
+    NmeaMessageFormat: 0x0C, 0x0C, "3dm.nmea_message_format";
 }
 
 command! {
@@ -665,7 +662,7 @@ constructors! {
 }
 
 field! {
-    PollData: 0x0C, 0x0D, "3dm.poll_data"
+    PollData: 0x0C, 0x0D, "3dm.poll_data";
 }
 
 command! {
@@ -698,7 +695,7 @@ constructors! {
 }
 
 field! {
-    GetDataBaseRate: 0x0C, 0x0E, "3dm.get_data_base_rate"
+    GetDataBaseRate: 0x0C, 0x0E, "3dm.get_data_base_rate";
 }
 
 command! {
@@ -737,7 +734,6 @@ record! {
         [function selects]
         [desc_set for WRITE READ SAVE LOAD DEFAULT]
         [(descriptors) for WRITE {
-
             [num_descriptors: u8 counts descriptors]
             [descriptors by num_descriptors]
         }]
@@ -745,7 +741,7 @@ record! {
 }
 
 constructors! {
-    MessageFormat { function, desc_set, descriptors }
+    MessageFormat
 
     /// Apply the new setting.
     fn write(desc_set: u8, descriptors: impl Into<crate::List<types::DescriptorRate, 83>>) = WRITE;
@@ -764,7 +760,7 @@ constructors! {
 }
 
 field! {
-    MessageFormat: 0x0C, 0x0F, "3dm.message_format"
+    MessageFormat: 0x0C, 0x0F, "3dm.message_format";
 }
 
 command! {
@@ -797,7 +793,7 @@ constructors! {
 }
 
 field! {
-    FactoryStreaming: 0x0C, 0x10, "3dm.factory_streaming"
+    FactoryStreaming: 0x0C, 0x10, "3dm.factory_streaming";
 }
 
 command! {
@@ -837,7 +833,7 @@ record! {
 }
 
 constructors! {
-    DataStreamControl { function, desc_set, enable }
+    DataStreamControl
 
     /// Apply the new setting.
     fn write(desc_set: u8, enable: bool) = WRITE;
@@ -867,7 +863,7 @@ impl DataStreamControl {
 }
 
 field! {
-    DataStreamControl: 0x0C, 0x11, "3dm.data_stream_control"
+    DataStreamControl: 0x0C, 0x11, "3dm.data_stream_control";
 }
 
 command! {
@@ -908,7 +904,6 @@ record! {
         [enable_sbas for WRITE]
         [sbas_options for WRITE]
         [(included_prns) for WRITE {
-
             [num_included_prns: u8 counts included_prns]
             [included_prns by num_included_prns]
         }]
@@ -916,7 +911,7 @@ record! {
 }
 
 constructors! {
-    GnssSbasSettings { function, enable_sbas, sbas_options, included_prns }
+    GnssSbasSettings
 
     /// Apply the new setting.
     fn write(
@@ -939,7 +934,7 @@ constructors! {
 }
 
 field! {
-    GnssSbasSettings: 0x0C, 0x22, "3dm.gnss_sbas_settings"
+    GnssSbasSettings: 0x0C, 0x22, "3dm.gnss_sbas_settings";
 }
 
 command! {
@@ -974,7 +969,7 @@ record! {
 }
 
 constructors! {
-    PpsSourceControl { function, source }
+    PpsSourceControl
 
     /// Apply the new setting.
     fn write(source: PpsSource) = WRITE;
@@ -993,7 +988,7 @@ constructors! {
 }
 
 field! {
-    PpsSourceControl: 0x0C, 0x28, "3dm.pps_source_control"
+    PpsSourceControl: 0x0C, 0x28, "3dm.pps_source_control";
 }
 
 command! {
@@ -1024,7 +1019,7 @@ constructors! {
 }
 
 field! {
-    GetSupportedEvents: 0x0C, 0x2A, "3dm.get_supported_events"
+    GetSupportedEvents: 0x0C, 0x2A, "3dm.get_supported_events";
 }
 
 command! {
@@ -1062,7 +1057,7 @@ record! {
 }
 
 constructors! {
-    EventControl { function, instance, mode }
+    EventControl
 
     /// Apply the new setting.
     fn write(instance: u8, mode: types::EventTriggerMode) = WRITE;
@@ -1081,7 +1076,7 @@ constructors! {
 }
 
 field! {
-    EventControl: 0x0C, 0x2B, "3dm.event_control"
+    EventControl: 0x0C, 0x2B, "3dm.event_control";
 }
 
 command! {
@@ -1119,7 +1114,7 @@ constructors! {
 }
 
 field! {
-    GetEventTriggerStatus: 0x0C, 0x2C, "3dm.get_event_trigger_status"
+    GetEventTriggerStatus: 0x0C, 0x2C, "3dm.get_event_trigger_status";
 }
 
 command! {
@@ -1157,7 +1152,7 @@ constructors! {
 }
 
 field! {
-    GetEventActionStatus: 0x0C, 0x2D, "3dm.get_event_action_status"
+    GetEventActionStatus: 0x0C, 0x2D, "3dm.get_event_action_status";
 }
 
 command! {
@@ -1223,7 +1218,7 @@ union! {
 }
 
 constructors! {
-    EventTriggerConfiguration { function, instance, type_, parameters }
+    EventTriggerConfiguration
 
     /// Apply the new setting.
     fn write(instance: u8, parameters: EventTriggerConfigurationParameters) = WRITE, type_: parameters.tag();
@@ -1242,7 +1237,7 @@ constructors! {
 }
 
 field! {
-    EventTriggerConfiguration: 0x0C, 0x2E, "3dm.event_trigger_configuration"
+    EventTriggerConfiguration: 0x0C, 0x2E, "3dm.event_trigger_configuration";
 }
 
 command! {
@@ -1310,7 +1305,7 @@ union! {
 }
 
 constructors! {
-    EventActionConfiguration { function, instance, trigger, type_, parameters }
+    EventActionConfiguration
 
     /// Apply the new setting.
     fn write(
@@ -1333,7 +1328,7 @@ constructors! {
 }
 
 field! {
-    EventActionConfiguration: 0x0C, 0x2F, "3dm.event_action_configuration"
+    EventActionConfiguration: 0x0C, 0x2F, "3dm.event_action_configuration";
 }
 
 command! {
@@ -1357,10 +1352,13 @@ record! {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
     }
+    wire 1 {
+        [function selects]
+    }
 }
 
 constructors! {
-    DeviceStartUpSettings { function }
+    DeviceStartUpSettings
 
     /// Save the current setting to non-volatile memory.
     fn save() = SAVE;
@@ -1373,7 +1371,7 @@ constructors! {
 }
 
 field! {
-    DeviceStartUpSettings: 0x0C, 0x30, "3dm.device_start_up_settings"
+    DeviceStartUpSettings: 0x0C, 0x30, "3dm.device_start_up_settings";
 }
 
 command! {
@@ -1426,7 +1424,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleFrameTransformationEuler { function, roll, pitch, yaw }
+    SensorToVehicleFrameTransformationEuler
 
     /// Apply the new setting.
     fn write(
@@ -1449,7 +1447,7 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleFrameTransformationEuler: 0x0C, 0x31, "3dm.sensor_to_vehicle_frame_transformation_euler"
+    SensorToVehicleFrameTransformationEuler: 0x0C, 0x31, "3dm.sensor_to_vehicle_frame_transformation_euler";
 }
 
 command! {
@@ -1485,7 +1483,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleFrameTransformationQuaternion { function, q }
+    SensorToVehicleFrameTransformationQuaternion
 
     /// Apply the new setting.
     fn write(q: impl Into<types::Quatf>) = WRITE;
@@ -1504,7 +1502,7 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleFrameTransformationQuaternion: 0x0C, 0x32, "3dm.sensor_to_vehicle_frame_transformation_quaternion"
+    SensorToVehicleFrameTransformationQuaternion: 0x0C, 0x32, "3dm.sensor_to_vehicle_frame_transformation_quaternion";
 }
 
 command! {
@@ -1543,7 +1541,7 @@ record! {
 }
 
 constructors! {
-    SensorToVehicleFrameTransformationDirectionCosineMatrix { function, dcm }
+    SensorToVehicleFrameTransformationDirectionCosineMatrix
 
     /// Apply the new setting.
     fn write(dcm: impl Into<types::Matrix3f>) = WRITE;
@@ -1562,7 +1560,7 @@ constructors! {
 }
 
 field! {
-    SensorToVehicleFrameTransformationDirectionCosineMatrix: 0x0C, 0x33, "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix"
+    SensorToVehicleFrameTransformationDirectionCosineMatrix: 0x0C, 0x33, "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix";
 }
 
 command! {
@@ -1595,7 +1593,7 @@ record! {
 }
 
 constructors! {
-    AccelerometerBiasConfiguration { function, bias }
+    AccelerometerBiasConfiguration
 
     /// Apply the new setting.
     fn write(bias: impl Into<types::Vector3f>) = WRITE;
@@ -1617,7 +1615,7 @@ constructors! {
 }
 
 field! {
-    AccelerometerBiasConfiguration: 0x0C, 0x37, "3dm.accelerometer_bias_configuration"
+    AccelerometerBiasConfiguration: 0x0C, 0x37, "3dm.accelerometer_bias_configuration";
 }
 
 command! {
@@ -1651,7 +1649,7 @@ record! {
 }
 
 constructors! {
-    GyroscopeBiasConfiguration { function, bias }
+    GyroscopeBiasConfiguration
 
     /// Apply the new setting.
     fn write(bias: impl Into<types::Vector3f>) = WRITE;
@@ -1673,7 +1671,7 @@ constructors! {
 }
 
 field! {
-    GyroscopeBiasConfiguration: 0x0C, 0x38, "3dm.gyroscope_bias_configuration"
+    GyroscopeBiasConfiguration: 0x0C, 0x38, "3dm.gyroscope_bias_configuration";
 }
 
 command! {
@@ -1714,7 +1712,7 @@ constructors! {
 }
 
 field! {
-    CaptureGyroscopeBias: 0x0C, 0x39, "3dm.capture_gyroscope_bias"
+    CaptureGyroscopeBias: 0x0C, 0x39, "3dm.capture_gyroscope_bias";
 }
 
 command! {
@@ -1749,7 +1747,7 @@ record! {
 }
 
 constructors! {
-    MagnetometerHardIronOffset { function, offset }
+    MagnetometerHardIronOffset
 
     /// Apply the new setting.
     fn write(offset: impl Into<types::Vector3f>) = WRITE;
@@ -1768,7 +1766,7 @@ constructors! {
 }
 
 field! {
-    MagnetometerHardIronOffset: 0x0C, 0x3A, "3dm.magnetometer_hard_iron_offset"
+    MagnetometerHardIronOffset: 0x0C, 0x3A, "3dm.magnetometer_hard_iron_offset";
 }
 
 command! {
@@ -1803,7 +1801,7 @@ record! {
 }
 
 constructors! {
-    MagnetometerSoftIronMatrix { function, offset }
+    MagnetometerSoftIronMatrix
 
     /// Apply the new setting.
     fn write(offset: impl Into<types::Matrix3f>) = WRITE;
@@ -1822,7 +1820,7 @@ constructors! {
 }
 
 field! {
-    MagnetometerSoftIronMatrix: 0x0C, 0x3B, "3dm.magnetometer_soft_iron_matrix"
+    MagnetometerSoftIronMatrix: 0x0C, 0x3B, "3dm.magnetometer_soft_iron_matrix";
 }
 
 command! {
@@ -1854,7 +1852,7 @@ record! {
 }
 
 constructors! {
-    ConingAndScullingEnable { function, enable }
+    ConingAndScullingEnable
 
     /// Apply the new setting.
     fn write(enable: bool) = WRITE;
@@ -1873,7 +1871,7 @@ constructors! {
 }
 
 field! {
-    ConingAndScullingEnable: 0x0C, 0x3E, "3dm.coning_and_sculling_enable"
+    ConingAndScullingEnable: 0x0C, 0x3E, "3dm.coning_and_sculling_enable";
 }
 
 command! {
@@ -1912,7 +1910,7 @@ record! {
 }
 
 constructors! {
-    UartBaudRate { function, baud }
+    UartBaudRate
 
     /// Apply the new setting.
     fn write(baud: u32) = WRITE;
@@ -1931,7 +1929,7 @@ constructors! {
 }
 
 field! {
-    UartBaudRate: 0x0C, 0x40, "3dm.uart_baud_rate"
+    UartBaudRate: 0x0C, 0x40, "3dm.uart_baud_rate";
 }
 
 command! {
@@ -1990,7 +1988,7 @@ record! {
 }
 
 constructors! {
-    GpioConfiguration { function, pin, feature, behavior, pin_mode }
+    GpioConfiguration
 
     /// Apply the new setting.
     fn write(
@@ -2072,7 +2070,7 @@ impl GpioConfiguration {
 }
 
 field! {
-    GpioConfiguration: 0x0C, 0x41, "3dm.gpio_configuration"
+    GpioConfiguration: 0x0C, 0x41, "3dm.gpio_configuration";
 }
 
 command! {
@@ -2114,7 +2112,7 @@ record! {
 }
 
 constructors! {
-    GpioState { function, pin, state }
+    GpioState
 
     /// Apply the new setting.
     fn write(pin: u8, state: bool) = WRITE;
@@ -2124,7 +2122,7 @@ constructors! {
 }
 
 field! {
-    GpioState: 0x0C, 0x42, "3dm.gpio_state"
+    GpioState: 0x0C, 0x42, "3dm.gpio_state";
 }
 
 command! {
@@ -2168,7 +2166,7 @@ record! {
 }
 
 constructors! {
-    OdometerConfiguration { function, mode, scaling, uncertainty }
+    OdometerConfiguration
 
     /// Apply the new setting.
     fn write(
@@ -2191,7 +2189,7 @@ constructors! {
 }
 
 field! {
-    OdometerConfiguration: 0x0C, 0x43, "3dm.odometer_configuration"
+    OdometerConfiguration: 0x0C, 0x43, "3dm.odometer_configuration";
 }
 
 command! {
@@ -2250,7 +2248,7 @@ record! {
 }
 
 constructors! {
-    AdvancedLowPassFilterSettings { function, target_descriptor, enable, manual, frequency, reserved }
+    AdvancedLowPassFilterSettings
 
     /// Apply the new setting.
     fn write(
@@ -2274,7 +2272,7 @@ constructors! {
 }
 
 field! {
-    AdvancedLowPassFilterSettings: 0x0C, 0x50, "3dm.advanced_low_pass_filter_settings"
+    AdvancedLowPassFilterSettings: 0x0C, 0x50, "3dm.advanced_low_pass_filter_settings";
 }
 
 command! {
@@ -2329,7 +2327,7 @@ record! {
 }
 
 constructors! {
-    ComplementaryFilterConfiguration { function, pitch_roll_enable, heading_enable, pitch_roll_time_constant, heading_time_constant }
+    ComplementaryFilterConfiguration
 
     /// Apply the new setting.
     fn write(
@@ -2353,7 +2351,7 @@ constructors! {
 }
 
 field! {
-    ComplementaryFilterConfiguration: 0x0C, 0x51, "3dm.complementary_filter_configuration"
+    ComplementaryFilterConfiguration: 0x0C, 0x51, "3dm.complementary_filter_configuration";
 }
 
 command! {
@@ -2391,7 +2389,7 @@ record! {
 }
 
 constructors! {
-    SensorRange { function, sensor, setting }
+    SensorRange
 
     /// Apply the new setting.
     fn write(sensor: SensorRangeType, setting: u8) = WRITE;
@@ -2410,7 +2408,7 @@ constructors! {
 }
 
 field! {
-    SensorRange: 0x0C, 0x52, "3dm.sensor_range"
+    SensorRange: 0x0C, 0x52, "3dm.sensor_range";
 }
 
 command! {
@@ -2441,7 +2439,7 @@ constructors! {
 }
 
 field! {
-    GetCalibratedSensorRanges: 0x0C, 0x53, "3dm.get_calibrated_sensor_ranges"
+    GetCalibratedSensorRanges: 0x0C, 0x53, "3dm.get_calibrated_sensor_ranges";
 }
 
 command! {
@@ -2492,7 +2490,7 @@ record! {
 }
 
 constructors! {
-    LowPassAntiAliasingFilter { function, desc_set, field_desc, enable, manual, frequency }
+    LowPassAntiAliasingFilter
 
     /// Apply the new setting.
     fn write(
@@ -2517,7 +2515,7 @@ constructors! {
 }
 
 field! {
-    LowPassAntiAliasingFilter: 0x0C, 0x54, "3dm.low_pass_anti_aliasing_filter"
+    LowPassAntiAliasingFilter: 0x0C, 0x54, "3dm.low_pass_anti_aliasing_filter";
 }
 
 command! {
@@ -2558,7 +2556,8 @@ constructors! {
 }
 
 field! {
-    DeviceStatus: 0x0C, 0x64, "3dm.device_status", constants [0: 24 110]
+    DeviceStatus: 0x0C, 0x64, "3dm.device_status";
+    constants [0: 24 110];
 }
 
 command! {
@@ -2597,7 +2596,8 @@ record! {
 }
 
 field! {
-    ImuMessageFormatResponse: 0x0C, 0x80, "3dm.imu_message_format_response", answers ImuMessageFormat
+    ImuMessageFormatResponse: 0x0C, 0x80, "3dm.imu_message_format_response";
+    answers ImuMessageFormat;
 }
 
 record! {
@@ -2621,7 +2621,8 @@ record! {
 }
 
 field! {
-    EstimationFilterMessageFormatResponse: 0x0C, 0x82, "3dm.estimation_filter_message_format_response", answers EstimationFilterMessageFormat
+    EstimationFilterMessageFormatResponse: 0x0C, 0x82, "3dm.estimation_filter_message_format_response";
+    answers EstimationFilterMessageFormat;
 }
 
 record! {
@@ -2640,7 +2641,8 @@ record! {
 }
 
 field! {
-    GetImuDataBaseRateResponse: 0x0C, 0x83, "3dm.get_imu_data_base_rate_response", answers GetImuDataBaseRate
+    GetImuDataBaseRateResponse: 0x0C, 0x83, "3dm.get_imu_data_base_rate_response";
+    answers GetImuDataBaseRate;
 }
 
 record! {
@@ -2673,7 +2675,8 @@ impl DataStreamControlResponse {
 }
 
 field! {
-    DataStreamControlResponse: 0x0C, 0x85, "3dm.data_stream_control_response", answers DataStreamControl
+    DataStreamControlResponse: 0x0C, 0x85, "3dm.data_stream_control_response";
+    answers DataStreamControl;
 }
 
 record! {
@@ -2693,7 +2696,8 @@ record! {
 }
 
 field! {
-    UartBaudRateResponse: 0x0C, 0x87, "3dm.uart_baud_rate_response", answers UartBaudRate
+    UartBaudRateResponse: 0x0C, 0x87, "3dm.uart_baud_rate_response";
+    answers UartBaudRate;
 }
 
 record! {
@@ -2712,7 +2716,8 @@ record! {
 }
 
 field! {
-    GetEstimationFilterDataBaseRateResponse: 0x0C, 0x8A, "3dm.get_estimation_filter_data_base_rate_response", answers GetEstimationFilterDataBaseRate
+    GetEstimationFilterDataBaseRateResponse: 0x0C, 0x8A, "3dm.get_estimation_filter_data_base_rate_response";
+    answers GetEstimationFilterDataBaseRate;
 }
 
 record! {
@@ -2745,7 +2750,8 @@ record! {
 }
 
 field! {
-    AdvancedLowPassFilterSettingsResponse: 0x0C, 0x8B, "3dm.advanced_low_pass_filter_settings_response", answers AdvancedLowPassFilterSettings
+    AdvancedLowPassFilterSettingsResponse: 0x0C, 0x8B, "3dm.advanced_low_pass_filter_settings_response";
+    answers AdvancedLowPassFilterSettings;
 }
 
 record! {
@@ -2769,7 +2775,8 @@ record! {
 }
 
 field! {
-    NmeaMessageFormatResponse: 0x0C, 0x8C, "3dm.nmea_message_format_response", answers NmeaMessageFormat
+    NmeaMessageFormatResponse: 0x0C, 0x8C, "3dm.nmea_message_format_response";
+    answers NmeaMessageFormat;
 }
 
 record! {
@@ -2790,7 +2797,8 @@ record! {
 }
 
 field! {
-    GetDataBaseRateResponse: 0x0C, 0x8E, "3dm.get_data_base_rate_response", answers GetDataBaseRate
+    GetDataBaseRateResponse: 0x0C, 0x8E, "3dm.get_data_base_rate_response";
+    answers GetDataBaseRate;
 }
 
 record! {
@@ -2817,7 +2825,8 @@ record! {
 }
 
 field! {
-    MessageFormatResponse: 0x0C, 0x8F, "3dm.message_format_response", answers MessageFormat
+    MessageFormatResponse: 0x0C, 0x8F, "3dm.message_format_response";
+    answers MessageFormat;
 }
 
 record! {
@@ -2854,7 +2863,9 @@ record! {
 }
 
 field! {
-    DeviceStatusBasicResponse: 0x0C, 0x90, "3dm.device_status_basic_response", constants [0: 24 110] [2: 1], answers DeviceStatus
+    DeviceStatusBasicResponse: 0x0C, 0x90, "3dm.device_status_basic_response";
+    constants [0: 24 110] [2: 1];
+    answers DeviceStatus;
 }
 
 record! {
@@ -2942,7 +2953,9 @@ record! {
 }
 
 field! {
-    DeviceStatusDiagnosticResponse: 0x0C, 0x90, "3dm.device_status_diagnostic_response", constants [0: 24 110] [2: 2], answers DeviceStatus
+    DeviceStatusDiagnosticResponse: 0x0C, 0x90, "3dm.device_status_diagnostic_response";
+    constants [0: 24 110] [2: 2];
+    answers DeviceStatus;
 }
 
 record! {
@@ -2970,7 +2983,8 @@ record! {
 }
 
 field! {
-    ComplementaryFilterConfigurationResponse: 0x0C, 0x97, "3dm.complementary_filter_configuration_response", answers ComplementaryFilterConfiguration
+    ComplementaryFilterConfigurationResponse: 0x0C, 0x97, "3dm.complementary_filter_configuration_response";
+    answers ComplementaryFilterConfiguration;
 }
 
 record! {
@@ -2990,7 +3004,8 @@ record! {
 }
 
 field! {
-    AccelerometerBiasConfigurationResponse: 0x0C, 0x9A, "3dm.accelerometer_bias_configuration_response", answers AccelerometerBiasConfiguration
+    AccelerometerBiasConfigurationResponse: 0x0C, 0x9A, "3dm.accelerometer_bias_configuration_response";
+    answers AccelerometerBiasConfiguration;
 }
 
 record! {
@@ -3013,7 +3028,8 @@ record! {
 }
 
 field! {
-    GyroscopeBiasConfigurationResponse: 0x0C, 0x9B, "3dm.gyroscope_bias_configuration_response", answers GyroscopeBiasConfiguration CaptureGyroscopeBias
+    GyroscopeBiasConfigurationResponse: 0x0C, 0x9B, "3dm.gyroscope_bias_configuration_response";
+    answers GyroscopeBiasConfiguration CaptureGyroscopeBias;
 }
 
 record! {
@@ -3032,7 +3048,8 @@ record! {
 }
 
 field! {
-    MagnetometerHardIronOffsetResponse: 0x0C, 0x9C, "3dm.magnetometer_hard_iron_offset_response", answers MagnetometerHardIronOffset
+    MagnetometerHardIronOffsetResponse: 0x0C, 0x9C, "3dm.magnetometer_hard_iron_offset_response";
+    answers MagnetometerHardIronOffset;
 }
 
 record! {
@@ -3051,7 +3068,8 @@ record! {
 }
 
 field! {
-    MagnetometerSoftIronMatrixResponse: 0x0C, 0x9D, "3dm.magnetometer_soft_iron_matrix_response", answers MagnetometerSoftIronMatrix
+    MagnetometerSoftIronMatrixResponse: 0x0C, 0x9D, "3dm.magnetometer_soft_iron_matrix_response";
+    answers MagnetometerSoftIronMatrix;
 }
 
 record! {
@@ -3070,7 +3088,8 @@ record! {
 }
 
 field! {
-    ConingAndScullingEnableResponse: 0x0C, 0x9E, "3dm.coning_and_sculling_enable_response", answers ConingAndScullingEnable
+    ConingAndScullingEnableResponse: 0x0C, 0x9E, "3dm.coning_and_sculling_enable_response";
+    answers ConingAndScullingEnable;
 }
 
 record! {
@@ -3102,7 +3121,8 @@ record! {
 }
 
 field! {
-    GnssSbasSettingsResponse: 0x0C, 0xA1, "3dm.gnss_sbas_settings_response", answers GnssSbasSettings
+    GnssSbasSettingsResponse: 0x0C, 0xA1, "3dm.gnss_sbas_settings_response";
+    answers GnssSbasSettings;
 }
 
 record! {
@@ -3121,7 +3141,8 @@ record! {
 }
 
 field! {
-    PpsSourceControlResponse: 0x0C, 0xA8, "3dm.pps_source_control_response", answers PpsSourceControl
+    PpsSourceControlResponse: 0x0C, 0xA8, "3dm.pps_source_control_response";
+    answers PpsSourceControl;
 }
 
 record! {
@@ -3148,7 +3169,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleFrameTransformationEulerResponse: 0x0C, 0xB1, "3dm.sensor_to_vehicle_frame_transformation_euler_response", answers SensorToVehicleFrameTransformationEuler
+    SensorToVehicleFrameTransformationEulerResponse: 0x0C, 0xB1, "3dm.sensor_to_vehicle_frame_transformation_euler_response";
+    answers SensorToVehicleFrameTransformationEuler;
 }
 
 record! {
@@ -3167,7 +3189,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleFrameTransformationQuaternionResponse: 0x0C, 0xB2, "3dm.sensor_to_vehicle_frame_transformation_quaternion_response", answers SensorToVehicleFrameTransformationQuaternion
+    SensorToVehicleFrameTransformationQuaternionResponse: 0x0C, 0xB2, "3dm.sensor_to_vehicle_frame_transformation_quaternion_response";
+    answers SensorToVehicleFrameTransformationQuaternion;
 }
 
 record! {
@@ -3188,7 +3211,8 @@ record! {
 }
 
 field! {
-    SensorToVehicleFrameTransformationDirectionCosineMatrixResponse: 0x0C, 0xB3, "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response", answers SensorToVehicleFrameTransformationDirectionCosineMatrix
+    SensorToVehicleFrameTransformationDirectionCosineMatrixResponse: 0x0C, 0xB3, "3dm.sensor_to_vehicle_frame_transformation_direction_cosine_matrix_response";
+    answers SensorToVehicleFrameTransformationDirectionCosineMatrix;
 }
 
 record! {
@@ -3220,7 +3244,8 @@ record! {
 }
 
 field! {
-    GetSupportedEventsResponse: 0x0C, 0xB4, "3dm.get_supported_events_response", answers GetSupportedEvents
+    GetSupportedEventsResponse: 0x0C, 0xB4, "3dm.get_supported_events_response";
+    answers GetSupportedEvents;
 }
 
 record! {
@@ -3241,7 +3266,8 @@ record! {
 }
 
 field! {
-    EventControlResponse: 0x0C, 0xB5, "3dm.event_control_response", answers EventControl
+    EventControlResponse: 0x0C, 0xB5, "3dm.event_control_response";
+    answers EventControl;
 }
 
 record! {
@@ -3264,7 +3290,8 @@ record! {
 }
 
 field! {
-    GetEventTriggerStatusResponse: 0x0C, 0xB6, "3dm.get_event_trigger_status_response", answers GetEventTriggerStatus
+    GetEventTriggerStatusResponse: 0x0C, 0xB6, "3dm.get_event_trigger_status_response";
+    answers GetEventTriggerStatus;
 }
 
 record! {
@@ -3287,7 +3314,8 @@ record! {
 }
 
 field! {
-    GetEventActionStatusResponse: 0x0C, 0xB7, "3dm.get_event_action_status_response", answers GetEventActionStatus
+    GetEventActionStatusResponse: 0x0C, 0xB7, "3dm.get_event_action_status_response";
+    answers GetEventActionStatus;
 }
 
 record! {
@@ -3317,7 +3345,8 @@ record! {
 }
 
 field! {
-    EventTriggerConfigurationResponse: 0x0C, 0xB8, "3dm.event_trigger_configuration_response", answers EventTriggerConfiguration
+    EventTriggerConfigurationResponse: 0x0C, 0xB8, "3dm.event_trigger_configuration_response";
+    answers EventTriggerConfiguration;
 }
 
 record! {
@@ -3350,7 +3379,8 @@ record! {
 }
 
 field! {
-    EventActionConfigurationResponse: 0x0C, 0xB9, "3dm.event_action_configuration_response", answers EventActionConfiguration
+    EventActionConfigurationResponse: 0x0C, 0xB9, "3dm.event_action_configuration_response";
+    answers EventActionConfiguration;
 }
 
 record! {
@@ -3390,7 +3420,7 @@ impl GpioConfigurationResponse {
     #[must_use]
     pub fn behavior_as_gpio_unused_behavior(&self) -> Option<types::GpioUnusedBehavior> {
         let named = matches!(self.feature, types::GpioFeature::UNUSED);
-        Some(self.behavior).filter(|_| named).map(Into::into)
+        named.then(|| self.behavior.into())
     }
 
     /// Reads `behavior` as [`types::GpioBehavior`].
@@ -3399,7 +3429,7 @@ impl GpioConfigurationResponse {
     #[must_use]
     pub fn behavior_as_gpio_behavior(&self) -> Option<types::GpioBehavior> {
         let named = matches!(self.feature, types::GpioFeature::GPIO);
-        Some(self.behavior).filter(|_| named).map(Into::into)
+        named.then(|| self.behavior.into())
     }
 
     /// Reads `behavior` as [`types::GpioPpsBehavior`].
@@ -3408,7 +3438,7 @@ impl GpioConfigurationResponse {
     #[must_use]
     pub fn behavior_as_gpio_pps_behavior(&self) -> Option<types::GpioPpsBehavior> {
         let named = matches!(self.feature, types::GpioFeature::PPS);
-        Some(self.behavior).filter(|_| named).map(Into::into)
+        named.then(|| self.behavior.into())
     }
 
     /// Reads `behavior` as [`types::GpioEncoderBehavior`].
@@ -3417,7 +3447,7 @@ impl GpioConfigurationResponse {
     #[must_use]
     pub fn behavior_as_gpio_encoder_behavior(&self) -> Option<types::GpioEncoderBehavior> {
         let named = matches!(self.feature, types::GpioFeature::ENCODER);
-        Some(self.behavior).filter(|_| named).map(Into::into)
+        named.then(|| self.behavior.into())
     }
 
     /// Reads `behavior` as [`types::GpioTimestampBehavior`].
@@ -3427,7 +3457,7 @@ impl GpioConfigurationResponse {
     #[must_use]
     pub fn behavior_as_gpio_timestamp_behavior(&self) -> Option<types::GpioTimestampBehavior> {
         let named = matches!(self.feature, types::GpioFeature::TIMESTAMP);
-        Some(self.behavior).filter(|_| named).map(Into::into)
+        named.then(|| self.behavior.into())
     }
 
     /// Reads `behavior` as [`types::GpioUartBehavior`].
@@ -3436,12 +3466,13 @@ impl GpioConfigurationResponse {
     #[must_use]
     pub fn behavior_as_gpio_uart_behavior(&self) -> Option<types::GpioUartBehavior> {
         let named = matches!(self.feature, types::GpioFeature::UART);
-        Some(self.behavior).filter(|_| named).map(Into::into)
+        named.then(|| self.behavior.into())
     }
 }
 
 field! {
-    GpioConfigurationResponse: 0x0C, 0xC1, "3dm.gpio_configuration_response", answers GpioConfiguration
+    GpioConfigurationResponse: 0x0C, 0xC1, "3dm.gpio_configuration_response";
+    answers GpioConfiguration;
 }
 
 record! {
@@ -3462,7 +3493,8 @@ record! {
 }
 
 field! {
-    GpioStateResponse: 0x0C, 0xC2, "3dm.gpio_state_response", answers GpioState
+    GpioStateResponse: 0x0C, 0xC2, "3dm.gpio_state_response";
+    answers GpioState;
 }
 
 record! {
@@ -3489,7 +3521,8 @@ record! {
 }
 
 field! {
-    OdometerConfigurationResponse: 0x0C, 0xC3, "3dm.odometer_configuration_response", answers OdometerConfiguration
+    OdometerConfigurationResponse: 0x0C, 0xC3, "3dm.odometer_configuration_response";
+    answers OdometerConfiguration;
 }
 
 record! {
@@ -3508,7 +3541,8 @@ record! {
 }
 
 field! {
-    SensorRangeResponse: 0x0C, 0xD2, "3dm.sensor_range_response", answers SensorRange
+    SensorRangeResponse: 0x0C, 0xD2, "3dm.sensor_range_response";
+    answers SensorRange;
 }
 
 record! {
@@ -3535,7 +3569,8 @@ record! {
 }
 
 field! {
-    GetCalibratedSensorRangesResponse: 0x0C, 0xD3, "3dm.get_calibrated_sensor_ranges_response", answers GetCalibratedSensorRanges
+    GetCalibratedSensorRangesResponse: 0x0C, 0xD3, "3dm.get_calibrated_sensor_ranges_response";
+    answers GetCalibratedSensorRanges;
 }
 
 record! {
@@ -3562,5 +3597,6 @@ record! {
 }
 
 field! {
-    LowPassAntiAliasingFilterResponse: 0x0C, 0xD4, "3dm.low_pass_anti_aliasing_filter_response", answers LowPassAntiAliasingFilter
+    LowPassAntiAliasingFilterResponse: 0x0C, 0xD4, "3dm.low_pass_anti_aliasing_filter_response";
+    answers LowPassAntiAliasingFilter;
 }

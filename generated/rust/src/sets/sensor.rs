@@ -73,7 +73,7 @@ record! {
 }
 
 field! {
-    ScaledAccel: 0x80, 0x04, "sensor.scaled_accel"
+    ScaledAccel: 0x80, 0x04, "sensor.scaled_accel";
 }
 
 record! {
@@ -95,7 +95,7 @@ record! {
 }
 
 field! {
-    ScaledGyro: 0x80, 0x05, "sensor.scaled_gyro"
+    ScaledGyro: 0x80, 0x05, "sensor.scaled_gyro";
 }
 
 record! {
@@ -116,7 +116,7 @@ record! {
 }
 
 field! {
-    ScaledMag: 0x80, 0x06, "sensor.scaled_mag"
+    ScaledMag: 0x80, 0x06, "sensor.scaled_mag";
 }
 
 record! {
@@ -138,7 +138,7 @@ record! {
 }
 
 field! {
-    DeltaTheta: 0x80, 0x07, "sensor.delta_theta"
+    DeltaTheta: 0x80, 0x07, "sensor.delta_theta";
 }
 
 record! {
@@ -162,7 +162,7 @@ record! {
 }
 
 field! {
-    DeltaVelocity: 0x80, 0x08, "sensor.delta_velocity"
+    DeltaVelocity: 0x80, 0x08, "sensor.delta_velocity";
 }
 
 record! {
@@ -188,7 +188,7 @@ record! {
 }
 
 field! {
-    ComplementaryFilterOrientationMatrix: 0x80, 0x09, "sensor.complementary_filter_orientation_matrix"
+    ComplementaryFilterOrientationMatrix: 0x80, 0x09, "sensor.complementary_filter_orientation_matrix";
 }
 
 record! {
@@ -212,7 +212,7 @@ record! {
 }
 
 field! {
-    ComplementaryFilterQuaternion: 0x80, 0x0A, "sensor.complementary_filter_quaternion"
+    ComplementaryFilterQuaternion: 0x80, 0x0A, "sensor.complementary_filter_quaternion";
 }
 
 record! {
@@ -244,7 +244,7 @@ record! {
 }
 
 field! {
-    ComplementaryFilterEulerAngles: 0x80, 0x0C, "sensor.complementary_filter_euler_angles"
+    ComplementaryFilterEulerAngles: 0x80, 0x0C, "sensor.complementary_filter_euler_angles";
 }
 
 record! {
@@ -268,7 +268,7 @@ record! {
 }
 
 field! {
-    ComplementaryFilterStabilizedNorthVector: 0x80, 0x10, "sensor.complementary_filter_stabilized_north_vector"
+    ComplementaryFilterStabilizedNorthVector: 0x80, 0x10, "sensor.complementary_filter_stabilized_north_vector";
 }
 
 record! {
@@ -291,7 +291,7 @@ record! {
 }
 
 field! {
-    ComplementaryFilterStabilizedUpVector: 0x80, 0x11, "sensor.complementary_filter_stabilized_up_vector"
+    ComplementaryFilterStabilizedUpVector: 0x80, 0x11, "sensor.complementary_filter_stabilized_up_vector";
 }
 
 record! {
@@ -341,7 +341,7 @@ impl GpsTimestamp {
 }
 
 field! {
-    GpsTimestamp: 0x80, 0x12, "sensor.gps_timestamp"
+    GpsTimestamp: 0x80, 0x12, "sensor.gps_timestamp";
 }
 
 record! {
@@ -372,7 +372,7 @@ record! {
 }
 
 field! {
-    TemperatureStatistics: 0x80, 0x14, "sensor.temperature_statistics"
+    TemperatureStatistics: 0x80, 0x14, "sensor.temperature_statistics";
 }
 
 record! {
@@ -394,7 +394,7 @@ record! {
 }
 
 field! {
-    ScaledPressure: 0x80, 0x17, "sensor.scaled_pressure"
+    ScaledPressure: 0x80, 0x17, "sensor.scaled_pressure";
 }
 
 record! {
@@ -413,7 +413,7 @@ record! {
 }
 
 field! {
-    OverrangeStatus: 0x80, 0x18, "sensor.overrange_status"
+    OverrangeStatus: 0x80, 0x18, "sensor.overrange_status";
 }
 
 record! {
@@ -440,5 +440,5 @@ record! {
 }
 
 field! {
-    Odometer: 0x80, 0x40, "sensor.odometer"
+    Odometer: 0x80, 0x40, "sensor.odometer";
 }

@@ -61,7 +61,8 @@ record! {
 }
 
 field! {
-    EventSource: 0xFF, 0xD0, "shared.event_source", in 0x80..=0xFF
+    EventSource: 0xFF, 0xD0, "shared.event_source";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -93,7 +94,8 @@ record! {
 }
 
 field! {
-    GpsTimestamp: 0xFF, 0xD3, "shared.gps_timestamp", in 0x80..=0xFF
+    GpsTimestamp: 0xFF, 0xD3, "shared.gps_timestamp";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -117,7 +119,8 @@ record! {
 }
 
 field! {
-    DeltaTime: 0xFF, 0xD4, "shared.delta_time", in 0x80..=0xFF
+    DeltaTime: 0xFF, 0xD4, "shared.delta_time";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -142,7 +145,8 @@ record! {
 }
 
 field! {
-    ReferenceTimestamp: 0xFF, 0xD5, "shared.reference_timestamp", in 0x80..=0xFF
+    ReferenceTimestamp: 0xFF, 0xD5, "shared.reference_timestamp";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -165,7 +169,8 @@ record! {
 }
 
 field! {
-    ReferenceTimeDelta: 0xFF, 0xD6, "shared.reference_time_delta", in 0x80..=0xFF
+    ReferenceTimeDelta: 0xFF, 0xD6, "shared.reference_time_delta";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -193,7 +198,8 @@ record! {
 }
 
 field! {
-    ExternalTimestamp: 0xFF, 0xD7, "shared.external_timestamp", in 0x80..=0xFF
+    ExternalTimestamp: 0xFF, 0xD7, "shared.external_timestamp";
+    in [0x80..=0xFF];
 }
 
 record! {
@@ -219,5 +225,6 @@ record! {
 }
 
 field! {
-    ExternalTimeDelta: 0xFF, 0xD8, "shared.external_time_delta", in 0x80..=0xFF
+    ExternalTimeDelta: 0xFF, 0xD8, "shared.external_time_delta";
+    in [0x80..=0xFF];
 }

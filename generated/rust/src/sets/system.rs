@@ -48,7 +48,7 @@ record! {
 }
 
 constructors! {
-    CommunicationMode { function, mode }
+    CommunicationMode
 
     /// Apply the new setting.
     fn write(mode: ProtocolMode) = WRITE;
@@ -67,7 +67,7 @@ constructors! {
 }
 
 field! {
-    CommunicationMode: 0x7F, 0x10, "system.communication_mode"
+    CommunicationMode: 0x7F, 0x10, "system.communication_mode";
 }
 
 command! {
@@ -91,5 +91,6 @@ record! {
 }
 
 field! {
-    CommunicationModeResponse: 0x7F, 0x90, "system.communication_mode_response", answers CommunicationMode
+    CommunicationModeResponse: 0x7F, 0x90, "system.communication_mode_response";
+    answers CommunicationMode;
 }

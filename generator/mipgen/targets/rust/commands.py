@@ -37,5 +37,5 @@ def silent_if(command: m.Field, records: Records) -> list[str]:
             value = f"{x.type}::{constant(known.name)}"
         elif isinstance(element, m.Enum) or x.type == BOOL:
             value = f"{x.type}({c.value})"
-        found.append(f"{x.name} = {f'Some({value})' if x.optional else value}")
+        found.append(f"{x.name} = {f'Some({value})' if x.may_be_absent else value}")
     return found

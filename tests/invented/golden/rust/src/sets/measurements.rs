@@ -30,7 +30,8 @@ record! {
 }
 
 field! {
-    Accel: 0x80, 0x01, "measurements.accel", in 0x80 | 0x81
+    Accel: 0x80, 0x01, "measurements.accel";
+    in [0x80 | 0x81];
 }
 
 record! {
@@ -71,7 +72,7 @@ record! {
 }
 
 field! {
-    Numbers: 0x80, 0x02, "measurements.numbers"
+    Numbers: 0x80, 0x02, "measurements.numbers";
 }
 
 record! {
@@ -102,7 +103,8 @@ record! {
 }
 
 field! {
-    Strings: 0x80, 0x03, "measurements.strings", in 0x80 | 0x81
+    Strings: 0x80, 0x03, "measurements.strings";
+    in [0x80 | 0x81];
 }
 
 record! {
@@ -124,7 +126,7 @@ record! {
 }
 
 field! {
-    Health: 0x80, 0x04, "measurements.health"
+    Health: 0x80, 0x04, "measurements.health";
 }
 
 record! {
@@ -159,7 +161,7 @@ record! {
 }
 
 field! {
-    Arrays: 0x80, 0x05, "measurements.arrays"
+    Arrays: 0x80, 0x05, "measurements.arrays";
 }
 
 record! {
@@ -191,5 +193,5 @@ record! {
 }
 
 field! {
-    Growing: 0x80, 0x06, "measurements.growing"
+    Growing: 0x80, 0x06, "measurements.growing";
 }

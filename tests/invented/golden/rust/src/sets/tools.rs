@@ -210,7 +210,7 @@ constructors! {
 }
 
 field! {
-    Ping: 0x01, 0x01, "tools.ping"
+    Ping: 0x01, 0x01, "tools.ping";
 }
 
 command! {
@@ -262,7 +262,7 @@ record! {
 }
 
 constructors! {
-    Settings { function, port, mode, baud, limit, reserved }
+    Settings
 
     /// Apply the new setting.
     fn write(
@@ -292,14 +292,13 @@ constructors! {
 }
 
 setters! {
-    Settings {
-        fn with_limit(limit: u16);
-        fn with_reserved(reserved: u8);
-    }
+    Settings
+    fn with_limit(limit: u16);
+    fn with_reserved(reserved: u8);
 }
 
 field! {
-    Settings: 0x01, 0x02, "tools.settings"
+    Settings: 0x01, 0x02, "tools.settings";
 }
 
 command! {
@@ -337,7 +336,7 @@ record! {
 }
 
 constructors! {
-    SetTime { function, part, value }
+    SetTime
 
     /// Apply the new setting.
     fn write(part: types::Mode, value: u32) = WRITE;
@@ -350,7 +349,7 @@ constructors! {
 }
 
 field! {
-    SetTime: 0x01, 0x03, "tools.set_time"
+    SetTime: 0x01, 0x03, "tools.set_time";
 }
 
 command! {
@@ -401,7 +400,8 @@ constructors! {
 }
 
 field! {
-    Status: 0x01, 0x04, "tools.status", constants [0: 18 103]
+    Status: 0x01, 0x04, "tools.status";
+    constants [0: 18 103];
 }
 
 command! {
@@ -444,7 +444,7 @@ record! {
 }
 
 constructors! {
-    Bias { function, bias }
+    Bias
 
     /// Apply the new setting.
     fn write(bias: impl Into<types::Vector3f>) = WRITE;
@@ -463,7 +463,7 @@ constructors! {
 }
 
 field! {
-    Bias: 0x01, 0x05, "tools.bias"
+    Bias: 0x01, 0x05, "tools.bias";
 }
 
 command! {
@@ -496,7 +496,7 @@ constructors! {
 }
 
 field! {
-    CaptureBias: 0x01, 0x06, "tools.capture_bias"
+    CaptureBias: 0x01, 0x06, "tools.capture_bias";
 }
 
 command! {
@@ -544,7 +544,7 @@ constructors! {
 }
 
 field! {
-    Formats: 0x01, 0x07, "tools.formats"
+    Formats: 0x01, 0x07, "tools.formats";
 }
 
 command! {
@@ -610,7 +610,7 @@ union! {
 }
 
 constructors! {
-    Choice { function, instance, shape, parameters }
+    Choice
 
     /// Apply the new setting.
     fn write(instance: u8, parameters: ChoiceParameters) = WRITE, shape: parameters.tag();
@@ -620,7 +620,7 @@ constructors! {
 }
 
 field! {
-    Choice: 0x01, 0x08, "tools.choice"
+    Choice: 0x01, 0x08, "tools.choice";
 }
 
 command! {
@@ -650,7 +650,6 @@ record! {
     wire 252 {
         [function selects]
         [(items) for WRITE {
-
             [count: u8 counts items]
             [items by count]
         }]
@@ -658,7 +657,7 @@ record! {
 }
 
 constructors! {
-    List { function, items }
+    List
 
     /// Apply the new setting.
     fn write(items: impl Into<crate::List<u16, 125>>) = WRITE;
@@ -671,7 +670,7 @@ constructors! {
 }
 
 field! {
-    List: 0x01, 0x09, "tools.list"
+    List: 0x01, 0x09, "tools.list";
 }
 
 command! {
@@ -699,7 +698,7 @@ constructors! {
 }
 
 field! {
-    Inventory: 0x01, 0x0A, "tools.inventory"
+    Inventory: 0x01, 0x0A, "tools.inventory";
 }
 
 command! {
@@ -734,7 +733,7 @@ record! {
 }
 
 constructors! {
-    Pin { function, drive, use_ }
+    Pin
 
     /// Apply the new setting.
     fn write(drive: Drive, use_: u8) = WRITE;
@@ -765,7 +764,7 @@ impl Pin {
 }
 
 field! {
-    Pin: 0x01, 0x0B, "tools.pin"
+    Pin: 0x01, 0x0B, "tools.pin";
 }
 
 command! {
@@ -818,7 +817,8 @@ impl core::default::Default for SettingsResponse {
 }
 
 field! {
-    SettingsResponse: 0x01, 0x82, "tools.settings_response", answers Settings
+    SettingsResponse: 0x01, 0x82, "tools.settings_response";
+    answers Settings;
 }
 
 record! {
@@ -837,7 +837,8 @@ record! {
 }
 
 field! {
-    SetTimeFastResponse: 0x01, 0x83, "tools.set_time_fast_response", answers SetTime
+    SetTimeFastResponse: 0x01, 0x83, "tools.set_time_fast_response";
+    answers SetTime;
 }
 
 record! {
@@ -856,7 +857,8 @@ record! {
 }
 
 field! {
-    SetTimeSlowResponse: 0x01, 0x84, "tools.set_time_slow_response", answers SetTime
+    SetTimeSlowResponse: 0x01, 0x84, "tools.set_time_slow_response";
+    answers SetTime;
 }
 
 record! {
@@ -884,7 +886,8 @@ record! {
 }
 
 field! {
-    ChoiceResponse: 0x01, 0x88, "tools.choice_response", answers Choice
+    ChoiceResponse: 0x01, 0x88, "tools.choice_response";
+    answers Choice;
 }
 
 record! {
@@ -907,7 +910,8 @@ record! {
 }
 
 field! {
-    ListResponse: 0x01, 0x89, "tools.list_response", answers List
+    ListResponse: 0x01, 0x89, "tools.list_response";
+    answers List;
 }
 
 record! {
@@ -924,7 +928,8 @@ record! {
 }
 
 field! {
-    InventoryResponse: 0x01, 0x8A, "tools.inventory_response", answers Inventory
+    InventoryResponse: 0x01, 0x8A, "tools.inventory_response";
+    answers Inventory;
 }
 
 record! {
@@ -957,7 +962,7 @@ impl PinResponse {
     #[must_use]
     pub fn use_as_pulse_use(&self) -> Option<PulseUse> {
         let named = matches!(self.drive, Drive::PULSE);
-        Some(self.use_).filter(|_| named).map(Into::into)
+        named.then(|| self.use_.into())
     }
 
     /// Reads `use_` as [`SerialUse`].
@@ -966,12 +971,13 @@ impl PinResponse {
     #[must_use]
     pub fn use_as_serial_use(&self) -> Option<SerialUse> {
         let named = matches!(self.drive, Drive::SERIAL);
-        Some(self.use_).filter(|_| named).map(Into::into)
+        named.then(|| self.use_.into())
     }
 }
 
 field! {
-    PinResponse: 0x01, 0x8B, "tools.pin_response", answers Pin
+    PinResponse: 0x01, 0x8B, "tools.pin_response";
+    answers Pin;
 }
 
 record! {
@@ -1018,7 +1024,9 @@ impl StatusShort {
 }
 
 field! {
-    StatusShort: 0x01, 0x90, "tools.status_short", constants [0: 18 103] [2: 1], answers Status
+    StatusShort: 0x01, 0x90, "tools.status_short";
+    constants [0: 18 103] [2: 1];
+    answers Status;
 }
 
 record! {
@@ -1070,7 +1078,9 @@ impl StatusLong {
 }
 
 field! {
-    StatusLong: 0x01, 0x90, "tools.status_long", constants [0: 18 103] [2: 2], answers Status
+    StatusLong: 0x01, 0x90, "tools.status_long";
+    constants [0: 18 103] [2: 2];
+    answers Status;
 }
 
 record! {
@@ -1089,5 +1099,6 @@ record! {
 }
 
 field! {
-    BiasVector: 0x01, 0x9B, "tools.bias_vector", answers Bias CaptureBias
+    BiasVector: 0x01, 0x9B, "tools.bias_vector";
+    answers Bias CaptureBias;
 }
