@@ -30,49 +30,27 @@ pub static MODEL_A: Device = Device {
     model_number: Some(4711),
     fields: supported! {
         0x01 0x01 "tools.ping" [];
-
         0x01 0x02 "tools.settings" [WRITE READ SAVE LOAD DEFAULT APPLY];
-
         0x01 0x03 "tools.set_time" [WRITE READ APPLY];
-
         0x01 0x04 "tools.status" [];
-
         0x01 0x05 "tools.bias" [WRITE READ SAVE LOAD DEFAULT];
-
         0x01 0x06 "tools.capture_bias" [];
-
         0x01 0x07 "tools.formats" [];
-
         0x01 0x08 "tools.choice" [WRITE READ];
-
         0x01 0x09 "tools.list" [WRITE READ SAVE];
-
         0x01 0x0A "tools.inventory" [];
-
         0x01 0x0B "tools.pin" [WRITE READ];
-
         0x0C 0x10 "3d.default" [];
-
         0x80 0x01 "measurements.accel" [];
-
         0x80 0x02 "measurements.numbers" [];
-
         0x80 0x03 "measurements.strings" [];
-
         0x80 0x04 "measurements.health" [];
-
         0x80 0x05 "measurements.arrays" [];
-
         0x80 0x06 "measurements.growing" [];
-
         0x81 0x01 "more.accel" [];
-
         0x81 0x03 "more.strings" [];
-
         0x81 0x07 "more.own" [];
-
         0xFF 0xD3 "shared.timestamp" [];
-
     },
     base_rates: &[
         BaseRate { set: 0x80, hertz: 1000.0 },
@@ -136,13 +114,9 @@ pub static MODEL_B: Device = Device {
     model_number: None,
     fields: supported! {
         0x01 0x01 "tools.ping" [];
-
         0x01 0x02 "tools.settings" [WRITE READ];
-
         0x01 0x04 "tools.status" [];
-
         0x80 0x01 "measurements.accel" [];
-
     },
     base_rates: &[
         BaseRate { set: 0x80, hertz: 0.0 },
