@@ -227,6 +227,7 @@ class Variant:
     by: str  # "device", or the name of a parameter of the same record
     key: str  # a device id, or a value name of that parameter's enumeration
     value: int | None = None  # the number of that value; None if it is by device
+    member: str = ""  # of a structure: the member that differs, in place of the whole
     type: Enum | Bitfield | None = None  # names the values or bits of a plain number
     units: tuple[str, ...] = ()
     frame: str | None = None
@@ -260,6 +261,7 @@ class Parameter:
     maximum: float | int | None = None
     above: float | int | None = None  # open bounds: the value is greater than `above`, less than `below`
     below: float | int | None = None
+    magnitude: tuple[float | int | None, float | int | None] = (None, None)  # least and most length of a vector
     default: object = None
     valid: tuple[str, ...] = ()  # what vouches for it: the bit "valid_flags.tow" or the bool "fix_ok"; one, or each's
     variants: tuple[Variant, ...] = ()
@@ -284,8 +286,8 @@ class Parameter:
 
     @property
     def readings(self) -> tuple[Variant, ...]:
-        """The variants that name its values or bits."""
-        return tuple(v for v in self.variants if v.type is not None)
+        """The variants that name its values or bits; those that name the ones of a member are not among them."""
+        return tuple(v for v in self.variants if v.type is not None and not v.member)
 
 
 # --------------------------------------------------------------------------- operations

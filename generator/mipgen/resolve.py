@@ -57,6 +57,7 @@ def definitions(roots: dict[str, list[Node]], problems: Problems) -> tuple[Types
         types.define(None, node["types"])
     for node in roots["set"]:
         types.define(node["name"].value, node.get("types"))
+        types.parts[node["name"].value] = dict(node["parts"].value) if "parts" in node else {}
     shared = types.of(None)
     protocol = _protocol(root, types, functions, problems)
     sets = Sets(types, problems).resolve(roots["set"])
