@@ -702,6 +702,7 @@ class Manual:
     document: str
     lengths: Literal["wire", "scalars", "none"]  # how it counts the field lengths that it prints
     sections: tuple[str, ...] = ()  # its headings that may be cited; none: any
+    kind: Literal["manual", "sdk"] = "manual"  # sdk: source code of the vendor, not a text for readers
 
 
 @dataclass(frozen=True, slots=True)
@@ -711,6 +712,15 @@ class Word:
     symbol: str
     title: str
     description: str
+
+
+@dataclass(frozen=True, slots=True)
+class Chapter:
+    """What a programmer must know of the protocol beside its fields."""
+
+    title: str
+    text: tuple[str, ...]  # sentences that belong together, each
+    sources: tuple[Source, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -726,6 +736,7 @@ class Protocol:
     units: tuple[Word, ...]
     frames: tuple[Word, ...]
     manuals: tuple[Manual, ...]
+    notes: tuple[Chapter, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -759,6 +770,10 @@ class Model:
 
     def field(self, full_name: str) -> Field | None:
         return self._fields.get(full_name)
+
+    def type(self, name: str) -> Type | None:
+        """A type by its full name: "set.type", or the name alone for one of spec/types."""
+        return self._types.get(name)
 
     def candidates(self, set_number: int, descriptor: int) -> tuple[Field, ...]:
         """The layouts that a descriptor may have inside a packet of that set."""
@@ -817,6 +832,11 @@ class Model:
     @cached_property
     def _fields(self) -> dict[str, Field]:
         return {f.full_name: f for f in (*self.fields, self.protocol.acknowledge)}
+
+    @cached_property
+    def _types(self) -> dict[str, Type]:
+        own = {f"{s.name}.{t.name}": t for s in self.sets for t in s.types}
+        return {**own, **{t.name: t for t in self.types}}
 
     @cached_property
     def _descriptors(self) -> dict[tuple[int, int], tuple[Field, ...]]:

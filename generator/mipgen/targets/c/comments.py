@@ -47,9 +47,9 @@ def _wrapped(paragraph: str, width: int) -> list[str]:
 
 
 def reference(r: describe.Ref) -> str:
-    """How a comment names a thing; a descriptor like (0x0C,0x28) stays one."""
+    """How a comment names a thing."""
     match r.thing, r.within:
-        case m.Field() as f, _ if not r.words.startswith("("):
+        case m.Field() as f, _:
             return names.field_name(f)
         case m.Parameter() as p, _:
             return names.member(p.name) if p.constant is None else p.name

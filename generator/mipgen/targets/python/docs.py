@@ -22,8 +22,6 @@ def say(text: Iterable[str | Ref], where: str) -> str:
 def named(ref: Ref, where: str) -> str:
     """What Python calls something that a text names."""
     match ref.thing:
-        case m.Field() if ref.words.startswith("("):  # in a text of the specification: (0x0C,0x28)
-            return f"`{reference(ref.thing, where)}` {ref.words}"
         case m.Field() | m.Enum() | m.Bitfield() | m.Struct():
             return f"`{reference(ref.thing, where)}`"
         case m.EnumValue() | m.Bits():
