@@ -81,9 +81,9 @@ class _Names:
         if "." in name:
             self.problem(place, f"no field or type '{name}'{nearest(name, self.full_names)}")
         elif name not in self.words:
-            whole = [f"`{x}`" for x in self.full_names if x.endswith(f".{name}")]
+            whole = sorted(f"`{x}`" for x in self.full_names if x.endswith(f".{name}"))
             remedy = f"; write {' or '.join(whole)}" if whole else nearest(name, self.words)
-            self.problem(place, f"nothing is called '{name}' alone{remedy}")
+            self.problem(place, f"no parameter, value or bit is called '{name}'{remedy}")
 
     # ----------------------------------------------------------------------- what there is
 
@@ -106,7 +106,7 @@ class _Names:
 
     @cached_property
     def words(self) -> set[str]:
-        """Names that stand alone: of parameters, values and bits, sets, functions, units and frames."""
+        """Names that stand alone: of parameters, values and bits, of sets, functions, frames and devices."""
         protocol, types = self.model.protocol, (*self.model.all_types, self.model.protocol.function_selector)
         records: list[m.Field | m.Struct] = [*self.model.fields, protocol.acknowledge]
         records += [t for t in types if isinstance(t, m.Struct)]
@@ -114,7 +114,7 @@ class _Names:
         found |= {v.name for t in types if isinstance(t, m.Enum) for v in t.values}
         found |= {b.name for t in types if isinstance(t, m.Bitfield) for b in t.bits}
         found |= {s.name for s in self.model.sets} | {t.name for t in self.model.types}
-        return found | {w.symbol for w in (*protocol.units, *protocol.frames)} | {d.name for d in self.model.devices}
+        return found | {w.symbol for w in protocol.frames} | {d.name for d in self.model.devices}
 
 
 def _texts(node: Node) -> Iterator[Node]:

@@ -4100,7 +4100,7 @@ static void read_magnetometer_soft_iron_matrix(struct mip_reader *r, void *value
     mip_read_required(r, v->function, required_magnetometer_soft_iron_matrix,
                       sizeof(required_magnetometer_soft_iron_matrix));
     mip_read_group(r, 1, 1);
-    mip_read_float(r, v->offset, 9);
+    mip_read_float(r, v->matrix, 9);
     v->present = mip_read_present(r);
 }
 
@@ -4111,7 +4111,7 @@ static void write_magnetometer_soft_iron_matrix(struct mip_writer *w, const void
     mip_write_required(w, v->function, required_magnetometer_soft_iron_matrix,
                        sizeof(required_magnetometer_soft_iron_matrix), v->present);
     mip_write_group(w, 1, 1);
-    mip_write_float(w, v->offset, 9);
+    mip_write_float(w, v->matrix, 9);
 }
 
 static bool asked_magnetometer_soft_iron_matrix_1(const void *value) {
@@ -4150,11 +4150,11 @@ mip_error mip_3dm_magnetometer_soft_iron_matrix_encode(
 }
 
 struct mip_3dm_magnetometer_soft_iron_matrix
-mip_3dm_magnetometer_soft_iron_matrix_write(const float offset[9]) {
+mip_3dm_magnetometer_soft_iron_matrix_write(const float matrix[9]) {
     struct mip_3dm_magnetometer_soft_iron_matrix v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    memcpy(v.offset, offset, sizeof(v.offset));
+    memcpy(v.matrix, matrix, sizeof(v.matrix));
     return v;
 }
 
@@ -4189,13 +4189,13 @@ struct mip_3dm_magnetometer_soft_iron_matrix mip_3dm_magnetometer_soft_iron_matr
 static void read_magnetometer_soft_iron_matrix_response(struct mip_reader *r, void *value) {
     struct mip_3dm_magnetometer_soft_iron_matrix_response *v =
         (struct mip_3dm_magnetometer_soft_iron_matrix_response *)value;
-    mip_read_float(r, v->offset, 9);
+    mip_read_float(r, v->matrix, 9);
 }
 
 static void write_magnetometer_soft_iron_matrix_response(struct mip_writer *w, const void *value) {
     const struct mip_3dm_magnetometer_soft_iron_matrix_response *v =
         (const struct mip_3dm_magnetometer_soft_iron_matrix_response *)value;
-    mip_write_float(w, v->offset, 9);
+    mip_write_float(w, v->matrix, 9);
 }
 
 const struct mip_codec mip_3dm_magnetometer_soft_iron_matrix_response_codec = {

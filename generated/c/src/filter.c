@@ -1086,7 +1086,7 @@ static void read_heading_update_control(struct mip_reader *r, void *value) {
     mip_read_required(r, v->function, required_heading_update_control,
                       sizeof(required_heading_update_control));
     mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->enable, 1);
+    mip_read_u8(r, &v->source, 1);
     v->present = mip_read_present(r);
 }
 
@@ -1097,7 +1097,7 @@ static void write_heading_update_control(struct mip_writer *w, const void *value
     mip_write_required(w, v->function, required_heading_update_control,
                        sizeof(required_heading_update_control), v->present);
     mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->enable, 1);
+    mip_write_u8(w, &v->source, 1);
 }
 
 static bool asked_heading_update_control_1(const void *value) {
@@ -1136,11 +1136,11 @@ mip_error mip_filter_heading_update_control_encode(
 }
 
 struct mip_filter_heading_update_control
-mip_filter_heading_update_control_write(mip_filter_heading_update_source enable) {
+mip_filter_heading_update_control_write(mip_filter_heading_update_source source) {
     struct mip_filter_heading_update_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.enable = enable;
+    v.source = source;
     return v;
 }
 
@@ -1175,13 +1175,13 @@ struct mip_filter_heading_update_control mip_filter_heading_update_control_defau
 static void read_heading_update_control_response(struct mip_reader *r, void *value) {
     struct mip_filter_heading_update_control_response *v =
         (struct mip_filter_heading_update_control_response *)value;
-    mip_read_u8(r, &v->enable, 1);
+    mip_read_u8(r, &v->source, 1);
 }
 
 static void write_heading_update_control_response(struct mip_writer *w, const void *value) {
     const struct mip_filter_heading_update_control_response *v =
         (const struct mip_filter_heading_update_control_response *)value;
-    mip_write_u8(w, &v->enable, 1);
+    mip_write_u8(w, &v->source, 1);
 }
 
 const struct mip_codec mip_filter_heading_update_control_response_codec = {
@@ -4152,7 +4152,7 @@ static void read_altitude_aiding(struct mip_reader *r, void *value) {
     mip_read_u8(r, &v->function, 1);
     mip_read_required(r, v->function, required_altitude_aiding, sizeof(required_altitude_aiding));
     mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->selector, 1);
+    mip_read_u8(r, &v->source, 1);
     v->present = mip_read_present(r);
 }
 
@@ -4162,7 +4162,7 @@ static void write_altitude_aiding(struct mip_writer *w, const void *value) {
     mip_write_required(w, v->function, required_altitude_aiding, sizeof(required_altitude_aiding),
                        v->present);
     mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->selector, 1);
+    mip_write_u8(w, &v->source, 1);
 }
 
 static bool asked_altitude_aiding_1(const void *value) {
@@ -4200,11 +4200,11 @@ mip_error mip_filter_altitude_aiding_encode(const struct mip_filter_altitude_aid
 }
 
 struct mip_filter_altitude_aiding
-mip_filter_altitude_aiding_write(mip_filter_altitude_aiding_source selector) {
+mip_filter_altitude_aiding_write(mip_filter_altitude_aiding_source source) {
     struct mip_filter_altitude_aiding v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.selector = selector;
+    v.source = source;
     return v;
 }
 
@@ -4239,13 +4239,13 @@ struct mip_filter_altitude_aiding mip_filter_altitude_aiding_default(void) {
 static void read_altitude_aiding_response(struct mip_reader *r, void *value) {
     struct mip_filter_altitude_aiding_response *v =
         (struct mip_filter_altitude_aiding_response *)value;
-    mip_read_u8(r, &v->selector, 1);
+    mip_read_u8(r, &v->source, 1);
 }
 
 static void write_altitude_aiding_response(struct mip_writer *w, const void *value) {
     const struct mip_filter_altitude_aiding_response *v =
         (const struct mip_filter_altitude_aiding_response *)value;
-    mip_write_u8(w, &v->selector, 1);
+    mip_write_u8(w, &v->source, 1);
 }
 
 const struct mip_codec mip_filter_altitude_aiding_response_codec = {
@@ -4281,7 +4281,7 @@ static void read_pitch_roll_aiding_control(struct mip_reader *r, void *value) {
     mip_read_required(r, v->function, required_pitch_roll_aiding_control,
                       sizeof(required_pitch_roll_aiding_control));
     mip_read_group(r, 1, 1);
-    mip_read_u8(r, &v->aiding, 1);
+    mip_read_u8(r, &v->source, 1);
     v->present = mip_read_present(r);
 }
 
@@ -4292,7 +4292,7 @@ static void write_pitch_roll_aiding_control(struct mip_writer *w, const void *va
     mip_write_required(w, v->function, required_pitch_roll_aiding_control,
                        sizeof(required_pitch_roll_aiding_control), v->present);
     mip_write_group(w, 1, 1);
-    mip_write_u8(w, &v->aiding, 1);
+    mip_write_u8(w, &v->source, 1);
 }
 
 static bool asked_pitch_roll_aiding_control_1(const void *value) {
@@ -4331,11 +4331,11 @@ mip_error mip_filter_pitch_roll_aiding_control_encode(
 }
 
 struct mip_filter_pitch_roll_aiding_control
-mip_filter_pitch_roll_aiding_control_write(mip_filter_pitch_roll_aiding_source aiding) {
+mip_filter_pitch_roll_aiding_control_write(mip_filter_pitch_roll_aiding_source source) {
     struct mip_filter_pitch_roll_aiding_control v;
     memset(&v, 0, sizeof(v));
     v.function = MIP_FUNCTION_SELECTOR_WRITE;
-    v.aiding = aiding;
+    v.source = source;
     return v;
 }
 
@@ -4370,13 +4370,13 @@ struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control
 static void read_pitch_roll_aiding_control_response(struct mip_reader *r, void *value) {
     struct mip_filter_pitch_roll_aiding_control_response *v =
         (struct mip_filter_pitch_roll_aiding_control_response *)value;
-    mip_read_u8(r, &v->aiding, 1);
+    mip_read_u8(r, &v->source, 1);
 }
 
 static void write_pitch_roll_aiding_control_response(struct mip_writer *w, const void *value) {
     const struct mip_filter_pitch_roll_aiding_control_response *v =
         (const struct mip_filter_pitch_roll_aiding_control_response *)value;
-    mip_write_u8(w, &v->aiding, 1);
+    mip_write_u8(w, &v->source, 1);
 }
 
 const struct mip_codec mip_filter_pitch_roll_aiding_control_response_codec = {

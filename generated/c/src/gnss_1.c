@@ -974,7 +974,7 @@ static void read_gps_ephemeris(struct mip_reader *r, void *value) {
     mip_read_u16(r, &v->week_number, 1);
     mip_read_u8(r, &v->satellite_id, 1);
     mip_read_u8(r, &v->health, 1);
-    mip_read_u8(r, &v->iodec, 1);
+    mip_read_u8(r, &v->iodc, 1);
     mip_read_u8(r, &v->iode, 1);
     mip_read_double(r, &v->t_oc, 1);
     mip_read_double(r, &v->af0, 1);
@@ -1012,7 +1012,7 @@ static void write_gps_ephemeris(struct mip_writer *w, const void *value) {
     mip_write_u16(w, &v->week_number, 1);
     mip_write_u8(w, &v->satellite_id, 1);
     mip_write_u8(w, &v->health, 1);
-    mip_write_u8(w, &v->iodec, 1);
+    mip_write_u8(w, &v->iodc, 1);
     mip_write_u8(w, &v->iode, 1);
     mip_write_double(w, &v->t_oc, 1);
     mip_write_double(w, &v->af0, 1);
@@ -1155,7 +1155,7 @@ static void read_galileo_ephemeris(struct mip_reader *r, void *value) {
     mip_read_u16(r, &v->week_number, 1);
     mip_read_u8(r, &v->satellite_id, 1);
     mip_read_u8(r, &v->health, 1);
-    mip_read_u8(r, &v->iodec, 1);
+    mip_read_u8(r, &v->iodc, 1);
     mip_read_u8(r, &v->iode, 1);
     mip_read_double(r, &v->t_oc, 1);
     mip_read_double(r, &v->af0, 1);
@@ -1194,7 +1194,7 @@ static void write_galileo_ephemeris(struct mip_writer *w, const void *value) {
     mip_write_u16(w, &v->week_number, 1);
     mip_write_u8(w, &v->satellite_id, 1);
     mip_write_u8(w, &v->health, 1);
-    mip_write_u8(w, &v->iodec, 1);
+    mip_write_u8(w, &v->iodc, 1);
     mip_write_u8(w, &v->iode, 1);
     mip_write_double(w, &v->t_oc, 1);
     mip_write_double(w, &v->af0, 1);
@@ -1255,7 +1255,7 @@ static void read_beidou_ephemeris(struct mip_reader *r, void *value) {
     mip_read_u16(r, &v->week_number, 1);
     mip_read_u8(r, &v->satellite_id, 1);
     mip_read_u8(r, &v->health, 1);
-    mip_read_u8(r, &v->iodec, 1);
+    mip_read_u8(r, &v->iodc, 1);
     mip_read_u8(r, &v->iode, 1);
     mip_read_double(r, &v->t_oc, 1);
     mip_read_double(r, &v->af0, 1);
@@ -1293,7 +1293,7 @@ static void write_beidou_ephemeris(struct mip_writer *w, const void *value) {
     mip_write_u16(w, &v->week_number, 1);
     mip_write_u8(w, &v->satellite_id, 1);
     mip_write_u8(w, &v->health, 1);
-    mip_write_u8(w, &v->iodec, 1);
+    mip_write_u8(w, &v->iodc, 1);
     mip_write_u8(w, &v->iode, 1);
     mip_write_double(w, &v->t_oc, 1);
     mip_write_double(w, &v->af0, 1);

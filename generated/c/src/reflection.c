@@ -2580,8 +2580,8 @@ static const struct mip_parameter parameters_3dm_magnetometer_soft_iron_matrix[]
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_3dm_magnetometer_soft_iron_matrix, function), 0, &names_function_selector, NULL,
      NULL, NULL, 0},
-    {"offset", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
-     ONE(struct mip_3dm_magnetometer_soft_iron_matrix, offset), 0, NULL, NULL, NULL, NULL, 0},
+    {"matrix", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 1, 0,
+     ONE(struct mip_3dm_magnetometer_soft_iron_matrix, matrix), 0, NULL, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_3dm_magnetometer_soft_iron_matrix = {
     parameters_3dm_magnetometer_soft_iron_matrix,
@@ -3076,8 +3076,8 @@ static const struct mip_record record_3dm_magnetometer_hard_iron_offset_response
 };
 
 static const struct mip_parameter parameters_3dm_magnetometer_soft_iron_matrix_response[] = {
-    {"offset", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
-     ONE(struct mip_3dm_magnetometer_soft_iron_matrix_response, offset), 0, NULL, NULL, NULL, NULL,
+    {"matrix", "1", MIP_KIND_NUMBER, MIP_SCALAR_FLOAT, MIP_LENGTH_ONE, 1, 9, 0, 0, 0,
+     ONE(struct mip_3dm_magnetometer_soft_iron_matrix_response, matrix), 0, NULL, NULL, NULL, NULL,
      0},
 };
 static const struct mip_record record_3dm_magnetometer_soft_iron_matrix_response = {
@@ -3624,8 +3624,8 @@ static const struct mip_parameter parameters_filter_heading_update_control[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_heading_update_control, function), 0, &names_function_selector, NULL,
      NULL, NULL, 0},
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_heading_update_control, enable), 0, &names_filter_heading_update_source,
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_heading_update_control, source), 0, &names_filter_heading_update_source,
      NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_heading_update_control = {
@@ -4035,9 +4035,9 @@ static const struct mip_parameter parameters_filter_altitude_aiding[] = {
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_altitude_aiding, function), 0, &names_function_selector, NULL, NULL,
      NULL, 0},
-    {"selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_altitude_aiding, selector), 0, &names_filter_altitude_aiding_source,
-     NULL, NULL, NULL, 0},
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_altitude_aiding, source), 0, &names_filter_altitude_aiding_source, NULL,
+     NULL, NULL, 0},
 };
 static const struct mip_record record_filter_altitude_aiding = {
     parameters_filter_altitude_aiding,
@@ -4050,8 +4050,8 @@ static const struct mip_parameter parameters_filter_pitch_roll_aiding_control[] 
     {"function", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_filter_pitch_roll_aiding_control, function), 0, &names_function_selector, NULL,
      NULL, NULL, 0},
-    {"aiding", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
-     ONE(struct mip_filter_pitch_roll_aiding_control, aiding), 0,
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 1, 0,
+     ONE(struct mip_filter_pitch_roll_aiding_control, source), 0,
      &names_filter_pitch_roll_aiding_source, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_pitch_roll_aiding_control = {
@@ -4429,8 +4429,8 @@ static const struct mip_record record_filter_gnss_aiding_source_control_response
 };
 
 static const struct mip_parameter parameters_filter_heading_update_control_response[] = {
-    {"enable", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_heading_update_control_response, enable), 0,
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_heading_update_control_response, source), 0,
      &names_filter_heading_update_source, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_heading_update_control_response = {
@@ -4740,8 +4740,8 @@ static const struct mip_record record_filter_mag_dip_angle_error_adaptive_measur
 };
 
 static const struct mip_parameter parameters_filter_altitude_aiding_response[] = {
-    {"selector", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_altitude_aiding_response, selector), 0,
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_altitude_aiding_response, source), 0,
      &names_filter_altitude_aiding_source, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_altitude_aiding_response = {
@@ -4751,8 +4751,8 @@ static const struct mip_record record_filter_altitude_aiding_response = {
 };
 
 static const struct mip_parameter parameters_filter_pitch_roll_aiding_control_response[] = {
-    {"aiding", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_filter_pitch_roll_aiding_control_response, aiding), 0,
+    {"source", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_filter_pitch_roll_aiding_control_response, source), 0,
      &names_filter_pitch_roll_aiding_source, NULL, NULL, NULL, 0},
 };
 static const struct mip_record record_filter_pitch_roll_aiding_control_response = {
@@ -7347,8 +7347,8 @@ static const struct mip_parameter parameters_gnss_1_gps_ephemeris[] = {
      ONE(struct mip_gnss_1_gps_ephemeris, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
     {"health", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_gps_ephemeris, health), 0, NULL, NULL, NULL, NULL, 0},
-    {"iodec", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_gps_ephemeris, iodec), 0, NULL, NULL, NULL, NULL, 0},
+    {"iodc", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_gps_ephemeris, iodc), 0, NULL, NULL, NULL, NULL, 0},
     {"iode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_gps_ephemeris, iode), 0, NULL, NULL, NULL, NULL, 0},
     {"t_oc", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -7485,8 +7485,8 @@ static const struct mip_parameter parameters_gnss_1_galileo_ephemeris[] = {
      ONE(struct mip_gnss_1_galileo_ephemeris, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
     {"health", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_galileo_ephemeris, health), 0, NULL, NULL, NULL, NULL, 0},
-    {"iodec", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_galileo_ephemeris, iodec), 0, NULL, NULL, NULL, NULL, 0},
+    {"iodc", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_galileo_ephemeris, iodc), 0, NULL, NULL, NULL, NULL, 0},
     {"iode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_galileo_ephemeris, iode), 0, NULL, NULL, NULL, NULL, 0},
     {"t_oc", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
@@ -7564,8 +7564,8 @@ static const struct mip_parameter parameters_gnss_1_beidou_ephemeris[] = {
      ONE(struct mip_gnss_1_beidou_ephemeris, satellite_id), 0, NULL, NULL, NULL, NULL, 0},
     {"health", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_beidou_ephemeris, health), 0, NULL, NULL, NULL, NULL, 0},
-    {"iodec", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
-     ONE(struct mip_gnss_1_beidou_ephemeris, iodec), 0, NULL, NULL, NULL, NULL, 0},
+    {"iodc", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
+     ONE(struct mip_gnss_1_beidou_ephemeris, iodc), 0, NULL, NULL, NULL, NULL, 0},
     {"iode", "", MIP_KIND_NUMBER, MIP_SCALAR_U8, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,
      ONE(struct mip_gnss_1_beidou_ephemeris, iode), 0, NULL, NULL, NULL, NULL, 0},
     {"t_oc", "s", MIP_KIND_NUMBER, MIP_SCALAR_DOUBLE, MIP_LENGTH_ONE, 1, 1, 0, 0, 0,

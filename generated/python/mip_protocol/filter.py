@@ -19,8 +19,8 @@ from .protocol import FunctionSelector
 
 class DynamicsMode(codec.OpenEnum):
     """Kind of vehicle that the filter is tuned for. Uncertain: The SDK names the modes only; the
-    descriptions follow from the names. Uncertain: The filter status `filter_data.Status`
-    (0x82,0x10) reports a mode too, but is known to have the values 1 to 3 only.
+    descriptions follow from the names. Uncertain: `filter_data.Status` reports a mode too, but is
+    known to have the values 1 to 3 only.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -274,7 +274,7 @@ _VEHICLE_DYNAMICS_MODE_RESPONSE_0 = codec.Block("B", "mode")
 class VehicleDynamicsModeResponse(Response):
     """Vehicle dynamics mode response (0x0D,0x80).
 
-    Answers `VehicleDynamicsMode`.
+    Answers `VehicleDynamicsMode`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -347,7 +347,7 @@ _SENSOR_TO_VEHICLE_OFFSET_RESPONSE_0 = codec.Block("fff", *["offset"] * 3)
 class SensorToVehicleOffsetResponse(Response):
     """Sensor to vehicle offset response (0x0D,0x82).
 
-    Answers `SensorToVehicleOffset`.
+    Answers `SensorToVehicleOffset`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
@@ -359,7 +359,7 @@ class SensorToVehicleOffsetResponse(Response):
 
     offset: types.Vector3f
     """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
-    sensor. Range: -10 to 10.
+    sensor. Range: magnitude at most 10.
     """
 
     @classmethod
@@ -394,7 +394,7 @@ class GnssAntennaOffsetControlResponse(Response):
 
     offset: types.Vector3f
     """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-    vehicle. Range: -10 to 10.
+    vehicle. Range: magnitude at most 10.
     """
 
     @classmethod
@@ -477,7 +477,7 @@ class GnssAidingSourceControlResponse(Response):
         return codec.finished(out)
 
 
-_HEADING_UPDATE_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
+_HEADING_UPDATE_CONTROL_RESPONSE_0 = codec.Block("B", "source")
 
 
 @dataclass(slots=True)
@@ -494,18 +494,18 @@ class HeadingUpdateControlResponse(Response):
     NAME = "filter.heading_update_control_response"
     ROLE = "response"
 
-    enable: HeadingUpdateSource
+    source: HeadingUpdateSource
     """Source of the heading."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HeadingUpdateControlResponse, int]:
         v = _HEADING_UPDATE_CONTROL_RESPONSE_0.read(raw, at)
         at += 1
-        enable = HeadingUpdateSource(v[0])
-        return cls(enable), at
+        source = HeadingUpdateSource(v[0])
+        return cls(source), at
 
     def _write(self) -> bytes:
-        out = _HEADING_UPDATE_CONTROL_RESPONSE_0.write(self.enable)
+        out = _HEADING_UPDATE_CONTROL_RESPONSE_0.write(self.source)
         return codec.finished(out)
 
 
@@ -704,7 +704,7 @@ _AUTO_ZUPT_RESPONSE_0 = codec.Block("Bf", "enable", "threshold")
 class AutoZuptResponse(Response):
     """Automatic zero velocity update response (0x0D,0x8D).
 
-    Answers `AutoZupt`.
+    Answers `AutoZupt`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Auto Zupt (0x0D,0x1E)
     """
@@ -858,7 +858,7 @@ _PRESSURE_ALTITUDE_NOISE_RESPONSE_0 = codec.Block("f", "noise")
 class PressureAltitudeNoiseResponse(Response):
     """Pressure altitude noise response (0x0D,0x94).
 
-    Answers `PressureAltitudeNoise`.
+    Answers `PressureAltitudeNoise`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
     """
@@ -890,7 +890,7 @@ _HARD_IRON_OFFSET_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 class HardIronOffsetNoiseResponse(Response):
     """Hard iron offset noise response (0x0D,0x96).
 
-    Answers `HardIronOffsetNoise`.
+    Answers `HardIronOffsetNoise`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
@@ -922,7 +922,7 @@ _SOFT_IRON_MATRIX_NOISE_RESPONSE_0 = codec.Block("fffffffff", *["noise"] * 9)
 class SoftIronMatrixNoiseResponse(Response):
     """Soft iron matrix noise response (0x0D,0x97).
 
-    Answers `SoftIronMatrixNoise`.
+    Answers `SoftIronMatrixNoise`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
@@ -1022,7 +1022,7 @@ _MAG_NOISE_RESPONSE_0 = codec.Block("fff", *["noise"] * 3)
 class MagNoiseResponse(Response):
     """Magnetometer noise response (0x0D,0xB1).
 
-    Answers `MagNoise`.
+    Answers `MagNoise`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -1181,7 +1181,7 @@ _MAG_MAGNITUDE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class MagMagnitudeErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
 
-    Answers `MagMagnitudeErrorAdaptiveMeasurement`.
+    Answers `MagMagnitudeErrorAdaptiveMeasurement`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
     """
@@ -1259,7 +1259,7 @@ _MAG_DIP_ANGLE_ERROR_ADAPTIVE_MEASUREMENT_RESPONSE_0 = codec.Block(
 class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
     """Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
 
-    Answers `MagDipAngleErrorAdaptiveMeasurement`.
+    Answers `MagDipAngleErrorAdaptiveMeasurement`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
@@ -1308,14 +1308,14 @@ class MagDipAngleErrorAdaptiveMeasurementResponse(Response):
         return codec.finished(out)
 
 
-_ALTITUDE_AIDING_RESPONSE_0 = codec.Block("B", "selector")
+_ALTITUDE_AIDING_RESPONSE_0 = codec.Block("B", "source")
 
 
 @dataclass(slots=True)
 class AltitudeAidingResponse(Response):
     """Altitude aiding response (0x0D,0xB7).
 
-    Answers `AltitudeAiding`.
+    Answers `AltitudeAiding`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Altitude Aiding (0x0D,0x47)
     """
@@ -1325,22 +1325,22 @@ class AltitudeAidingResponse(Response):
     NAME = "filter.altitude_aiding_response"
     ROLE = "response"
 
-    selector: AltitudeAidingSource
+    source: AltitudeAidingSource
     """Source of the aiding."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAidingResponse, int]:
         v = _ALTITUDE_AIDING_RESPONSE_0.read(raw, at)
         at += 1
-        selector = AltitudeAidingSource(v[0])
-        return cls(selector), at
+        source = AltitudeAidingSource(v[0])
+        return cls(source), at
 
     def _write(self) -> bytes:
-        out = _ALTITUDE_AIDING_RESPONSE_0.write(self.selector)
+        out = _ALTITUDE_AIDING_RESPONSE_0.write(self.source)
         return codec.finished(out)
 
 
-_PITCH_ROLL_AIDING_CONTROL_RESPONSE_0 = codec.Block("B", "aiding")
+_PITCH_ROLL_AIDING_CONTROL_RESPONSE_0 = codec.Block("B", "source")
 
 
 @dataclass(slots=True)
@@ -1358,18 +1358,18 @@ class PitchRollAidingControlResponse(Response):
     NAME = "filter.pitch_roll_aiding_control_response"
     ROLE = "response"
 
-    aiding: PitchRollAidingSource
+    source: PitchRollAidingSource
     """Source of the aiding."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAidingControlResponse, int]:
         v = _PITCH_ROLL_AIDING_CONTROL_RESPONSE_0.read(raw, at)
         at += 1
-        aiding = PitchRollAidingSource(v[0])
-        return cls(aiding), at
+        source = PitchRollAidingSource(v[0])
+        return cls(source), at
 
     def _write(self) -> bytes:
-        out = _PITCH_ROLL_AIDING_CONTROL_RESPONSE_0.write(self.aiding)
+        out = _PITCH_ROLL_AIDING_CONTROL_RESPONSE_0.write(self.source)
         return codec.finished(out)
 
 
@@ -1380,7 +1380,7 @@ _INCLINATION_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "inclination")
 class InclinationSourceResponse(Response):
     """Magnetic inclination source response (0x0D,0xBC).
 
-    Answers `InclinationSource`.
+    Answers `InclinationSource`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Inclination Source (0x0D,0x4C)
     """
@@ -1417,7 +1417,7 @@ _MAG_FIELD_MAGNITUDE_SOURCE_RESPONSE_0 = codec.Block("Bf", "source", "magnitude"
 class MagFieldMagnitudeSourceResponse(Response):
     """Magnetic field magnitude source response (0x0D,0xBD).
 
-    Answers `MagFieldMagnitudeSource`.
+    Answers `MagFieldMagnitudeSource`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
     """
@@ -1454,7 +1454,7 @@ _SENSOR_TO_VEHICLE_ROTATION_DCM_RESPONSE_0 = codec.Block("fffffffff", *["dcm"] *
 class SensorToVehicleRotationDcmResponse(Response):
     """Sensor to vehicle rotation, matrix response (0x0D,0xBE).
 
-    Answers `SensorToVehicleRotationDcm`.
+    Answers `SensorToVehicleRotationDcm`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
     """
@@ -1488,7 +1488,7 @@ _SENSOR_TO_VEHICLE_ROTATION_QUATERNION_RESPONSE_0 = codec.Block("ffff", *["quat"
 class SensorToVehicleRotationQuaternionResponse(Response):
     """Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
 
-    Answers `SensorToVehicleRotationQuaternion`.
+    Answers `SensorToVehicleRotationQuaternion`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
@@ -1499,7 +1499,9 @@ class SensorToVehicleRotationQuaternionResponse(Response):
     ROLE = "response"
 
     quat: types.Quatf
-    """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1."""
+    """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
+    1.001.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorToVehicleRotationQuaternionResponse, int]:
@@ -1560,7 +1562,7 @@ _KINEMATIC_CONSTRAINT_RESPONSE_0 = codec.Block(
 class KinematicConstraintResponse(Response):
     """Kinematic constraint response (0x0D,0xD1).
 
-    Answers `KinematicConstraint`.
+    Answers `KinematicConstraint`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
@@ -1623,7 +1625,7 @@ class NavigationFilterInitializationResponse(Response):
     ROLE = "response"
 
     wait_for_run_command: int
-    """1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to 1.
+    """1: the filter starts only after `RunNavigationFilter`; 0: as soon as it can. Range: 0 to 1.
     """
     initial_cond_src: InitialConditionSource
     """Which initial conditions are found and which are given."""
@@ -1749,7 +1751,8 @@ class GnssMultiAntennaOffsetControlResponse(Response):
     receiver_id: int
     """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f
-    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude
+    at most 10.
     """
 
     @classmethod
@@ -1839,7 +1842,8 @@ class ReferencePointLeverArmResponse(Response):
     ref_point_sel: ReferencePoint
     """Point to move; it must be 1."""
     lever_arm_offset: types.Vector3f
-    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
+    most 10.
     """
 
     @classmethod
@@ -1902,7 +1906,7 @@ _VERTICAL_GYRO_CONSTRAINT_CONTROL_RESPONSE_0 = codec.Block("B", "enable")
 class VerticalGyroConstraintControlResponse(Response):
     """Vertical gyro constraint response (0x0D,0xE2).
 
-    Answers `VerticalGyroConstraintControl`.
+    Answers `VerticalGyroConstraintControl`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
     """
@@ -2119,7 +2123,7 @@ class RunNavigationFilter(Command):
     Also called `run`. Supported by 3DM-CV7-GNSS/INS.
 
     The filter waits in its initialization state if `wait_for_run_command` of
-    `navigation_filter_initialization` is set.
+    `NavigationFilterInitialization` is set.
 
     - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
     """
@@ -2149,7 +2153,8 @@ class VehicleDynamicsMode(Command):
     Kind of vehicle that the filter is tuned for.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `VehicleDynamicsModeResponse`.
+    `VehicleDynamicsModeResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
     """
@@ -2362,12 +2367,12 @@ class SensorToVehicleOffset(Command):
     Origin of the vehicle frame, as seen from the sensor.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleOffsetResponse`. Uncertain: The direction, from the sensor to the origin of the
-    vehicle frame, is inferred from the name.
+    `SensorToVehicleOffsetResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only. Uncertain: The direction, from the sensor to the origin of the vehicle frame, is inferred
+    from the name.
 
-    It shifts the estimated position `filter_data.LlhPosition` (0x82,0x01) and nothing else. The
-    shift is constant. It does not follow the attitude, as a lever arm would. The magnitude of the
-    vector is limited to 10 m.
+    It shifts `filter_data.LlhPosition` and nothing else. The shift is constant. It does not follow
+    the attitude, as a lever arm would.
 
     - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
     """
@@ -2383,7 +2388,7 @@ class SensorToVehicleOffset(Command):
     """What to do with the setting."""
     offset: types.Vector3f | None = None
     """From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
-    sensor. Range: -10 to 10. Required for `write`.
+    sensor. Range: magnitude at most 10. Required for `write`.
     """
 
     @classmethod
@@ -2461,9 +2466,9 @@ class GnssAntennaOffsetControl(Command):
     Also called `antenna_offset`. Functions: `write`, `read`, `save`, `load` and `default`. Answered
     by `GnssAntennaOffsetControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
-    The magnitude of the vector is limited to 10. 7-series devices expect the vehicle frame,
-    5-series devices the sensor frame. On the 3DM-CV7 it is for GNSS data that come as NMEA; data
-    that come by the aiding commands use `aiding.FrameConfiguration`.
+    7-series devices expect the vehicle frame, 5-series devices the sensor frame. On the 3DM-CV7 it
+    is for GNSS data that come as NMEA; data that come by the aiding commands use
+    `aiding.FrameConfiguration`.
 
     - 3dm-cv7-gnss-ins: GNSS Antenna Offset Control (0x0D,0x13)
     """
@@ -2479,7 +2484,7 @@ class GnssAntennaOffsetControl(Command):
     """What to do with the setting."""
     offset: types.Vector3f | None = None
     """From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-    vehicle. Range: -10 to 10. Required for `write`.
+    vehicle. Range: magnitude at most 10. Required for `write`.
     """
 
     @classmethod
@@ -2745,8 +2750,10 @@ class ExternalGnssUpdate(Command):
 
     Gives the filter one position and velocity of a GNSS receiver that the user provides.
 
-    Refused unless the GNSS aiding source `GnssAidingSourceControl` (0x0D,0x15) is the external one.
-    The highest rate depends on the device.
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
+
+    Refused unless `GnssAidingSourceControl` selects the external source. The highest rate depends
+    on the device.
 
     - mip-sdk-4: External Gnss Update (0x0D,0x16)
     """
@@ -2821,8 +2828,8 @@ class ExternalHeadingUpdate(Command):
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
-    Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
-    and by `aiding_measurement_control` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per
+    Refused unless external heading updates are enabled, by `HeadingUpdateControl` on the 3DM-GX5
+    and by `AidingMeasurementControl` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20 updates per
     second. If the declination source is not valid, -25 models refuse true headings and -45 models
     magnetic ones.
 
@@ -2861,8 +2868,8 @@ class ExternalHeadingUpdate(Command):
 
 
 _HEADING_UPDATE_CONTROL_0 = codec.Block("B", "function")
-_HEADING_UPDATE_CONTROL_1 = codec.Block("B", "enable")
-_HEADING_UPDATE_CONTROL_GROUPS = ((1, ("enable",), False),)
+_HEADING_UPDATE_CONTROL_1 = codec.Block("B", "source")
+_HEADING_UPDATE_CONTROL_GROUPS = ((1, ("source",), False),)
 
 
 @dataclass(slots=True)
@@ -2886,13 +2893,13 @@ class HeadingUpdateControl(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    enable: HeadingUpdateSource | None = None
+    source: HeadingUpdateSource | None = None
     """Source of the heading. Required for `write`."""
 
     @classmethod
-    def write(cls, enable: HeadingUpdateSource) -> HeadingUpdateControl:
+    def write(cls, source: HeadingUpdateSource) -> HeadingUpdateControl:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, enable=enable)
+        return cls(FunctionSelector.WRITE, source=source)
 
     @classmethod
     def read(cls) -> HeadingUpdateControl:
@@ -2922,7 +2929,7 @@ class HeadingUpdateControl(Command):
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[HeadingUpdateControl, int]:
-        enable: HeadingUpdateSource | None = None
+        source: HeadingUpdateSource | None = None
         v = _HEADING_UPDATE_CONTROL_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
@@ -2933,20 +2940,20 @@ class HeadingUpdateControl(Command):
                 raise Truncated(1, 0)
             v = _HEADING_UPDATE_CONTROL_1.read(raw, at)
             at += 1
-            enable = HeadingUpdateSource(v[0])
+            source = HeadingUpdateSource(v[0])
             done, end = 1, at
         except Truncated:
             if done < required:
                 raise
         at = end
-        return cls(function, enable), at
+        return cls(function, source), at
 
     def _write(self) -> bytes:
         out = _HEADING_UPDATE_CONTROL_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _HEADING_UPDATE_CONTROL_GROUPS)
         if there >= 1:
-            out += _HEADING_UPDATE_CONTROL_1.write(self.enable)
+            out += _HEADING_UPDATE_CONTROL_1.write(self.source)
         return codec.finished(out)
 
 
@@ -3466,10 +3473,10 @@ class AutoZupt(Command):
 
     Lets the filter take the device as standing still while its GNSS speed is small.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AutoZuptResponse`. No
+    device profile lists it. Known from the MicroStrain MIP SDK only.
 
     The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
-    The device refuses a negative threshold.
 
     - mip-sdk-4: Auto Zupt (0x0D,0x1E)
     """
@@ -3571,9 +3578,9 @@ class ExternalHeadingUpdateWithTime(Command):
 
     Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
-    Better than `external_heading_update` where the heading changes quickly; the time must be
-    accurate. Refused unless external heading updates are enabled, by `heading_update_control` on
-    the 3DM-GX5 and by `aiding_measurement_control` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20
+    Better than `ExternalHeadingUpdate` where the heading changes quickly; the time must be
+    accurate. Refused unless external heading updates are enabled, by `HeadingUpdateControl` on the
+    3DM-GX5 and by `AidingMeasurementControl` on the 3DM-CV7. The 3DM-GX5-15 takes at most 20
     updates per second. If the declination source is not valid, -25 models refuse true headings and
     -45 models magnetic ones.
 
@@ -3826,6 +3833,8 @@ class CommandedZupt(Command):
 
     Tells the filter once that the device stands still.
 
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
+
     The highest rate depends on the device.
 
     - mip-sdk-4: Commanded Zupt (0x0D,0x22)
@@ -4018,12 +4027,12 @@ class MagCaptureAutoCal(Command):
 
     Makes the automatic magnetometer calibration part of the fixed one.
 
-    Functions: `write` and `save`.
+    Functions: `write` and `save`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
-    A write combines the automatic calibration with the hard iron offset
-    `mip_3dm.MagnetometerHardIronOffset` (0x0C,0x3A) and the soft iron matrix
-    `mip_3dm.MagnetometerSoftIronMatrix` (0x0C,0x3B), and resets it. A save does the same as the
-    save of both of these commands.
+    A write combines the automatic calibration with `mip_3dm.MagnetometerHardIronOffset` and
+    `mip_3dm.MagnetometerSoftIronMatrix`, and resets it. A save does the same as the save of both of
+    these commands.
 
     - mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27)
     """
@@ -4166,7 +4175,8 @@ class PressureAltitudeNoise(Command):
     Standard deviation of the noise of the pressure altitude model that the filter assumes.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `PressureAltitudeNoiseResponse`.
+    `PressureAltitudeNoiseResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     A small value follows the pressure faster, and takes weather and draughts for changes of height.
 
@@ -4258,7 +4268,8 @@ class HardIronOffsetNoise(Command):
     Standard deviation of the noise of the estimated hard iron offset (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `HardIronOffsetNoiseResponse`.
+    `HardIronOffsetNoiseResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
     """
@@ -4350,7 +4361,8 @@ class SoftIronMatrixNoise(Command):
     Standard deviation of the noise of the estimated soft iron matrix (process noise).
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SoftIronMatrixNoiseResponse`.
+    `SoftIronMatrixNoiseResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
     """
@@ -4531,8 +4543,9 @@ class MagNoise(Command):
 
     Standard deviation of the magnetometer noise that the filter assumes.
 
-    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`.
-    Uncertain: The SDK calls it process noise, although the noise is that of a measurement.
+    Functions: `write`, `read`, `save`, `load` and `default`. Answered by `MagNoiseResponse`. No
+    device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK calls it
+    process noise, although the noise is that of a measurement.
 
     - mip-sdk-4: Mag Noise (0x0D,0x42)
     """
@@ -4953,9 +4966,9 @@ class MagMagnitudeErrorAdaptiveMeasurement(Command):
     How far the filter trusts a magnetic field whose magnitude is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagMagnitudeErrorAdaptiveMeasurementResponse`. Uncertain: Whether the parameters behind the
-    selector may be left out on write, as those of `GravityMagnitudeErrorAdaptiveMeasurement`
-    (0x0D,0x44) may.
+    `MagMagnitudeErrorAdaptiveMeasurementResponse`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only. Uncertain: Whether the parameters behind the selector may be left out
+    on write, as those of `GravityMagnitudeErrorAdaptiveMeasurement` may.
 
     The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
     limits. High limits suit high dynamics but let disturbances of the field through; low limits can
@@ -5164,11 +5177,12 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
     How far the filter trusts a magnetic field whose dip angle is not as expected.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagDipAngleErrorAdaptiveMeasurementResponse`.
+    `MagDipAngleErrorAdaptiveMeasurementResponse`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
-    It has no effect while `GravityMagnitudeErrorAdaptiveMeasurement` (0x0D,0x44) or
-    `MagMagnitudeErrorAdaptiveMeasurement` (0x0D,0x45) is set to `auto`. High limits suit high
-    dynamics but let disturbances of the field through; low limits can spoil the heading.
+    It has no effect while `GravityMagnitudeErrorAdaptiveMeasurement` or
+    `MagMagnitudeErrorAdaptiveMeasurement` is set to `auto`. High limits suit high dynamics but let
+    disturbances of the field through; low limits can spoil the heading.
 
     - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
     """
@@ -5313,8 +5327,8 @@ class MagDipAngleErrorAdaptiveMeasurement(Command):
 
 
 _ALTITUDE_AIDING_0 = codec.Block("B", "function")
-_ALTITUDE_AIDING_1 = codec.Block("B", "selector")
-_ALTITUDE_AIDING_GROUPS = ((1, ("selector",), False),)
+_ALTITUDE_AIDING_1 = codec.Block("B", "source")
+_ALTITUDE_AIDING_GROUPS = ((1, ("source",), False),)
 
 
 @dataclass(slots=True)
@@ -5324,6 +5338,7 @@ class AltitudeAiding(Command):
     What aids the altitude beside GNSS.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `AltitudeAidingResponse`.
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
 
     GNSS stays the main source of altitude; the aid improves it and bridges outages. Weather and
     place shift the pressure altitude, at times by more than 40 m.
@@ -5340,13 +5355,13 @@ class AltitudeAiding(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    selector: AltitudeAidingSource | None = None
+    source: AltitudeAidingSource | None = None
     """Source of the aiding. Required for `write`."""
 
     @classmethod
-    def write(cls, selector: AltitudeAidingSource) -> AltitudeAiding:
+    def write(cls, source: AltitudeAidingSource) -> AltitudeAiding:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, selector=selector)
+        return cls(FunctionSelector.WRITE, source=source)
 
     @classmethod
     def read(cls) -> AltitudeAiding:
@@ -5376,7 +5391,7 @@ class AltitudeAiding(Command):
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[AltitudeAiding, int]:
-        selector: AltitudeAidingSource | None = None
+        source: AltitudeAidingSource | None = None
         v = _ALTITUDE_AIDING_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
@@ -5387,26 +5402,26 @@ class AltitudeAiding(Command):
                 raise Truncated(1, 0)
             v = _ALTITUDE_AIDING_1.read(raw, at)
             at += 1
-            selector = AltitudeAidingSource(v[0])
+            source = AltitudeAidingSource(v[0])
             done, end = 1, at
         except Truncated:
             if done < required:
                 raise
         at = end
-        return cls(function, selector), at
+        return cls(function, source), at
 
     def _write(self) -> bytes:
         out = _ALTITUDE_AIDING_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _ALTITUDE_AIDING_GROUPS)
         if there >= 1:
-            out += _ALTITUDE_AIDING_1.write(self.selector)
+            out += _ALTITUDE_AIDING_1.write(self.source)
         return codec.finished(out)
 
 
 _PITCH_ROLL_AIDING_CONTROL_0 = codec.Block("B", "function")
-_PITCH_ROLL_AIDING_CONTROL_1 = codec.Block("B", "aiding")
-_PITCH_ROLL_AIDING_CONTROL_GROUPS = ((1, ("aiding",), False),)
+_PITCH_ROLL_AIDING_CONTROL_1 = codec.Block("B", "source")
+_PITCH_ROLL_AIDING_CONTROL_GROUPS = ((1, ("source",), False),)
 
 
 @dataclass(slots=True)
@@ -5430,13 +5445,13 @@ class PitchRollAidingControl(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    aiding: PitchRollAidingSource | None = None
+    source: PitchRollAidingSource | None = None
     """Source of the aiding. Required for `write`."""
 
     @classmethod
-    def write(cls, aiding: PitchRollAidingSource) -> PitchRollAidingControl:
+    def write(cls, source: PitchRollAidingSource) -> PitchRollAidingControl:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, aiding=aiding)
+        return cls(FunctionSelector.WRITE, source=source)
 
     @classmethod
     def read(cls) -> PitchRollAidingControl:
@@ -5466,7 +5481,7 @@ class PitchRollAidingControl(Command):
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[PitchRollAidingControl, int]:
-        aiding: PitchRollAidingSource | None = None
+        source: PitchRollAidingSource | None = None
         v = _PITCH_ROLL_AIDING_CONTROL_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
@@ -5477,20 +5492,20 @@ class PitchRollAidingControl(Command):
                 raise Truncated(1, 0)
             v = _PITCH_ROLL_AIDING_CONTROL_1.read(raw, at)
             at += 1
-            aiding = PitchRollAidingSource(v[0])
+            source = PitchRollAidingSource(v[0])
             done, end = 1, at
         except Truncated:
             if done < required:
                 raise
         at = end
-        return cls(function, aiding), at
+        return cls(function, source), at
 
     def _write(self) -> bytes:
         out = _PITCH_ROLL_AIDING_CONTROL_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _PITCH_ROLL_AIDING_CONTROL_GROUPS)
         if there >= 1:
-            out += _PITCH_ROLL_AIDING_CONTROL_1.write(self.aiding)
+            out += _PITCH_ROLL_AIDING_CONTROL_1.write(self.source)
         return codec.finished(out)
 
 
@@ -5507,7 +5522,8 @@ class InclinationSource(Command):
     Source of the local inclination (dip angle) of the magnetic field.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `InclinationSourceResponse`.
+    `InclinationSourceResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     Without a good inclination source, keep automatic magnetometer calibration off.
 
@@ -5613,10 +5629,11 @@ class MagFieldMagnitudeSource(Command):
     Source of the local magnitude of the magnetic field.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `MagFieldMagnitudeSourceResponse`.
+    `MagFieldMagnitudeSourceResponse`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only.
 
-    Without a good magnitude source, keep automatic magnetometer calibration off. The adaptive
-    measurement `MagMagnitudeErrorAdaptiveMeasurement` (0x0D,0x45) relies on it too.
+    Without a good magnitude source, keep automatic magnetometer calibration off.
+    `MagMagnitudeErrorAdaptiveMeasurement` relies on it too.
 
     - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
     """
@@ -5719,12 +5736,13 @@ class SensorToVehicleRotationDcm(Command):
     Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleRotationDcmResponse`.
+    `SensorToVehicleRotationDcmResponse`. No device profile lists it. Known from the MicroStrain MIP
+    SDK only.
 
     It is the inverse of the matrix that
-    `mip_3dm.SensorToVehicleFrameTransformationDirectionCosineMatrix` (0x0C,0x33) takes. It turns
-    the scaled acceleration, angular rate and magnetic field, delta theta and delta velocity, and
-    the orientation, linear acceleration, angular rate and gravity vector of the filter. The device
+    `mip_3dm.SensorToVehicleFrameTransformationDirectionCosineMatrix` takes. It turns the scaled
+    acceleration, angular rate and magnetic field, delta theta and delta velocity, and the
+    orientation, linear acceleration, angular rate and gravity vector of the filter. The device
     refuses a matrix that is not orthonormal to 0.001. The device keeps a quaternion, so the
     elements read back may differ a little from those written.
 
@@ -5818,13 +5836,14 @@ class SensorToVehicleRotationQuaternion(Command):
     Rotation from the sensor frame to the vehicle frame as a quaternion.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SensorToVehicleRotationQuaternionResponse`.
+    `SensorToVehicleRotationQuaternionResponse`. No device profile lists it. Known from the
+    MicroStrain MIP SDK only.
 
     It is the inverse of the quaternion that `mip_3dm.SensorToVehicleFrameTransformationQuaternion`
-    (0x0C,0x32) takes. It turns the scaled acceleration, angular rate and magnetic field, delta
-    theta and delta velocity, and the orientation, linear acceleration, angular rate and gravity
-    vector of the filter. The device refuses a quaternion whose length is not 1 to 0.001. The device
-    normalizes it, so the elements read back may differ a little from those written.
+    takes. It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
+    velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
+    filter. The device normalizes it, so the elements read back may differ a little from those
+    written.
 
     - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
     """
@@ -5839,7 +5858,9 @@ class SensorToVehicleRotationQuaternion(Command):
     function: FunctionSelector
     """What to do with the setting."""
     quat: types.Quatf | None = None
-    """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Required for `write`."""
+    """Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
+    1.001. Required for `write`.
+    """
 
     @classmethod
     def write(cls, quat: types.Quatf) -> SensorToVehicleRotationQuaternion:
@@ -6024,8 +6045,9 @@ class KinematicConstraint(Command):
     Assumptions about the motion that the filter uses as measurements.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `KinematicConstraintResponse`. Uncertain: Whether there are further values. The SDK has plain
-    numbers and gives the values in remarks.
+    `KinematicConstraintResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only. Uncertain: Whether there are further values. The SDK has plain numbers and gives the
+    values in remarks.
 
     - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
     """
@@ -6185,7 +6207,7 @@ class NavigationFilterInitialization(Command):
     function: FunctionSelector
     """What to do with the setting."""
     wait_for_run_command: int | None = None
-    """1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to 1.
+    """1: the filter starts only after `RunNavigationFilter`; 0: as soon as it can. Range: 0 to 1.
     Required for `write`.
     """
     initial_cond_src: InitialConditionSource | None = None
@@ -6505,8 +6527,6 @@ class GnssMultiAntennaOffsetControl(Command):
     Also called `multi_antenna_offset`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `GnssMultiAntennaOffsetControlResponse`. Supported by 3DM-CV7-GNSS/INS.
 
-    The magnitude of the vector is limited to 10.
-
     - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
     """
 
@@ -6522,8 +6542,8 @@ class GnssMultiAntennaOffsetControl(Command):
     receiver_id: int | None = None
     """Number of the receiver, from 1. Range: at least 1."""
     antenna_offset: types.Vector3f | None = None
-    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
-    Required for `write`.
+    """From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude
+    at most 10. Required for `write`.
     """
 
     @classmethod
@@ -6752,9 +6772,9 @@ class ReferencePointLeverArm(Command):
     Also called `ref_point_lever_arm`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `ReferencePointLeverArmResponse`. Supported by 3DM-CV7-GNSS/INS.
 
-    It shifts `llh_position`, `velocity_ned`, `ecef_position`, `ecef_velocity` and
-    `ned_relative_position` of set `filter_data`, depending on the attitude and, for velocities, on
-    the angular rate. The magnitude of the vector is limited to 10.
+    It shifts `filter_data.LlhPosition`, `filter_data.VelocityNed`, `filter_data.EcefPosition`,
+    `filter_data.EcefVelocity` and `filter_data.NedRelativePosition`, depending on the attitude and,
+    for velocities, on the angular rate.
 
     - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
     """
@@ -6771,8 +6791,8 @@ class ReferencePointLeverArm(Command):
     ref_point_sel: ReferencePoint | None = None
     """Point to move; it must be 1. Required for `write`."""
     lever_arm_offset: types.Vector3f | None = None
-    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
-    Required for `write`.
+    """From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
+    most 10. Required for `write`.
     """
 
     @classmethod
@@ -6860,7 +6880,8 @@ class SpeedMeasurement(Command):
 
     Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
 
-    Uncertain: The SDK names a response (0x0D,0xE0) but has no layout of it.
+    No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK names a
+    response, `filter.speed_measurement_response`, but has no layout of it.
 
     It must not be used together with the odometer of the device. Single precision resolves the time
     of week to 0.0625 s at the end of the week.
@@ -7017,7 +7038,8 @@ class VerticalGyroConstraintControl(Command):
     Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `VerticalGyroConstraintControlResponse`.
+    `VerticalGyroConstraintControlResponse`. No device profile lists it. Known from the MicroStrain
+    MIP SDK only.
 
     It takes the linear acceleration as zero.
 

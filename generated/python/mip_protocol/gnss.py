@@ -207,7 +207,7 @@ _RTK_DONGLE_CONFIGURATION_RESPONSE_0 = codec.Block("BBBB", "enable", *["reserved
 class RtkDongleConfigurationResponse(Response):
     """RTK dongle configuration response (0x0E,0x90).
 
-    Answers `RtkDongleConfiguration`.
+    Answers `RtkDongleConfiguration`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
     """
@@ -522,7 +522,8 @@ class RtkDongleConfiguration(Command):
     Whether the device talks to the RTK dongle that is connected to it.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `RtkDongleConfigurationResponse`.
+    `RtkDongleConfigurationResponse`. No device profile lists it. Known from the MicroStrain MIP SDK
+    only.
 
     - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
     """
@@ -639,11 +640,13 @@ class SpartnConfiguration(Command):
     Source and keys of SPARTN corrections.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `SpartnConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS.
+    `SpartnConfigurationResponse`. Supported by 3DM-CV7-GNSS/INS. Uncertain: Whether the device
+    takes upper and lower case. The section on UART has the digits 0-9 and A-F, the description of
+    the command has "bc" for 0xBC.
 
     A change of enable or type has an effect after a power cycle only; keys can be changed while
     running. While SPARTN corrections are enabled, RTCM corrections are blocked. A key of 16 bytes,
-    none of them 0, is sent as 32 ASCII digits 0-9 and A-F, two for each byte.
+    none of them 0, is sent as 32 ASCII digits in hexadecimal, two for each byte.
 
     - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
     - 3dm-cv7-gnss-ins: SPARTN Corrections

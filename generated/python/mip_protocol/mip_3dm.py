@@ -59,8 +59,8 @@ class FactoryStreamingAction(codec.OpenEnum):
 
 
 class ConstellationId(codec.OpenEnum):
-    """Constellation in the settings of a receiver. The values are not those of gnss_constellation,
-    which GNSS data use.
+    """Constellation in the settings of a receiver. The values are not those of
+    `types.GnssConstellation`, which GNSS data use.
 
     - mip-sdk-4: Constellation Settings (0x0C,0x21)
     """
@@ -203,7 +203,7 @@ class SupportedEventInfo(Structure):
     """
 
     type: int
-    """A value of event_trigger_type if triggers were asked about, else of event_action_type."""
+    """Type of triggers, or of actions."""
     count: int
     """Instances of this type at most. Unit: 1."""
 
@@ -289,7 +289,7 @@ class OdometerMode(codec.OpenEnum):
 
 
 class SensorRangeType(codec.OpenEnum):
-    """A sensor whose range can be set, which also decides the unit of the range.
+    """A sensor whose range can be set.
 
     - 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52)
     """
@@ -297,13 +297,13 @@ class SensorRangeType(codec.OpenEnum):
     ALL = 0
     """All sensors; for save, load and default only."""
     ACCEL = 1
-    """Accelerometer; standard gravities."""
+    """Accelerometer."""
     GYRO = 2
-    """Gyroscope; degrees per second."""
+    """Gyroscope."""
     MAG = 3
-    """Magnetometer; gauss."""
+    """Magnetometer."""
     PRESS = 4
-    """Pressure sensor; hectopascals, that is millibars."""
+    """Pressure sensor."""
 
 
 _SENSOR_RANGE_ENTRY_0 = codec.Block("Bf", "setting", "range")
@@ -319,7 +319,7 @@ class SensorRangeEntry(Structure):
     setting: int
     """Value for the sensor range command."""
     range: float
-    """Largest measurable value; sensor_range_type gives the unit."""
+    """Largest measurable value."""
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[SensorRangeEntry, int]:
@@ -522,7 +522,8 @@ _GET_GNSS_DATA_BASE_RATE_RESPONSE_0 = codec.Block("H", "rate")
 class GetGnssDataBaseRateResponse(Response):
     """Get GNSS Data Base Rate response (0x0C,0x84).
 
-    Also called `gnss_get_base_rate_response`. Answers `GetGnssDataBaseRate`.
+    Also called `gnss_get_base_rate_response`. Answers `GetGnssDataBaseRate`. Known from the
+    MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -1187,7 +1188,7 @@ class MagnetometerHardIronOffsetResponse(Response):
         return codec.finished(out)
 
 
-_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_0 = codec.Block("fffffffff", *["offset"] * 9)
+_MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_0 = codec.Block("fffffffff", *["matrix"] * 9)
 
 
 @dataclass(slots=True)
@@ -1205,7 +1206,7 @@ class MagnetometerSoftIronMatrixResponse(Response):
     NAME = "3dm.magnetometer_soft_iron_matrix_response"
     ROLE = "response"
 
-    offset: types.Matrix3f
+    matrix: types.Matrix3f
     """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
     Unit: 1. Frame: sensor.
     """
@@ -1214,12 +1215,12 @@ class MagnetometerSoftIronMatrixResponse(Response):
     def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerSoftIronMatrixResponse, int]:
         v = _MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_0.read(raw, at)
         at += 36
-        offset = v[0:9]
-        return cls(offset), at
+        matrix = v[0:9]
+        return cls(matrix), at
 
     def _write(self) -> bytes:
         out = _MAGNETOMETER_SOFT_IRON_MATRIX_RESPONSE_0.write(
-            *codec.exactly("offset", self.offset, 9)
+            *codec.exactly("matrix", self.matrix, 9)
         )
         return codec.finished(out)
 
@@ -1370,7 +1371,7 @@ _GNSS_ASSISTED_FIX_RESPONSE_0 = codec.Block("BB", "option", "flags")
 class GnssAssistedFixResponse(Response):
     """GNSS Assisted Fix response (0x0C,0xA2).
 
-    Answers `GnssAssistedFix`.
+    Answers `GnssAssistedFix`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
     """
@@ -1405,7 +1406,7 @@ _GNSS_TIME_ASSISTANCE_RESPONSE_0 = codec.Block("dHf", "tow", "week_number", "acc
 class GnssTimeAssistanceResponse(Response):
     """GNSS Time Assistance response (0x0C,0xA3).
 
-    Answers `GnssTimeAssistance`.
+    Answers `GnssTimeAssistance`. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
     """
@@ -1617,7 +1618,13 @@ class GetSupportedEventsResponse(Response):
     """Number of slots; instances go from 1 to this. Unit: 1."""
     # On the wire: num_entries. Number of types. The number of elements of `entries`.
     entries: tuple[SupportedEventInfo, ...]
-    """The types."""
+    """The types.
+
+    - If `query` is `SupportedEventsQuery.TRIGGER_TYPES`: `type` has values of
+      `types.EventTriggerType`.
+    - If `query` is `SupportedEventsQuery.ACTION_TYPES`: `type` has values of
+      `types.EventActionType`.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetSupportedEventsResponse, int]:
@@ -2082,7 +2089,13 @@ class GetCalibratedSensorRangesResponse(Response):
     """Sensor of the command."""
     # On the wire: num_ranges. Number of ranges. The number of elements of `ranges`.
     ranges: tuple[SensorRangeEntry, ...]
-    """The ranges."""
+    """The ranges.
+
+    - If `sensor` is `SensorRangeType.ACCEL`: `range` has unit g.
+    - If `sensor` is `SensorRangeType.GYRO`: `range` has unit deg/s.
+    - If `sensor` is `SensorRangeType.MAG`: `range` has unit gauss.
+    - If `sensor` is `SensorRangeType.PRESS`: `range` has unit mbar.
+    """
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[GetCalibratedSensorRangesResponse, int]:
@@ -2215,11 +2228,12 @@ class PollGnssData(Command):
 
     Asks for one GNSS data packet with the fields listed, in their order.
 
-    Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true.
+    Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true. No device profile
+    lists it. Known from the MicroStrain MIP SDK only.
 
-    An empty list polls the stored GNSS message format `GnssMessageFormat` (0x0C,0x09); without one
-    the device refuses. Descriptors that the device does not know are left out. The data comes in a
-    packet of its own behind the reply.
+    An empty list polls what `GnssMessageFormat` has stored; without that the device refuses.
+    Descriptors that the device does not know are left out. The data comes in a packet of its own
+    behind the reply.
 
     - mip-sdk-4: Poll Gnss Message (0x0C,0x02)
     """
@@ -2403,7 +2417,8 @@ class GetGnssDataBaseRate(Command):
 
     Asks for the rate that the decimations of the GNSS message format divide.
 
-    Also called `gnss_get_base_rate`. Answered by `GetGnssDataBaseRateResponse`.
+    Also called `gnss_get_base_rate`. Answered by `GetGnssDataBaseRateResponse`. No device profile
+    lists it. Known from the MicroStrain MIP SDK only.
 
     - mip-sdk-4: Gnss Get Base Rate (0x0C,0x07)
     """
@@ -2537,7 +2552,7 @@ class GnssMessageFormat(Command):
     Fields of the GNSS data packets, in order, with their decimations.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `GnssMessageFormatResponse`.
+    `GnssMessageFormatResponse`. No device profile lists it.
 
     The decimation is the base rate, as the get GNSS data base rate command reports it, divided by
     the wanted rate.
@@ -3123,7 +3138,7 @@ class DataStreamControl(Command):
     Also called `datastream_control`. Functions: `write`, `read`, `save`, `load` and `default`.
     Answered by `DataStreamControlResponse`. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
 
-    5-series devices name the stream by a number of their own (legacy_data_stream), others by its
+    5-series devices name the stream by a number of their own (`LegacyDataStream`), others by its
     descriptor set.
 
     - 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11)
@@ -3231,8 +3246,8 @@ class ConstellationSettings(Command):
     Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by
-    `ConstellationSettingsResponse`. Uncertain: The factory default, as the SDK gives it, names GPS
-    and GLONASS alone as enabled but has channels for SBAS and QZSS too.
+    `ConstellationSettingsResponse`. No device profile lists it. Uncertain: The factory default, as
+    the SDK gives it, names GPS and GLONASS alone as enabled but has channels for SBAS and QZSS too.
 
     The device refuses entries whose reserved channels exceed 32 in all. No entry may have fewer
     channels at most than it reserves. GLONASS and BeiDou exclude each other. If the antenna or its
@@ -3488,11 +3503,12 @@ class GnssAssistedFix(Command):
     Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
 
     Functions: `write`, `read`, `save`, `load` and `default`. Answered by `GnssAssistedFixResponse`.
+    No device profile lists it. Known from the MicroStrain MIP SDK only.
 
-    The last fix is kept in the flash memory and the FRAM of the receiver. With the time of GNSS
-    time assistance `GnssTimeAssistance` (0x0C,0x24) right after power-up, the first fix takes 1 s
-    at best. A change from enabled to none erases the flash memory of the receiver, which stands 100
-    000 erasures. It takes slightly more power.
+    The last fix is kept in the flash memory and the FRAM of the receiver. With the time of
+    `GnssTimeAssistance` right after power-up, the first fix takes 1 s at best. A change from
+    enabled to none erases the flash memory of the receiver, which stands 100 000 erasures. It takes
+    slightly more power.
 
     - mip-sdk-4: Gnss Assisted Fix (0x0C,0x23)
     """
@@ -3598,10 +3614,10 @@ class GnssTimeAssistance(Command):
 
     Tells the GNSS receiver the present GPS time.
 
-    Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`.
+    Functions: `write` and `read`. Answered by `GnssTimeAssistanceResponse`. No device profile lists
+    it. Known from the MicroStrain MIP SDK only.
 
-    It is needed right after power-up if the assisted fix `GnssAssistedFix` (0x0C,0x23) was on at
-    power-off.
+    It is needed right after power-up if `GnssAssistedFix` was on at power-off.
 
     - mip-sdk-4: Gnss Time Assistance (0x0C,0x24)
     """
@@ -4409,11 +4425,11 @@ class SensorToVehicleFrameTransformationEuler(Command):
 
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
     be another form of it. The mounting is reached from the vehicle frame by turning about the
-    sensor's own z, y and x axes by yaw, pitch and roll. A vector in the vehicle frame is Rz(yaw)
-    Ry(pitch) Rx(roll) times the vector in the sensor frame. It applies to the sensor data, the
-    complementary filter and the attitude, acceleration, rate and gravity of the filter. A change
-    resets the low-pass filters, the complementary filter and the estimation filter. On some older
-    products the setting means the inverse rotation.
+    sensor's own z, y and x axes by yaw, pitch and roll. `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll)
+    * v_sensor` It applies to the sensor data, the complementary filter and the attitude,
+    acceleration, rate and gravity of the filter. A change resets the low-pass filters, the
+    complementary filter and the estimation filter. On some older products the setting means the
+    inverse rotation.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Euler (0x0C,0x31)
     """
@@ -4531,8 +4547,10 @@ class SensorToVehicleFrameTransformationQuaternion(Command):
     3DM-CV7-GNSS/INS.
 
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it. A change resets the low-pass filters, the complementary filter and the
-    estimation filter.
+    be another form of it. `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with
+    the scalar part 0. This is the inverse of the quaternion that
+    `filter.SensorToVehicleRotationQuaternion` takes. A change resets the low-pass filters, the
+    complementary filter and the estimation filter.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32)
     """
@@ -4634,9 +4652,9 @@ class SensorToVehicleFrameTransformationDirectionCosineMatrix(Command):
     Supported by 3DM-CV7-GNSS/INS.
 
     The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read back may
-    be another form of it. A vector in the vehicle frame is this matrix times the vector in the
-    sensor frame. A change resets the low-pass filters, the complementary filter and the estimation
-    filter.
+    be another form of it. `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
+    `filter.SensorToVehicleRotationDcm` takes. A change resets the low-pass filters, the
+    complementary filter and the estimation filter.
 
     - 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix (0x0C,0x33)
     """
@@ -5064,8 +5082,8 @@ class MagnetometerHardIronOffset(Command):
 
 
 _MAGNETOMETER_SOFT_IRON_MATRIX_0 = codec.Block("B", "function")
-_MAGNETOMETER_SOFT_IRON_MATRIX_1 = codec.Block("fffffffff", *["offset"] * 9)
-_MAGNETOMETER_SOFT_IRON_MATRIX_GROUPS = ((1, ("offset",), False),)
+_MAGNETOMETER_SOFT_IRON_MATRIX_1 = codec.Block("fffffffff", *["matrix"] * 9)
+_MAGNETOMETER_SOFT_IRON_MATRIX_GROUPS = ((1, ("matrix",), False),)
 
 
 @dataclass(slots=True)
@@ -5091,15 +5109,15 @@ class MagnetometerSoftIronMatrix(Command):
 
     function: FunctionSelector
     """What to do with the setting."""
-    offset: types.Matrix3f | None = None
+    matrix: types.Matrix3f | None = None
     """Soft iron matrix in row-major order. Elements: m11, m12, m13, m21, m22, m23, m31, m32, m33.
     Unit: 1. Frame: sensor. Required for `write`.
     """
 
     @classmethod
-    def write(cls, offset: types.Matrix3f) -> MagnetometerSoftIronMatrix:
+    def write(cls, matrix: types.Matrix3f) -> MagnetometerSoftIronMatrix:
         """Apply the new setting."""
-        return cls(FunctionSelector.WRITE, offset=offset)
+        return cls(FunctionSelector.WRITE, matrix=matrix)
 
     @classmethod
     def read(cls) -> MagnetometerSoftIronMatrix:
@@ -5129,7 +5147,7 @@ class MagnetometerSoftIronMatrix(Command):
 
     @classmethod
     def _read(cls, raw: bytes, at: int) -> tuple[MagnetometerSoftIronMatrix, int]:
-        offset: types.Matrix3f | None = None
+        matrix: types.Matrix3f | None = None
         v = _MAGNETOMETER_SOFT_IRON_MATRIX_0.read(raw, at)
         at += 1
         function = FunctionSelector(v[0])
@@ -5140,20 +5158,20 @@ class MagnetometerSoftIronMatrix(Command):
                 raise Truncated(1, 0)
             v = _MAGNETOMETER_SOFT_IRON_MATRIX_1.read(raw, at)
             at += 36
-            offset = v[0:9]
+            matrix = v[0:9]
             done, end = 1, at
         except Truncated:
             if done < required:
                 raise
         at = end
-        return cls(function, offset), at
+        return cls(function, matrix), at
 
     def _write(self) -> bytes:
         out = _MAGNETOMETER_SOFT_IRON_MATRIX_0.write(self.function)
         required = self.REQUIRED.get(self.function, 0)
         there = codec.present(self, required, _MAGNETOMETER_SOFT_IRON_MATRIX_GROUPS)
         if there >= 1:
-            out += _MAGNETOMETER_SOFT_IRON_MATRIX_1.write(*codec.exactly("offset", self.offset, 9))
+            out += _MAGNETOMETER_SOFT_IRON_MATRIX_1.write(*codec.exactly("matrix", self.matrix, 9))
         return codec.finished(out)
 
 
@@ -5522,7 +5540,7 @@ class GpioState(Command):
     Functions: `write` and `read`. Answered by `GpioStateResponse`. Supported by 3DM-CV7-GNSS/INS.
 
     What is read is the level of the pin itself. Writing shows only on a pin that is configured as
-    an output. An event action of mode active_high or active_low on the pin overrides what is
+    an output. An event action of mode `active_high` or `active_low` on the pin overrides what is
     written. Reading is sure to work only with the gpio feature. The state at power-up is a matter
     of the GPIO configuration command.
 

@@ -452,8 +452,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     mip_3dm.MagnetometerSoftIronMatrix: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
         Parameter(
-            "offset",
-            "offset",
+            "matrix",
+            "matrix",
             "array",
             scalar="float",
             elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
@@ -693,8 +693,8 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     mip_3dm.MagnetometerSoftIronMatrixResponse: (
         Parameter(
-            "offset",
-            "offset",
+            "matrix",
+            "matrix",
             "array",
             scalar="float",
             elements=("m11", "m12", "m13", "m21", "m22", "m23", "m31", "m32", "m33"),
@@ -927,7 +927,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter.HeadingUpdateControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("enable", "enable", "scalar", scalar="u8", type=filter.HeadingUpdateSource),
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.HeadingUpdateSource),
     ),
     filter.AutoInitializationControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -1118,11 +1118,11 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
     ),
     filter.AltitudeAiding: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("selector", "selector", "scalar", scalar="u8", type=filter.AltitudeAidingSource),
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.AltitudeAidingSource),
     ),
     filter.PitchRollAidingControl: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
-        Parameter("aiding", "aiding", "scalar", scalar="u8", type=filter.PitchRollAidingSource),
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.PitchRollAidingSource),
     ),
     filter.InclinationSource: (
         Parameter("function", "function", "scalar", scalar="u8", type=protocol.FunctionSelector),
@@ -1332,7 +1332,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("source", "source", "scalar", scalar="u8", type=filter.GnssAidingSource),
     ),
     filter.HeadingUpdateControlResponse: (
-        Parameter("enable", "enable", "scalar", scalar="u8", type=filter.HeadingUpdateSource),
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.HeadingUpdateSource),
     ),
     filter.AutoInitializationControlResponse: (
         Parameter("enable", "enable", "scalar", scalar="u8"),
@@ -1489,10 +1489,10 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         ),
     ),
     filter.AltitudeAidingResponse: (
-        Parameter("selector", "selector", "scalar", scalar="u8", type=filter.AltitudeAidingSource),
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.AltitudeAidingSource),
     ),
     filter.PitchRollAidingControlResponse: (
-        Parameter("aiding", "aiding", "scalar", scalar="u8", type=filter.PitchRollAidingSource),
+        Parameter("source", "source", "scalar", scalar="u8", type=filter.PitchRollAidingSource),
     ),
     filter.InclinationSourceResponse: (
         Parameter("source", "source", "scalar", scalar="u8", type=filter.MagParameterSource),
@@ -3107,7 +3107,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
         Parameter("health", "health", "scalar", scalar="u8"),
-        Parameter("iodec", "iodec", "scalar", scalar="u8"),
+        Parameter("iodc", "iodc", "scalar", scalar="u8"),
         Parameter("iode", "iode", "scalar", scalar="u8"),
         Parameter("t_oc", "t_oc", "scalar", scalar="double", units=("s",)),
         Parameter("af0", "af0", "scalar", scalar="double", units=("s",)),
@@ -3184,7 +3184,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
         Parameter("health", "health", "scalar", scalar="u8"),
-        Parameter("iodec", "iodec", "scalar", scalar="u8"),
+        Parameter("iodc", "iodc", "scalar", scalar="u8"),
         Parameter("iode", "iode", "scalar", scalar="u8"),
         Parameter("t_oc", "t_oc", "scalar", scalar="double", units=("s",)),
         Parameter("af0", "af0", "scalar", scalar="double", units=("s",)),
@@ -3232,7 +3232,7 @@ PARAMETERS: dict[type, tuple[Parameter, ...]] = {
         Parameter("week_number", "week_number", "scalar", scalar="u16", units=("week",)),
         Parameter("satellite_id", "satellite_id", "scalar", scalar="u8"),
         Parameter("health", "health", "scalar", scalar="u8"),
-        Parameter("iodec", "iodec", "scalar", scalar="u8"),
+        Parameter("iodc", "iodc", "scalar", scalar="u8"),
         Parameter("iode", "iode", "scalar", scalar="u8"),
         Parameter("t_oc", "t_oc", "scalar", scalar="double", units=("s",)),
         Parameter("af0", "af0", "scalar", scalar="double", units=("s",)),

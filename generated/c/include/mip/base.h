@@ -159,7 +159,8 @@ mip_error mip_base_get_device_information_response_encode(
  * Answered by mip_base_get_device_descriptors_response. Supported by 3DM-CV7-GNSS/INS and
  * 3DM-GX5-15.
  *
- * When the list contains (0x01,0x07), more descriptors come from the extended command.
+ * If the list contains the descriptor of mip_base_get_device_descriptors_extended, that command
+ * gives more.
  *
  * - 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04)
  * - 3dm-cv7-gnss-ins: Get device descriptors (0x01,0x04)
@@ -211,7 +212,8 @@ mip_error mip_base_get_device_descriptors_response_encode(
  * Runs the self test of the device and gets its result.
  *
  * Answered by mip_base_built_in_test_response. The device may take 10 s to answer. Supported by
- * 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+ * 3DM-CV7-GNSS/INS and 3DM-GX5-15. Uncertain: How long the test takes at most. The manual of the
+ * 3DM-CV7 says several seconds; 10 s leaves room for that.
  *
  * The test interrupts normal operation for up to several seconds; no data is available meanwhile.
  *
@@ -221,6 +223,7 @@ mip_error mip_base_get_device_descriptors_response_encode(
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
  * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
+ * - 3dm-cv7-gnss-ins: Commanded Built-in Test
  */
 struct mip_base_built_in_test {
     /** Not used: there are no parameters. */
@@ -243,6 +246,7 @@ mip_error mip_base_built_in_test_encode(const struct mip_base_built_in_test *val
  *
  * - 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05)
  * - 3dm-cv7-gnss-ins: Built in test (0x01,0x05)
+ * - 3dm-cv7-gnss-ins: Commanded Built-in Test
  */
 struct mip_base_built_in_test_response {
     /**
@@ -294,7 +298,7 @@ mip_error mip_base_resume_encode(const struct mip_base_resume *value, struct mip
  * Also called `get_extended_descriptors`. Answered by
  * mip_base_get_device_descriptors_extended_response. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * Only supported if get device descriptors lists (0x01,0x07).
+ * Only supported if mip_base_get_device_descriptors lists it.
  *
  * - 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07)
  * - 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07)
@@ -500,7 +504,7 @@ struct mip_base_gps_time_update {
     /** What the value is. */
     mip_base_gps_time_field field_id;
     /**
-     * What field_id says. Required for write and apply. If field_id is
+     * What `field_id` says. Required for write and apply. If field_id is
      * MIP_BASE_GPS_TIME_FIELD_WEEK_NUMBER: unit week. GPS week number since 6 January 1980. If
      * field_id is MIP_BASE_GPS_TIME_FIELD_TIME_OF_WEEK: unit s. Whole seconds of the GPS week.
      */

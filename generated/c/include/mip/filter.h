@@ -21,8 +21,8 @@ extern "C" {
 
 /**
  * Kind of vehicle that the filter is tuned for. Uncertain: The SDK names the modes only; the
- * descriptions follow from the names. Uncertain: The filter status (0x82,0x10) reports a mode too,
- * but is known to have the values 1 to 3 only.
+ * descriptions follow from the names. Uncertain: mip_filter_data_status reports a mode too, but is
+ * known to have the values 1 to 3 only.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -331,7 +331,7 @@ mip_filter_set_initial_heading_control_make(float heading);
  * Also called `run`. Supported by 3DM-CV7-GNSS/INS.
  *
  * The filter waits in its initialization state if `wait_for_run_command` of
- * `navigation_filter_initialization` is set.
+ * mip_filter_navigation_filter_initialization is set.
  *
  * - 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05)
  */
@@ -355,7 +355,8 @@ mip_error mip_filter_run_navigation_filter_encode(
  * Kind of vehicle that the filter is tuned for.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_vehicle_dynamics_mode_response.
+ * mip_filter_vehicle_dynamics_mode_response. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -391,7 +392,7 @@ struct mip_filter_vehicle_dynamics_mode mip_filter_vehicle_dynamics_mode_default
 /**
  * Vehicle dynamics mode response: response (0x0D,0x80).
  *
- * Answers mip_filter_vehicle_dynamics_mode.
+ * Answers mip_filter_vehicle_dynamics_mode. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10)
  */
@@ -499,14 +500,13 @@ mip_error mip_filter_sensor_to_vehicle_frame_transformation_response_encode(
  * Origin of the vehicle frame, as seen from the sensor.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_offset_response. Uncertain: The direction, from the sensor to the
- * origin of the vehicle frame, is inferred from the name.
+ * mip_filter_sensor_to_vehicle_offset_response. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only. Uncertain: The direction, from the sensor to the origin of the vehicle
+ * frame, is inferred from the name.
  *
- * It shifts the estimated position (0x82,0x01) and nothing else.
+ * It shifts mip_filter_data_llh_position and nothing else.
  *
  * The shift is constant. It does not follow the attitude, as a lever arm would.
- *
- * The magnitude of the vector is limited to 10 m.
  *
  * - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
  */
@@ -517,7 +517,7 @@ struct mip_filter_sensor_to_vehicle_offset {
     mip_function_selector function;
     /**
      * From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
-     * sensor. Range: -10 to 10. Required for write.
+     * sensor. Range: magnitude at most 10. Required for write.
      */
     float offset[3];
 };
@@ -545,14 +545,14 @@ struct mip_filter_sensor_to_vehicle_offset mip_filter_sensor_to_vehicle_offset_d
 /**
  * Sensor to vehicle offset response: response (0x0D,0x82).
  *
- * Answers mip_filter_sensor_to_vehicle_offset.
+ * Answers mip_filter_sensor_to_vehicle_offset. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12)
  */
 struct mip_filter_sensor_to_vehicle_offset_response {
     /**
      * From the sensor to the origin of the vehicle frame. Elements: x, y, z. Unit: m. Frame:
-     * sensor. Range: -10 to 10.
+     * sensor. Range: magnitude at most 10.
      */
     float offset[3];
 };
@@ -574,8 +574,6 @@ mip_error mip_filter_sensor_to_vehicle_offset_response_encode(
  * Also called `antenna_offset`. Functions: write, read, save, load and default. Answered by
  * mip_filter_gnss_antenna_offset_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
- * The magnitude of the vector is limited to 10.
- *
  * 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
  *
  * On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding commands use
@@ -590,7 +588,7 @@ struct mip_filter_gnss_antenna_offset_control {
     mip_function_selector function;
     /**
      * From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-     * vehicle. Range: -10 to 10. Required for write.
+     * vehicle. Range: magnitude at most 10. Required for write.
      */
     float offset[3];
 };
@@ -626,7 +624,7 @@ struct mip_filter_gnss_antenna_offset_control mip_filter_gnss_antenna_offset_con
 struct mip_filter_gnss_antenna_offset_control_response {
     /**
      * From the sensor origin to the centre of the antenna. Elements: x, y, z. Unit: m. Frame:
-     * vehicle. Range: -10 to 10.
+     * vehicle. Range: magnitude at most 10.
      */
     float offset[3];
 };
@@ -774,7 +772,9 @@ mip_error mip_filter_gnss_aiding_source_control_response_encode(
  *
  * Gives the filter one position and velocity of a GNSS receiver that the user provides.
  *
- * Refused unless the GNSS aiding source (0x0D,0x15) is the external one.
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ *
+ * Refused unless mip_filter_gnss_aiding_source_control selects the external source.
  *
  * The highest rate depends on the device.
  *
@@ -820,8 +820,8 @@ struct mip_filter_external_gnss_update mip_filter_external_gnss_update_make(
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
- * and by `aiding_measurement_control` on the 3DM-CV7.
+ * Refused unless external heading updates are enabled, by mip_filter_heading_update_control on the
+ * 3DM-GX5 and by mip_filter_aiding_measurement_control on the 3DM-CV7.
  *
  * The 3DM-GX5-15 takes at most 20 updates per second.
  *
@@ -874,7 +874,7 @@ struct mip_filter_heading_update_control {
     /** What to do with the setting. */
     mip_function_selector function;
     /** Source of the heading. Required for write. */
-    mip_filter_heading_update_source enable;
+    mip_filter_heading_update_source source;
 };
 
 #define MIP_FILTER_HEADING_UPDATE_CONTROL_DESCRIPTOR 0x18
@@ -887,7 +887,7 @@ mip_error mip_filter_heading_update_control_encode(
     const struct mip_filter_heading_update_control *value, struct mip_builder *builder);
 /** Apply the new setting. */
 struct mip_filter_heading_update_control
-mip_filter_heading_update_control_write(mip_filter_heading_update_source enable);
+mip_filter_heading_update_control_write(mip_filter_heading_update_source source);
 /** Send the current setting back in a response. */
 struct mip_filter_heading_update_control mip_filter_heading_update_control_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -907,7 +907,7 @@ struct mip_filter_heading_update_control mip_filter_heading_update_control_defau
  */
 struct mip_filter_heading_update_control_response {
     /** Source of the heading. */
-    mip_filter_heading_update_source enable;
+    mip_filter_heading_update_source source;
 };
 
 #define MIP_FILTER_HEADING_UPDATE_CONTROL_RESPONSE_DESCRIPTOR 0x87
@@ -1311,11 +1311,10 @@ mip_error mip_filter_gyroscope_bias_model_parameters_response_encode(
  *
  * Lets the filter take the device as standing still while its GNSS speed is small.
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_auto_zupt_response.
+ * Functions: write, read, save, load and default. Answered by mip_filter_auto_zupt_response. No
+ * device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * The update applies while the magnitude of the GNSS velocity vector is at or below the threshold.
- *
- * The device refuses a negative threshold.
  *
  * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
  */
@@ -1352,7 +1351,7 @@ struct mip_filter_auto_zupt mip_filter_auto_zupt_default(void);
 /**
  * Automatic zero velocity update response: response (0x0D,0x8D).
  *
- * Answers mip_filter_auto_zupt.
+ * Answers mip_filter_auto_zupt. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Auto Zupt (0x0D,0x1E)
  */
@@ -1379,11 +1378,11 @@ mip_error mip_filter_auto_zupt_response_encode(const struct mip_filter_auto_zupt
  *
  * Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
  *
- * Better than `external_heading_update` where the heading changes quickly; the time must be
- * accurate.
+ * Better than mip_filter_external_heading_update where the heading changes quickly; the time must
+ * be accurate.
  *
- * Refused unless external heading updates are enabled, by `heading_update_control` on the 3DM-GX5
- * and by `aiding_measurement_control` on the 3DM-CV7.
+ * Refused unless external heading updates are enabled, by mip_filter_heading_update_control on the
+ * 3DM-GX5 and by mip_filter_aiding_measurement_control on the 3DM-CV7.
  *
  * The 3DM-GX5-15 takes at most 20 updates per second.
  *
@@ -1576,6 +1575,8 @@ mip_error mip_filter_tare_orientation_response_encode(
  *
  * Tells the filter once that the device stands still.
  *
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
+ *
  * The highest rate depends on the device.
  *
  * - mip-sdk-4: Commanded Zupt (0x0D,0x22)
@@ -1700,10 +1701,10 @@ mip_error mip_filter_set_reference_position_response_encode(
  *
  * Makes the automatic magnetometer calibration part of the fixed one.
  *
- * Functions: write and save.
+ * Functions: write and save. No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
- * A write combines the automatic calibration with the hard iron offset (0x0C,0x3A) and the soft
- * iron matrix (0x0C,0x3B), and resets it.
+ * A write combines the automatic calibration with mip_3dm_magnetometer_hard_iron_offset and
+ * mip_3dm_magnetometer_soft_iron_matrix, and resets it.
  *
  * A save does the same as the save of both of these commands.
  *
@@ -1809,7 +1810,8 @@ mip_error mip_filter_gravity_noise_standard_deviation_response_encode(
  * Standard deviation of the noise of the pressure altitude model that the filter assumes.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_pressure_altitude_noise_response.
+ * mip_filter_pressure_altitude_noise_response. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * A small value follows the pressure faster, and takes weather and draughts for changes of height.
  *
@@ -1846,7 +1848,7 @@ struct mip_filter_pressure_altitude_noise mip_filter_pressure_altitude_noise_def
 /**
  * Pressure altitude noise response: response (0x0D,0x94).
  *
- * Answers mip_filter_pressure_altitude_noise.
+ * Answers mip_filter_pressure_altitude_noise. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Pressure Altitude Noise (0x0D,0x29)
  */
@@ -1870,7 +1872,8 @@ mip_error mip_filter_pressure_altitude_noise_response_encode(
  * Standard deviation of the noise of the estimated hard iron offset (process noise).
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_hard_iron_offset_noise_response.
+ * mip_filter_hard_iron_offset_noise_response. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
  */
@@ -1909,7 +1912,7 @@ struct mip_filter_hard_iron_offset_noise mip_filter_hard_iron_offset_noise_defau
 /**
  * Hard iron offset noise response: response (0x0D,0x96).
  *
- * Answers mip_filter_hard_iron_offset_noise.
+ * Answers mip_filter_hard_iron_offset_noise. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B)
  */
@@ -1933,7 +1936,8 @@ mip_error mip_filter_hard_iron_offset_noise_response_encode(
  * Standard deviation of the noise of the estimated soft iron matrix (process noise).
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_soft_iron_matrix_noise_response.
+ * mip_filter_soft_iron_matrix_noise_response. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
  */
@@ -1972,7 +1976,7 @@ struct mip_filter_soft_iron_matrix_noise mip_filter_soft_iron_matrix_noise_defau
 /**
  * Soft iron matrix noise response: response (0x0D,0x97).
  *
- * Answers mip_filter_soft_iron_matrix_noise.
+ * Answers mip_filter_soft_iron_matrix_noise. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C)
  */
@@ -2060,8 +2064,9 @@ mip_error mip_filter_enable_disable_measurements_response_encode(
  *
  * Standard deviation of the magnetometer noise that the filter assumes.
  *
- * Functions: write, read, save, load and default. Answered by mip_filter_mag_noise_response.
- * Uncertain: The SDK calls it process noise, although the noise is that of a measurement.
+ * Functions: write, read, save, load and default. Answered by mip_filter_mag_noise_response. No
+ * device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK calls it
+ * process noise, although the noise is that of a measurement.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
@@ -2099,7 +2104,7 @@ struct mip_filter_mag_noise mip_filter_mag_noise_default(void);
 /**
  * Magnetometer noise response: response (0x0D,0xB1).
  *
- * Answers mip_filter_mag_noise.
+ * Answers mip_filter_mag_noise. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Mag Noise (0x0D,0x42)
  */
@@ -2321,8 +2326,9 @@ mip_error mip_filter_gravity_magnitude_error_adaptive_measurement_response_encod
  * How far the filter trusts a magnetic field whose magnitude is not as expected.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_magnitude_error_adaptive_measurement_response. Uncertain: Whether the parameters
- * behind the selector may be left out on write, as those of (0x0D,0x44) may.
+ * mip_filter_mag_magnitude_error_adaptive_measurement_response. No device profile lists it. Known
+ * from the MicroStrain MIP SDK only. Uncertain: Whether the parameters behind the selector may be
+ * left out on write, as those of mip_filter_gravity_magnitude_error_adaptive_measurement may.
  *
  * The limits and the low-pass filter take effect only with `fixed`; with `auto` the device finds
  * limits.
@@ -2406,7 +2412,8 @@ mip_filter_mag_magnitude_error_adaptive_measurement_default(void);
 /**
  * Magnetometer magnitude error adaptive measurement response: response (0x0D,0xB4).
  *
- * Answers mip_filter_mag_magnitude_error_adaptive_measurement.
+ * Answers mip_filter_mag_magnitude_error_adaptive_measurement. Known from the MicroStrain MIP SDK
+ * only.
  *
  * - mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45)
  */
@@ -2460,9 +2467,11 @@ mip_error mip_filter_mag_magnitude_error_adaptive_measurement_response_encode(
  * How far the filter trusts a magnetic field whose dip angle is not as expected.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_dip_angle_error_adaptive_measurement_response.
+ * mip_filter_mag_dip_angle_error_adaptive_measurement_response. No device profile lists it. Known
+ * from the MicroStrain MIP SDK only.
  *
- * It has no effect while (0x0D,0x44) or (0x0D,0x45) is set to `auto`.
+ * It has no effect while mip_filter_gravity_magnitude_error_adaptive_measurement or
+ * mip_filter_mag_magnitude_error_adaptive_measurement is set to `auto`.
  *
  * High limits suit high dynamics but let disturbances of the field through; low limits can spoil
  * the heading.
@@ -2528,7 +2537,8 @@ mip_filter_mag_dip_angle_error_adaptive_measurement_default(void);
 /**
  * Magnetometer dip angle error adaptive measurement response: response (0x0D,0xB5).
  *
- * Answers mip_filter_mag_dip_angle_error_adaptive_measurement.
+ * Answers mip_filter_mag_dip_angle_error_adaptive_measurement. Known from the MicroStrain MIP SDK
+ * only.
  *
  * - mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46)
  */
@@ -2572,6 +2582,7 @@ mip_error mip_filter_mag_dip_angle_error_adaptive_measurement_response_encode(
  * What aids the altitude beside GNSS.
  *
  * Functions: write, read, save, load and default. Answered by mip_filter_altitude_aiding_response.
+ * No device profile lists it. Known from the MicroStrain MIP SDK only.
  *
  * GNSS stays the main source of altitude; the aid improves it and bridges outages.
  *
@@ -2585,7 +2596,7 @@ struct mip_filter_altitude_aiding {
     /** What to do with the setting. */
     mip_function_selector function;
     /** Source of the aiding. Required for write. */
-    mip_filter_altitude_aiding_source selector;
+    mip_filter_altitude_aiding_source source;
 };
 
 #define MIP_FILTER_ALTITUDE_AIDING_DESCRIPTOR 0x47
@@ -2598,7 +2609,7 @@ mip_error mip_filter_altitude_aiding_encode(const struct mip_filter_altitude_aid
                                             struct mip_builder *builder);
 /** Apply the new setting. */
 struct mip_filter_altitude_aiding
-mip_filter_altitude_aiding_write(mip_filter_altitude_aiding_source selector);
+mip_filter_altitude_aiding_write(mip_filter_altitude_aiding_source source);
 /** Send the current setting back in a response. */
 struct mip_filter_altitude_aiding mip_filter_altitude_aiding_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -2611,13 +2622,13 @@ struct mip_filter_altitude_aiding mip_filter_altitude_aiding_default(void);
 /**
  * Altitude aiding response: response (0x0D,0xB7).
  *
- * Answers mip_filter_altitude_aiding.
+ * Answers mip_filter_altitude_aiding. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Altitude Aiding (0x0D,0x47)
  */
 struct mip_filter_altitude_aiding_response {
     /** Source of the aiding. */
-    mip_filter_altitude_aiding_source selector;
+    mip_filter_altitude_aiding_source source;
 };
 
 #define MIP_FILTER_ALTITUDE_AIDING_RESPONSE_DESCRIPTOR 0xB7
@@ -2645,7 +2656,7 @@ struct mip_filter_pitch_roll_aiding_control {
     /** What to do with the setting. */
     mip_function_selector function;
     /** Source of the aiding. Required for write. */
-    mip_filter_pitch_roll_aiding_source aiding;
+    mip_filter_pitch_roll_aiding_source source;
 };
 
 #define MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_DESCRIPTOR 0x4B
@@ -2658,7 +2669,7 @@ mip_error mip_filter_pitch_roll_aiding_control_encode(
     const struct mip_filter_pitch_roll_aiding_control *value, struct mip_builder *builder);
 /** Apply the new setting. */
 struct mip_filter_pitch_roll_aiding_control
-mip_filter_pitch_roll_aiding_control_write(mip_filter_pitch_roll_aiding_source aiding);
+mip_filter_pitch_roll_aiding_control_write(mip_filter_pitch_roll_aiding_source source);
 /** Send the current setting back in a response. */
 struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control_read(void);
 /** Save the current setting to non-volatile memory. */
@@ -2678,7 +2689,7 @@ struct mip_filter_pitch_roll_aiding_control mip_filter_pitch_roll_aiding_control
  */
 struct mip_filter_pitch_roll_aiding_control_response {
     /** Source of the aiding. */
-    mip_filter_pitch_roll_aiding_source aiding;
+    mip_filter_pitch_roll_aiding_source source;
 };
 
 #define MIP_FILTER_PITCH_ROLL_AIDING_CONTROL_RESPONSE_DESCRIPTOR 0xBB
@@ -2697,7 +2708,8 @@ mip_error mip_filter_pitch_roll_aiding_control_response_encode(
  * Source of the local inclination (dip angle) of the magnetic field.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_inclination_source_response.
+ * mip_filter_inclination_source_response. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only.
  *
  * Without a good inclination source, keep automatic magnetometer calibration off.
  *
@@ -2740,7 +2752,7 @@ struct mip_filter_inclination_source mip_filter_inclination_source_default(void)
 /**
  * Magnetic inclination source response: response (0x0D,0xBC).
  *
- * Answers mip_filter_inclination_source.
+ * Answers mip_filter_inclination_source. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Inclination Source (0x0D,0x4C)
  */
@@ -2769,11 +2781,12 @@ mip_error mip_filter_inclination_source_response_encode(
  * Source of the local magnitude of the magnetic field.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_mag_field_magnitude_source_response.
+ * mip_filter_mag_field_magnitude_source_response. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * Without a good magnitude source, keep automatic magnetometer calibration off.
  *
- * The adaptive measurement (0x0D,0x45) relies on it too.
+ * mip_filter_mag_magnitude_error_adaptive_measurement relies on it too.
  *
  * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
  */
@@ -2814,7 +2827,7 @@ struct mip_filter_mag_field_magnitude_source mip_filter_mag_field_magnitude_sour
 /**
  * Magnetic field magnitude source response: response (0x0D,0xBD).
  *
- * Answers mip_filter_mag_field_magnitude_source.
+ * Answers mip_filter_mag_field_magnitude_source. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D)
  */
@@ -2845,9 +2858,11 @@ mip_error mip_filter_mag_field_magnitude_source_response_encode(
  * Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_rotation_dcm_response.
+ * mip_filter_sensor_to_vehicle_rotation_dcm_response. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
- * It is the inverse of the matrix that (0x0C,0x33) takes.
+ * It is the inverse of the matrix that
+ * mip_3dm_sensor_to_vehicle_frame_transformation_direction_cosine_matrix takes.
  *
  * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
@@ -2898,7 +2913,7 @@ mip_filter_sensor_to_vehicle_rotation_dcm_default(void);
 /**
  * Sensor to vehicle rotation, matrix response: response (0x0D,0xBE).
  *
- * Answers mip_filter_sensor_to_vehicle_rotation_dcm.
+ * Answers mip_filter_sensor_to_vehicle_rotation_dcm. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E)
  */
@@ -2928,15 +2943,15 @@ mip_error mip_filter_sensor_to_vehicle_rotation_dcm_response_encode(
  * Rotation from the sensor frame to the vehicle frame as a quaternion.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_sensor_to_vehicle_rotation_quaternion_response.
+ * mip_filter_sensor_to_vehicle_rotation_quaternion_response. No device profile lists it. Known from
+ * the MicroStrain MIP SDK only.
  *
- * It is the inverse of the quaternion that (0x0C,0x32) takes.
+ * It is the inverse of the quaternion that
+ * mip_3dm_sensor_to_vehicle_frame_transformation_quaternion takes.
  *
  * It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
  * velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
  * filter.
- *
- * The device refuses a quaternion whose length is not 1 to 0.001.
  *
  * The device normalizes it, so the elements read back may differ a little from those written.
  *
@@ -2947,7 +2962,10 @@ struct mip_filter_sensor_to_vehicle_rotation_quaternion {
     uint8_t present;
     /** What to do with the setting. */
     mip_function_selector function;
-    /** Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Required for write. */
+    /**
+     * Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
+     * 1.001. Required for write.
+     */
     float quat[4];
 };
 
@@ -2980,12 +2998,16 @@ mip_filter_sensor_to_vehicle_rotation_quaternion_default(void);
 /**
  * Sensor to vehicle rotation, quaternion response: response (0x0D,0xBF).
  *
- * Answers mip_filter_sensor_to_vehicle_rotation_quaternion.
+ * Answers mip_filter_sensor_to_vehicle_rotation_quaternion. Known from the MicroStrain MIP SDK
+ * only.
  *
  * - mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F)
  */
 struct mip_filter_sensor_to_vehicle_rotation_quaternion_response {
-    /** Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. */
+    /**
+     * Unit quaternion, scalar part first. Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to
+     * 1.001.
+     */
     float quat[4];
 };
 
@@ -3078,8 +3100,9 @@ mip_error mip_filter_aiding_measurement_control_response_encode(
  * Assumptions about the motion that the filter uses as measurements.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_kinematic_constraint_response. Uncertain: Whether there are further values. The SDK
- * has plain numbers and gives the values in remarks.
+ * mip_filter_kinematic_constraint_response. No device profile lists it. Known from the MicroStrain
+ * MIP SDK only. Uncertain: Whether there are further values. The SDK has plain numbers and gives
+ * the values in remarks.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
@@ -3130,7 +3153,7 @@ struct mip_filter_kinematic_constraint mip_filter_kinematic_constraint_default(v
 /**
  * Kinematic constraint response: response (0x0D,0xD1).
  *
- * Answers mip_filter_kinematic_constraint.
+ * Answers mip_filter_kinematic_constraint. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Kinematic Constraint (0x0D,0x51)
  */
@@ -3175,8 +3198,8 @@ struct mip_filter_navigation_filter_initialization {
     /** What to do with the setting. */
     mip_function_selector function;
     /**
-     * 1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to 1.
-     * Required for write.
+     * 1: the filter starts only after mip_filter_run_navigation_filter; 0: as soon as it can.
+     * Range: 0 to 1. Required for write.
      */
     uint8_t wait_for_run_command;
     /** Which initial conditions are found and which are given. Required for write. */
@@ -3243,7 +3266,8 @@ mip_filter_navigation_filter_initialization_default(void);
  */
 struct mip_filter_navigation_filter_initialization_response {
     /**
-     * 1: the filter starts only after `run_navigation_filter`; 0: as soon as it can. Range: 0 to 1.
+     * 1: the filter starts only after mip_filter_run_navigation_filter; 0: as soon as it can.
+     * Range: 0 to 1.
      */
     uint8_t wait_for_run_command;
     /** Which initial conditions are found and which are given. */
@@ -3360,8 +3384,6 @@ mip_error mip_filter_adaptive_filter_control_response_encode(
  * Also called `multi_antenna_offset`. Functions: write, read, save, load and default. Answered by
  * mip_filter_gnss_multi_antenna_offset_control_response. Supported by 3DM-CV7-GNSS/INS.
  *
- * The magnitude of the vector is limited to 10.
- *
  * - 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54)
  */
 struct mip_filter_gnss_multi_antenna_offset_control {
@@ -3372,8 +3394,8 @@ struct mip_filter_gnss_multi_antenna_offset_control {
     /** Number of the receiver, from 1. Range: at least 1. */
     uint8_t receiver_id;
     /**
-     * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
-     * Required for write.
+     * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude
+     * at most 10. Required for write.
      */
     float antenna_offset[3];
 };
@@ -3415,7 +3437,8 @@ struct mip_filter_gnss_multi_antenna_offset_control_response {
     /** Number of the receiver, from 1. Range: at least 1. */
     uint8_t receiver_id;
     /**
-     * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+     * From the sensor to the antenna. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude
+     * at most 10.
      */
     float antenna_offset[3];
 };
@@ -3525,11 +3548,10 @@ mip_error mip_filter_relative_position_configuration_response_encode(
  * Also called `ref_point_lever_arm`. Functions: write, read, save, load and default. Answered by
  * mip_filter_reference_point_lever_arm_response. Supported by 3DM-CV7-GNSS/INS.
  *
- * It shifts `llh_position`, `velocity_ned`, `ecef_position`, `ecef_velocity` and
- * `ned_relative_position` of set `filter_data`, depending on the attitude and, for velocities, on
- * the angular rate.
- *
- * The magnitude of the vector is limited to 10.
+ * It shifts mip_filter_data_llh_position, mip_filter_data_velocity_ned,
+ * mip_filter_data_ecef_position, mip_filter_data_ecef_velocity and
+ * mip_filter_data_ned_relative_position, depending on the attitude and, for velocities, on the
+ * angular rate.
  *
  * - 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56)
  */
@@ -3541,8 +3563,8 @@ struct mip_filter_reference_point_lever_arm {
     /** Point to move; it must be 1. Required for write. */
     mip_filter_reference_point ref_point_sel;
     /**
-     * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
-     * Required for write.
+     * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
+     * most 10. Required for write.
      */
     float lever_arm_offset[3];
 };
@@ -3579,7 +3601,8 @@ struct mip_filter_reference_point_lever_arm_response {
     /** Point to move; it must be 1. */
     mip_filter_reference_point ref_point_sel;
     /**
-     * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+     * From the sensor to the point. Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at
+     * most 10.
      */
     float lever_arm_offset[3];
 };
@@ -3599,7 +3622,8 @@ mip_error mip_filter_reference_point_lever_arm_response_encode(
  *
  * Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
  *
- * Uncertain: The SDK names a response (0x0D,0xE0) but has no layout of it.
+ * No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK names a
+ * response, `filter.speed_measurement_response`, but has no layout of it.
  *
  * It must not be used together with the odometer of the device.
  *
@@ -3708,7 +3732,8 @@ mip_error mip_filter_measurement_speed_lever_arm_response_encode(
  * Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_filter_vertical_gyro_constraint_control_response.
+ * mip_filter_vertical_gyro_constraint_control_response. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * It takes the linear acceleration as zero.
  *
@@ -3750,7 +3775,7 @@ mip_filter_vertical_gyro_constraint_control_default(void);
 /**
  * Vertical gyro constraint response: response (0x0D,0xE2).
  *
- * Answers mip_filter_vertical_gyro_constraint_control.
+ * Answers mip_filter_vertical_gyro_constraint_control. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62)
  */

@@ -217,7 +217,8 @@ mip_error mip_gnss_signal_configuration_response_encode(
  * Whether the device talks to the RTK dongle that is connected to it.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_gnss_rtk_dongle_configuration_response.
+ * mip_gnss_rtk_dongle_configuration_response. No device profile lists it. Known from the
+ * MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
  */
@@ -254,7 +255,7 @@ struct mip_gnss_rtk_dongle_configuration mip_gnss_rtk_dongle_configuration_defau
 /**
  * RTK dongle configuration response: response (0x0E,0x90).
  *
- * Answers mip_gnss_rtk_dongle_configuration.
+ * Answers mip_gnss_rtk_dongle_configuration. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Rtk Dongle Configuration (0x0E,0x10)
  */
@@ -280,14 +281,16 @@ mip_error mip_gnss_rtk_dongle_configuration_response_encode(
  * Source and keys of SPARTN corrections.
  *
  * Functions: write, read, save, load and default. Answered by
- * mip_gnss_spartn_configuration_response. Supported by 3DM-CV7-GNSS/INS.
+ * mip_gnss_spartn_configuration_response. Supported by 3DM-CV7-GNSS/INS. Uncertain: Whether the
+ * device takes upper and lower case. The section on UART has the digits 0-9 and A-F, the
+ * description of the command has "bc" for 0xBC.
  *
  * A change of enable or type has an effect after a power cycle only; keys can be changed while
  * running.
  *
  * While SPARTN corrections are enabled, RTCM corrections are blocked.
  *
- * A key of 16 bytes, none of them 0, is sent as 32 ASCII digits 0-9 and A-F, two for each byte.
+ * A key of 16 bytes, none of them 0, is sent as 32 ASCII digits in hexadecimal, two for each byte.
  *
  * - 3dm-cv7-gnss-ins: Spartn Configuration (0x0E,0x20)
  * - 3dm-cv7-gnss-ins: SPARTN Corrections

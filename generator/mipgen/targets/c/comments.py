@@ -74,6 +74,10 @@ class Comments:
 
     model: m.Model
 
+    def set(self, s: m.Set) -> list[str]:
+        what = " ".join([f"{s.title} ({hexadecimal(s.number)}).", *self._prose(s.description)])
+        return ["@file", " ".join([what, *said(describe.uncertain(s, self.model))])]
+
     def field(self, f: m.Field) -> list[str]:
         place = f"({hexadecimal(f.set)},{hexadecimal(f.descriptor)})" if f.set else hexadecimal(f.descriptor)
         facts = describe.field(f, self.model)

@@ -39,8 +39,9 @@ def named(ref: Ref, where: str) -> str:
 
 
 def of_set(s: m.Set, model: m.Model) -> str:
-    title = f"{s.title} (0x{s.number:02X})."
-    return literal([title, say(describe.prose(s.description, model), module(s.name)), sources(s)], 0)
+    title, where = f"{s.title} (0x{s.number:02X}).", module(s.name)
+    unsure = sentences(describe.uncertain(s, model), where)
+    return literal([title, say(describe.prose(s.description, model), where), unsure, sources(s)], 0)
 
 
 def of_field(f: m.Field, model: m.Model) -> str:

@@ -1,6 +1,8 @@
-"""Copied measurements (0x82).
+"""Copied measurements (0x92).
 
 All the fields of another set.
+
+Uncertain: Which device sends it.
 """
 
 from __future__ import annotations
@@ -10,18 +12,18 @@ from .field import Field
 
 
 class Accel(measurements.Accel):
-    """Third acceleration (0x82,0x01).
+    """Third acceleration (0x92,0x01).
 
     A vector whose elements are valid together.
 
-    Has the layout of `measurements.Accel`. Sent at 100 Hz at most.
+    Has the layout of `measurements.Accel`. Sent at 100 Hz at most. No device profile lists it.
 
     - guide: Third acceleration
     """
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.accel"
 
     scaled_accel: types.Vector3f
@@ -32,116 +34,160 @@ class Accel(measurements.Accel):
 
 
 class Numbers(measurements.Numbers):
-    """Numbers (0x82,0x02).
+    """Numbers (0x92,0x02).
 
     One of each.
 
-    Has the layout of `measurements.Numbers`.
+    Has the layout of `measurements.Numbers`. No device profile lists it. Known from the Kit of
+    names only.
 
     - sheet: Copied measurements
     """
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.numbers"
 
 
 class Strings(measurements.Strings):
-    """Strings (0x82,0x03).
+    """Strings (0x92,0x03).
 
     Fixed, counted, and to the end.
 
-    Has the layout of `measurements.Strings`.
+    Has the layout of `measurements.Strings`. No device profile lists it. Known from the Kit of
+    names only.
 
     - sheet: Copied measurements
     """
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.strings"
 
 
 class Health(measurements.Health):
-    """Health (0x82,0x04).
+    """Health (0x92,0x04).
 
     The wide bitfield.
 
-    Deprecated: use `measurements.Numbers` instead. Has the layout of `measurements.Health`.
+    Deprecated: use `measurements.Numbers` instead. Has the layout of `measurements.Health`. No
+    device profile lists it. Known from the Kit of names only.
 
     - sheet: Copied measurements
     """
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.health"
 
 
 class Arrays(measurements.Arrays):
-    """Arrays (0x82,0x05).
+    """Arrays (0x92,0x05).
 
     Arrays of all that can stand in one.
 
-    Has the layout of `measurements.Arrays`.
+    Has the layout of `measurements.Arrays`. No device profile lists it. Known from the Kit of names
+    only.
 
     - sheet: Copied measurements
     """
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.arrays"
 
 
 class Growing(measurements.Growing):
-    """Growing (0x82,0x06).
+    """Growing (0x92,0x06).
 
     Newer devices send more of it.
 
-    Has the layout of `measurements.Growing`.
+    Has the layout of `measurements.Growing`. No device profile lists it. Known from the Kit of
+    names only.
 
     - sheet: Copied measurements
     """
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.growing"
 
 
 class Radio(measurements.Radio):
-    """Radio (0x82,0x07).
+    """Radio (0x92,0x07).
 
     A bool vouches for values; one source has no layout that agrees with it.
 
-    Has the layout of `measurements.Radio`. Also called `modem` and `rf`. Uncertain: The leaflet
-    gives the strength two bytes. Uncertain: Inferred: the strength is never positive.
+    Has the layout of `measurements.Radio`. Also called `modem` and `rf`. No device profile lists
+    it. Known from the Kit of names only. Uncertain: The leaflet gives the strength two bytes.
+    Uncertain: Inferred: the strength is never positive.
 
     - sheet: Copied measurements
     """
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.radio"
 
 
 class Cloud(measurements.Cloud):
-    """Cloud (0x82,0x08).
+    """Cloud (0x92,0x08).
 
     The count can exceed what a field holds beside the value behind the array.
 
-    Has the layout of `measurements.Cloud`.
+    Has the layout of `measurements.Cloud`. No device profile lists it. Known from the Kit of names
+    only.
 
     - sheet: Copied measurements
     """
 
     __slots__ = ()
 
-    SET = 0x82
+    SET = 0x92
     NAME = "copy.cloud"
+
+
+class Gust(measurements.Gust):
+    """Gust (0x92,0x09).
+
+    One valid flag for all values but one; `measurements.Breeze` has the same place.
+
+    Has the layout of `measurements.Gust`. No device profile lists it. Known from the Kit of names
+    only.
+
+    `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see `types.Mode` and
+    `tools.Shape`.
+
+    - sheet: Copied measurements
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "copy.gust"
+
+
+class Breeze(measurements.Breeze):
+    """Breeze (0x92,0x0A).
+
+    Its place is told as in `measurements.Gust`.
+
+    Has the layout of `measurements.Breeze`. No device profile lists it. Known from the Kit of names
+    only.
+
+    - sheet: Copied measurements
+    """
+
+    __slots__ = ()
+
+    SET = 0x92
+    NAME = "copy.breeze"
 
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
@@ -154,4 +200,6 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x06: (Growing,),
     0x07: (Radio,),
     0x08: (Cloud,),
+    0x09: (Gust,),
+    0x0A: (Breeze,),
 }

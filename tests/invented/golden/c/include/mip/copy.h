@@ -1,7 +1,7 @@
 /**
  * @file
  *
- * Copied measurements (0x82). All the fields of another set.
+ * Copied measurements (0x92). All the fields of another set. Uncertain: Which device sends it.
  */
 #ifndef MIP_COPY_H
 #define MIP_COPY_H
@@ -18,14 +18,14 @@ extern "C" {
 #endif
 
 /** Descriptor set of these fields. */
-#define MIP_COPY_SET 0x82
+#define MIP_COPY_SET 0x92
 
 /**
- * Third acceleration: data (0x82,0x01).
+ * Third acceleration: data (0x92,0x01).
  *
  * A vector whose elements are valid together.
  *
- * Has the layout of mip_measurements_accel. Sent at 100 Hz at most.
+ * Has the layout of mip_measurements_accel. Sent at 100 Hz at most. No device profile lists it.
  *
  * - guide: Third acceleration
  */
@@ -37,11 +37,12 @@ extern "C" {
 #define MIP_COPY_ACCEL_NAME "copy.accel"
 
 /**
- * Numbers: data (0x82,0x02).
+ * Numbers: data (0x92,0x02).
  *
  * One of each.
  *
- * Has the layout of mip_measurements_numbers.
+ * Has the layout of mip_measurements_numbers. No device profile lists it. Known from the Kit of
+ * names only.
  *
  * - sheet: Copied measurements
  */
@@ -53,11 +54,12 @@ extern "C" {
 #define MIP_COPY_NUMBERS_NAME "copy.numbers"
 
 /**
- * Strings: data (0x82,0x03).
+ * Strings: data (0x92,0x03).
  *
  * Fixed, counted, and to the end.
  *
- * Has the layout of mip_measurements_strings.
+ * Has the layout of mip_measurements_strings. No device profile lists it. Known from the Kit of
+ * names only.
  *
  * - sheet: Copied measurements
  */
@@ -69,11 +71,12 @@ extern "C" {
 #define MIP_COPY_STRINGS_NAME "copy.strings"
 
 /**
- * Health: data (0x82,0x04).
+ * Health: data (0x92,0x04).
  *
  * The wide bitfield.
  *
- * Deprecated: use mip_measurements_numbers instead. Has the layout of mip_measurements_health.
+ * Deprecated: use mip_measurements_numbers instead. Has the layout of mip_measurements_health. No
+ * device profile lists it. Known from the Kit of names only.
  *
  * - sheet: Copied measurements
  */
@@ -85,11 +88,12 @@ extern "C" {
 #define MIP_COPY_HEALTH_NAME "copy.health"
 
 /**
- * Arrays: data (0x82,0x05).
+ * Arrays: data (0x92,0x05).
  *
  * Arrays of all that can stand in one.
  *
- * Has the layout of mip_measurements_arrays.
+ * Has the layout of mip_measurements_arrays. No device profile lists it. Known from the Kit of
+ * names only.
  *
  * - sheet: Copied measurements
  */
@@ -101,11 +105,12 @@ extern "C" {
 #define MIP_COPY_ARRAYS_NAME "copy.arrays"
 
 /**
- * Growing: data (0x82,0x06).
+ * Growing: data (0x92,0x06).
  *
  * Newer devices send more of it.
  *
- * Has the layout of mip_measurements_growing.
+ * Has the layout of mip_measurements_growing. No device profile lists it. Known from the Kit of
+ * names only.
  *
  * - sheet: Copied measurements
  */
@@ -121,12 +126,13 @@ extern "C" {
 #define MIP_COPY_GROWING_WITH_THIRD 3
 
 /**
- * Radio: data (0x82,0x07).
+ * Radio: data (0x92,0x07).
  *
  * A bool vouches for values; one source has no layout that agrees with it.
  *
- * Has the layout of mip_measurements_radio. Also called `modem` and `rf`. Uncertain: The leaflet
- * gives the strength two bytes. Uncertain: Inferred: the strength is never positive.
+ * Has the layout of mip_measurements_radio. Also called `modem` and `rf`. No device profile lists
+ * it. Known from the Kit of names only. Uncertain: The leaflet gives the strength two bytes.
+ * Uncertain: Inferred: the strength is never positive.
  *
  * - sheet: Copied measurements
  */
@@ -138,11 +144,12 @@ extern "C" {
 #define MIP_COPY_RADIO_NAME "copy.radio"
 
 /**
- * Cloud: data (0x82,0x08).
+ * Cloud: data (0x92,0x08).
  *
  * The count can exceed what a field holds beside the value behind the array.
  *
- * Has the layout of mip_measurements_cloud.
+ * Has the layout of mip_measurements_cloud. No device profile lists it. Known from the Kit of names
+ * only.
  *
  * - sheet: Copied measurements
  */
@@ -152,6 +159,43 @@ extern "C" {
 #define mip_copy_cloud_encode mip_measurements_cloud_encode
 #define MIP_COPY_CLOUD_DESCRIPTOR 0x08
 #define MIP_COPY_CLOUD_NAME "copy.cloud"
+
+/**
+ * Gust: data (0x92,0x09).
+ *
+ * One valid flag for all values but one; mip_measurements_breeze has the same place.
+ *
+ * Has the layout of mip_measurements_gust. No device profile lists it. Known from the Kit of names
+ * only.
+ *
+ * `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see mip_mode and
+ * mip_tools_shape.
+ *
+ * - sheet: Copied measurements
+ */
+#define mip_copy_gust mip_measurements_gust
+#define mip_copy_gust_codec mip_measurements_gust_codec
+#define mip_copy_gust_decode mip_measurements_gust_decode
+#define mip_copy_gust_encode mip_measurements_gust_encode
+#define MIP_COPY_GUST_DESCRIPTOR 0x09
+#define MIP_COPY_GUST_NAME "copy.gust"
+
+/**
+ * Breeze: data (0x92,0x0A).
+ *
+ * Its place is told as in mip_measurements_gust.
+ *
+ * Has the layout of mip_measurements_breeze. No device profile lists it. Known from the Kit of
+ * names only.
+ *
+ * - sheet: Copied measurements
+ */
+#define mip_copy_breeze mip_measurements_breeze
+#define mip_copy_breeze_codec mip_measurements_breeze_codec
+#define mip_copy_breeze_decode mip_measurements_breeze_decode
+#define mip_copy_breeze_encode mip_measurements_breeze_encode
+#define MIP_COPY_BREEZE_DESCRIPTOR 0x0A
+#define MIP_COPY_BREEZE_NAME "copy.breeze"
 
 #ifdef __cplusplus
 }
