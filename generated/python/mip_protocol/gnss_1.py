@@ -18,7 +18,7 @@ from .field import Data, Field
 
 
 @codec.open_flag(16)
-class GnssLlhPositionFlags(IntFlag):
+class LlhPositionFlags(IntFlag):
     """Which parts of the position are valid."""
 
     LAT_LON = 1 << 0
@@ -36,7 +36,7 @@ class GnssLlhPositionFlags(IntFlag):
 
 
 @codec.open_flag(16)
-class GnssEcefPositionFlags(IntFlag):
+class EcefPositionFlags(IntFlag):
     """Which parts of the position are valid."""
 
     POSITION = 1 << 0
@@ -68,7 +68,7 @@ class NedVelocityFlags(IntFlag):
 
 
 @codec.open_flag(16)
-class GnssEcefVelocityFlags(IntFlag):
+class EcefVelocityFlags(IntFlag):
     """Which parts of the velocity are valid."""
 
     VELOCITY = 1 << 0
@@ -231,7 +231,7 @@ class AntennaPower(codec.OpenEnum):
 
 
 @codec.open_flag(16)
-class GnssHardwareStatusFlags(IntFlag):
+class HardwareStatusFlags(IntFlag):
     """Which parts of the hardware status are valid."""
 
     SENSOR_STATE = 1 << 0
@@ -507,7 +507,7 @@ class BaseStationIndicators(IntFlag):
     """Galileo is supported. Bit 2."""
     BEIDOU = 1 << 3
     """BeiDou is supported. Bit 3."""
-    REF_STATION = 1 << 4
+    REFERENCE_STATION = 1 << 4
     """Reference station indicator. Bit 4."""
     SINGLE_RECEIVER = 1 << 5
     """Single receiver oscillator indicator. Bit 5."""
@@ -670,7 +670,7 @@ class BeidouIonoCorrectionFlags(IntFlag):
     """All of them. Bits 0 to 4. Overlaps other bits."""
 
 
-_GNSS_LLH_POSITION_0 = codec.Block(
+_LLH_POSITION_0 = codec.Block(
     "ddddffH",
     "latitude",
     "longitude",
@@ -683,7 +683,7 @@ _GNSS_LLH_POSITION_0 = codec.Block(
 
 
 @dataclass(slots=True)
-class GnssLlhPosition(Data):
+class LlhPosition(Data):
     """GNSS LLH position (0x91,0x03).
 
     GNSS position as latitude, longitude and height.
@@ -695,39 +695,38 @@ class GnssLlhPosition(Data):
 
     SET = 0x91
     DESCRIPTOR = 0x03
-    NAME = "gnss_1.gnss_llh_position"
+    NAME = "gnss_1.llh_position"
     ROLE = "data"
 
     latitude: float
-    """Latitude. Unit: deg. Frame: llh. Valid if `GnssLlhPositionFlags.LAT_LON` of `valid_flags` is
-    set.
+    """Latitude. Unit: deg. Frame: llh. Valid if `LlhPositionFlags.LAT_LON` of `valid_flags` is set.
     """
     longitude: float
-    """Longitude. Unit: deg. Frame: llh. Valid if `GnssLlhPositionFlags.LAT_LON` of `valid_flags` is
+    """Longitude. Unit: deg. Frame: llh. Valid if `LlhPositionFlags.LAT_LON` of `valid_flags` is
     set.
     """
     ellipsoid_height: float
-    """Height above the ellipsoid. Unit: m. Frame: llh. Valid if
-    `GnssLlhPositionFlags.ELLIPSOID_HEIGHT` of `valid_flags` is set.
+    """Height above the ellipsoid. Unit: m. Frame: llh. Valid if `LlhPositionFlags.ELLIPSOID_HEIGHT`
+    of `valid_flags` is set.
     """
     msl_height: float
-    """Height above mean sea level. Unit: m. Valid if `GnssLlhPositionFlags.MSL_HEIGHT` of
-    `valid_flags` is set.
+    """Height above mean sea level. Unit: m. Valid if `LlhPositionFlags.MSL_HEIGHT` of `valid_flags`
+    is set.
     """
     horizontal_accuracy: float
-    """Horizontal accuracy. Unit: m. Valid if `GnssLlhPositionFlags.HORIZONTAL_ACCURACY` of
+    """Horizontal accuracy. Unit: m. Valid if `LlhPositionFlags.HORIZONTAL_ACCURACY` of
     `valid_flags` is set.
     """
     vertical_accuracy: float
-    """Vertical accuracy. Unit: m. Valid if `GnssLlhPositionFlags.VERTICAL_ACCURACY` of
-    `valid_flags` is set.
+    """Vertical accuracy. Unit: m. Valid if `LlhPositionFlags.VERTICAL_ACCURACY` of `valid_flags` is
+    set.
     """
-    valid_flags: GnssLlhPositionFlags
+    valid_flags: LlhPositionFlags
     """Which values are valid."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssLlhPosition, int]:
-        v = _GNSS_LLH_POSITION_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[LlhPosition, int]:
+        v = _LLH_POSITION_0.read(raw, at)
         at += 42
         latitude = v[0]
         longitude = v[1]
@@ -735,7 +734,7 @@ class GnssLlhPosition(Data):
         msl_height = v[3]
         horizontal_accuracy = v[4]
         vertical_accuracy = v[5]
-        valid_flags = GnssLlhPositionFlags(v[6])
+        valid_flags = LlhPositionFlags(v[6])
         return cls(
             latitude,
             longitude,
@@ -747,7 +746,7 @@ class GnssLlhPosition(Data):
         ), at
 
     def _write(self) -> bytes:
-        out = _GNSS_LLH_POSITION_0.write(
+        out = _LLH_POSITION_0.write(
             self.latitude,
             self.longitude,
             self.ellipsoid_height,
@@ -759,11 +758,11 @@ class GnssLlhPosition(Data):
         return codec.finished(out)
 
 
-_GNSS_ECEF_POSITION_0 = codec.Block("dddfH", *["x"] * 3, "x_accuracy", "valid_flags")
+_ECEF_POSITION_0 = codec.Block("dddfH", *["position"] * 3, "position_accuracy", "valid_flags")
 
 
 @dataclass(slots=True)
-class GnssEcefPosition(Data):
+class EcefPosition(Data):
     """GNSS ECEF position (0x91,0x04).
 
     GNSS position in Earth-fixed coordinates.
@@ -775,39 +774,39 @@ class GnssEcefPosition(Data):
 
     SET = 0x91
     DESCRIPTOR = 0x04
-    NAME = "gnss_1.gnss_ecef_position"
+    NAME = "gnss_1.ecef_position"
     ROLE = "data"
 
-    x: types.Vector3d
-    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if `GnssEcefPositionFlags.POSITION`
-    of `valid_flags` is set.
-    """
-    x_accuracy: float
-    """Accuracy of the position. Unit: m. Valid if `GnssEcefPositionFlags.POSITION_ACCURACY` of
+    position: types.Vector3d
+    """Position. Elements: x, y, z. Unit: m. Frame: ecef. Valid if `EcefPositionFlags.POSITION` of
     `valid_flags` is set.
     """
-    valid_flags: GnssEcefPositionFlags
+    position_accuracy: float
+    """Accuracy of the position. Unit: m. Valid if `EcefPositionFlags.POSITION_ACCURACY` of
+    `valid_flags` is set.
+    """
+    valid_flags: EcefPositionFlags
     """Which values are valid."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssEcefPosition, int]:
-        v = _GNSS_ECEF_POSITION_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[EcefPosition, int]:
+        v = _ECEF_POSITION_0.read(raw, at)
         at += 30
-        x = v[0:3]
-        x_accuracy = v[3]
-        valid_flags = GnssEcefPositionFlags(v[4])
-        return cls(x, x_accuracy, valid_flags), at
+        position = v[0:3]
+        position_accuracy = v[3]
+        valid_flags = EcefPositionFlags(v[4])
+        return cls(position, position_accuracy, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _GNSS_ECEF_POSITION_0.write(
-            *codec.exactly("x", self.x, 3), self.x_accuracy, self.valid_flags
+        out = _ECEF_POSITION_0.write(
+            *codec.exactly("position", self.position, 3), self.position_accuracy, self.valid_flags
         )
         return codec.finished(out)
 
 
 _NED_VELOCITY_0 = codec.Block(
     "ffffffffH",
-    *["v_"] * 3,
+    *["velocity"] * 3,
     "speed",
     "ground_speed",
     "heading",
@@ -833,7 +832,7 @@ class NedVelocity(Data):
     NAME = "gnss_1.ned_velocity"
     ROLE = "data"
 
-    v_: types.Vector3f
+    velocity: types.Vector3f
     """Velocity. Elements: x, y, z. Unit: m/s. Frame: ned. Valid if `NedVelocityFlags.VELOCITY` of
     `valid_flags` is set.
     """
@@ -862,7 +861,7 @@ class NedVelocity(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[NedVelocity, int]:
         v = _NED_VELOCITY_0.read(raw, at)
         at += 34
-        v_ = v[0:3]
+        velocity = v[0:3]
         speed = v[3]
         ground_speed = v[4]
         heading = v[5]
@@ -870,12 +869,12 @@ class NedVelocity(Data):
         heading_accuracy = v[7]
         valid_flags = NedVelocityFlags(v[8])
         return cls(
-            v_, speed, ground_speed, heading, speed_accuracy, heading_accuracy, valid_flags
+            velocity, speed, ground_speed, heading, speed_accuracy, heading_accuracy, valid_flags
         ), at
 
     def _write(self) -> bytes:
         out = _NED_VELOCITY_0.write(
-            *codec.exactly("v_", self.v_, 3),
+            *codec.exactly("velocity", self.velocity, 3),
             self.speed,
             self.ground_speed,
             self.heading,
@@ -886,11 +885,11 @@ class NedVelocity(Data):
         return codec.finished(out)
 
 
-_GNSS_ECEF_VELOCITY_0 = codec.Block("ffffH", *["v_"] * 3, "v_accuracy", "valid_flags")
+_ECEF_VELOCITY_0 = codec.Block("ffffH", *["velocity"] * 3, "velocity_accuracy", "valid_flags")
 
 
 @dataclass(slots=True)
-class GnssEcefVelocity(Data):
+class EcefVelocity(Data):
     """GNSS ECEF velocity (0x91,0x06).
 
     GNSS velocity in Earth-fixed coordinates.
@@ -902,32 +901,32 @@ class GnssEcefVelocity(Data):
 
     SET = 0x91
     DESCRIPTOR = 0x06
-    NAME = "gnss_1.gnss_ecef_velocity"
+    NAME = "gnss_1.ecef_velocity"
     ROLE = "data"
 
-    v_: types.Vector3f
-    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if
-    `GnssEcefVelocityFlags.VELOCITY` of `valid_flags` is set.
-    """
-    v_accuracy: float
-    """Accuracy of the velocity. Unit: m/s. Valid if `GnssEcefVelocityFlags.VELOCITY_ACCURACY` of
+    velocity: types.Vector3f
+    """Velocity. Elements: x, y, z. Unit: m/s. Frame: ecef. Valid if `EcefVelocityFlags.VELOCITY` of
     `valid_flags` is set.
     """
-    valid_flags: GnssEcefVelocityFlags
+    velocity_accuracy: float
+    """Accuracy of the velocity. Unit: m/s. Valid if `EcefVelocityFlags.VELOCITY_ACCURACY` of
+    `valid_flags` is set.
+    """
+    valid_flags: EcefVelocityFlags
     """Which values are valid."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssEcefVelocity, int]:
-        v = _GNSS_ECEF_VELOCITY_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[EcefVelocity, int]:
+        v = _ECEF_VELOCITY_0.read(raw, at)
         at += 18
-        v_ = v[0:3]
-        v_accuracy = v[3]
-        valid_flags = GnssEcefVelocityFlags(v[4])
-        return cls(v_, v_accuracy, valid_flags), at
+        velocity = v[0:3]
+        velocity_accuracy = v[3]
+        valid_flags = EcefVelocityFlags(v[4])
+        return cls(velocity, velocity_accuracy, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _GNSS_ECEF_VELOCITY_0.write(
-            *codec.exactly("v_", self.v_, 3), self.v_accuracy, self.valid_flags
+        out = _ECEF_VELOCITY_0.write(
+            *codec.exactly("velocity", self.velocity, 3), self.velocity_accuracy, self.valid_flags
         )
         return codec.finished(out)
 
@@ -1280,13 +1279,13 @@ class SvInfo(Data):
         return codec.finished(out)
 
 
-_GNSS_HARDWARE_STATUS_0 = codec.Block(
+_HARDWARE_STATUS_0 = codec.Block(
     "BBBH", "receiver_state", "antenna_state", "antenna_power", "valid_flags"
 )
 
 
 @dataclass(slots=True)
-class GnssHardwareStatus(Data):
+class HardwareStatus(Data):
     """GNSS hardware status (0x91,0x0D).
 
     State of the receiver and of its antenna.
@@ -1298,36 +1297,33 @@ class GnssHardwareStatus(Data):
 
     SET = 0x91
     DESCRIPTOR = 0x0D
-    NAME = "gnss_1.gnss_hardware_status"
+    NAME = "gnss_1.hardware_status"
     ROLE = "data"
 
     receiver_state: ReceiverState
-    """State of the receiver. Valid if `GnssHardwareStatusFlags.SENSOR_STATE` of `valid_flags` is
-    set.
+    """State of the receiver. Valid if `HardwareStatusFlags.SENSOR_STATE` of `valid_flags` is set.
     """
     antenna_state: AntennaState
-    """State of the antenna. Valid if `GnssHardwareStatusFlags.ANTENNA_STATE` of `valid_flags` is
-    set.
+    """State of the antenna. Valid if `HardwareStatusFlags.ANTENNA_STATE` of `valid_flags` is set.
     """
     antenna_power: AntennaPower
-    """Supply of the antenna. Valid if `GnssHardwareStatusFlags.ANTENNA_POWER` of `valid_flags` is
-    set.
+    """Supply of the antenna. Valid if `HardwareStatusFlags.ANTENNA_POWER` of `valid_flags` is set.
     """
-    valid_flags: GnssHardwareStatusFlags
+    valid_flags: HardwareStatusFlags
     """Which values are valid."""
 
     @classmethod
-    def _read(cls, raw: bytes, at: int) -> tuple[GnssHardwareStatus, int]:
-        v = _GNSS_HARDWARE_STATUS_0.read(raw, at)
+    def _read(cls, raw: bytes, at: int) -> tuple[HardwareStatus, int]:
+        v = _HARDWARE_STATUS_0.read(raw, at)
         at += 5
         receiver_state = ReceiverState(v[0])
         antenna_state = AntennaState(v[1])
         antenna_power = AntennaPower(v[2])
-        valid_flags = GnssHardwareStatusFlags(v[3])
+        valid_flags = HardwareStatusFlags(v[3])
         return cls(receiver_state, antenna_state, antenna_power, valid_flags), at
 
     def _write(self) -> bytes:
-        out = _GNSS_HARDWARE_STATUS_0.write(
+        out = _HARDWARE_STATUS_0.write(
             self.receiver_state, self.antenna_state, self.antenna_power, self.valid_flags
         )
         return codec.finished(out)
@@ -1559,14 +1555,7 @@ class GpsLeapSeconds(Data):
 
 
 _SBAS_INFO_0 = codec.Block(
-    "dHBBBBH",
-    "time_of_week",
-    "week_number",
-    "sbas_system",
-    "sbas_id",
-    "count",
-    "sbas_status",
-    "valid_flags",
+    "dHBBBBH", "tow", "week_number", "sbas_system", "sbas_id", "count", "sbas_status", "valid_flags"
 )
 
 
@@ -1586,7 +1575,7 @@ class SbasInfo(Data):
     NAME = "gnss_1.sbas_info"
     ROLE = "data"
 
-    time_of_week: float
+    tow: float
     """GPS time of week. Unit: s. Valid if `SbasInfoFlags.TOW` of `valid_flags` is set."""
     week_number: int
     """GPS week number. Unit: week. Valid if `SbasInfoFlags.WEEK_NUMBER` of `valid_flags` is set."""
@@ -1606,20 +1595,18 @@ class SbasInfo(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[SbasInfo, int]:
         v = _SBAS_INFO_0.read(raw, at)
         at += 16
-        time_of_week = v[0]
+        tow = v[0]
         week_number = v[1]
         sbas_system = SbasSystem(v[2])
         sbas_id = v[3]
         count = v[4]
         sbas_status = SbasStatus(v[5])
         valid_flags = SbasInfoFlags(v[6])
-        return cls(
-            time_of_week, week_number, sbas_system, sbas_id, count, sbas_status, valid_flags
-        ), at
+        return cls(tow, week_number, sbas_system, sbas_id, count, sbas_status, valid_flags), at
 
     def _write(self) -> bytes:
         out = _SBAS_INFO_0.write(
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.sbas_system,
             self.sbas_id,
@@ -1794,7 +1781,7 @@ _SATELLITE_STATUS_0 = codec.Block(
     "BBdHBBffBH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "gnss_id",
     "satellite_id",
@@ -1827,7 +1814,7 @@ class SatelliteStatus(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
+    tow: float
     """GPS time of week. Unit: s. Valid if `SatelliteStatusFlags.TOW` of `valid_flags` is set."""
     week_number: int
     """GPS week number. Unit: week. Valid if `SatelliteStatusFlags.WEEK_NUMBER` of `valid_flags` is
@@ -1860,7 +1847,7 @@ class SatelliteStatus(Data):
         at += 25
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         gnss_id = types.GnssConstellation(v[4])
         satellite_id = v[5]
@@ -1871,7 +1858,7 @@ class SatelliteStatus(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             gnss_id,
             satellite_id,
@@ -1885,7 +1872,7 @@ class SatelliteStatus(Data):
         out = _SATELLITE_STATUS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.gnss_id,
             self.satellite_id,
@@ -1901,7 +1888,7 @@ _RAW_0 = codec.Block(
     "BBdHHBBBBfBddfffffH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "receiver_id",
     "tracking_channel",
@@ -1913,9 +1900,9 @@ _RAW_0 = codec.Block(
     "pseudorange",
     "carrier_phase",
     "doppler",
-    "range_uncert",
-    "phase_uncert",
-    "doppler_uncert",
+    "range_uncertainty",
+    "phase_uncertainty",
+    "doppler_uncertainty",
     "lock_time",
     "valid_flags",
 )
@@ -1944,7 +1931,7 @@ class Raw(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
+    tow: float
     """GPS time of week. Unit: s. Valid if `RawFlags.TOW` of `valid_flags` is set."""
     week_number: int
     """GPS week number. Unit: week. Valid if `RawFlags.WEEK_NUMBER` of `valid_flags` is set."""
@@ -1975,15 +1962,15 @@ class Raw(Data):
     """Carrier phase. Unit: cycle. Valid if `RawFlags.CARRIER_PHASE` of `valid_flags` is set."""
     doppler: float
     """Doppler shift. Unit: Hz. Valid if `RawFlags.DOPPLER` of `valid_flags` is set."""
-    range_uncert: float
+    range_uncertainty: float
     """Uncertainty of the pseudorange. Unit: m. Valid if `RawFlags.RANGE_UNCERTAINTY` of
     `valid_flags` is set.
     """
-    phase_uncert: float
+    phase_uncertainty: float
     """Uncertainty of the carrier phase. Unit: cycle. Valid if `RawFlags.CARRIER_PHASE_UNCERTAINTY`
     of `valid_flags` is set.
     """
-    doppler_uncert: float
+    doppler_uncertainty: float
     """Uncertainty of the Doppler shift. Unit: Hz. Valid if `RawFlags.DOPPLER_UNCERTAINTY` of
     `valid_flags` is set.
     """
@@ -2000,7 +1987,7 @@ class Raw(Data):
         at += 61
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         receiver_id = v[4]
         tracking_channel = v[5]
@@ -2012,15 +1999,15 @@ class Raw(Data):
         pseudorange = v[11]
         carrier_phase = v[12]
         doppler = v[13]
-        range_uncert = v[14]
-        phase_uncert = v[15]
-        doppler_uncert = v[16]
+        range_uncertainty = v[14]
+        phase_uncertainty = v[15]
+        doppler_uncertainty = v[16]
         lock_time = v[17]
         valid_flags = RawFlags(v[18])
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             receiver_id,
             tracking_channel,
@@ -2032,9 +2019,9 @@ class Raw(Data):
             pseudorange,
             carrier_phase,
             doppler,
-            range_uncert,
-            phase_uncert,
-            doppler_uncert,
+            range_uncertainty,
+            phase_uncertainty,
+            doppler_uncertainty,
             lock_time,
             valid_flags,
         ), at
@@ -2043,7 +2030,7 @@ class Raw(Data):
         out = _RAW_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.receiver_id,
             self.tracking_channel,
@@ -2055,9 +2042,9 @@ class Raw(Data):
             self.pseudorange,
             self.carrier_phase,
             self.doppler,
-            self.range_uncert,
-            self.phase_uncert,
-            self.doppler_uncert,
+            self.range_uncertainty,
+            self.phase_uncertainty,
+            self.doppler_uncertainty,
             self.lock_time,
             self.valid_flags,
         )
@@ -2066,9 +2053,9 @@ class Raw(Data):
 
 _BASE_STATION_INFO_0 = codec.Block(
     "dHdddfHHH",
-    "time_of_week",
+    "tow",
     "week_number",
-    *["ecef_pos"] * 3,
+    *["ecef_position"] * 3,
     "height",
     "station_id",
     "indicators",
@@ -2092,7 +2079,7 @@ class BaseStationInfo(Data):
     NAME = "gnss_1.base_station_info"
     ROLE = "data"
 
-    time_of_week: float
+    tow: float
     """GPS time of week at which the message was received. Unit: s. Valid if
     `BaseStationInfoFlags.TOW` of `valid_flags` is set.
     """
@@ -2100,7 +2087,7 @@ class BaseStationInfo(Data):
     """GPS week number. Unit: week. Valid if `BaseStationInfoFlags.WEEK_NUMBER` of `valid_flags` is
     set.
     """
-    ecef_pos: types.Vector3d
+    ecef_position: types.Vector3d
     """Position of the station. Elements: x, y, z. Unit: m. Frame: ecef. Valid if
     `BaseStationInfoFlags.ECEF_POSITION` of `valid_flags` is set.
     """
@@ -2123,22 +2110,20 @@ class BaseStationInfo(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[BaseStationInfo, int]:
         v = _BASE_STATION_INFO_0.read(raw, at)
         at += 44
-        time_of_week = v[0]
+        tow = v[0]
         week_number = v[1]
-        ecef_pos = v[2:5]
+        ecef_position = v[2:5]
         height = v[5]
         station_id = v[6]
         indicators = BaseStationIndicators(v[7])
         valid_flags = BaseStationInfoFlags(v[8])
-        return cls(
-            time_of_week, week_number, ecef_pos, height, station_id, indicators, valid_flags
-        ), at
+        return cls(tow, week_number, ecef_position, height, station_id, indicators, valid_flags), at
 
     def _write(self) -> bytes:
         out = _BASE_STATION_INFO_0.write(
-            self.time_of_week,
+            self.tow,
             self.week_number,
-            *codec.exactly("ecef_pos", self.ecef_pos, 3),
+            *codec.exactly("ecef_position", self.ecef_position, 3),
             self.height,
             self.station_id,
             self.indicators,
@@ -2149,7 +2134,7 @@ class BaseStationInfo(Data):
 
 _RTK_CORRECTIONS_STATUS_0 = codec.Block(
     "dHHIffffIIIIH",
-    "time_of_week",
+    "tow",
     "week_number",
     "epoch_status",
     "dongle_status",
@@ -2178,7 +2163,7 @@ class RtkCorrectionsStatus(Data):
     NAME = "gnss_1.rtk_corrections_status"
     ROLE = "data"
 
-    time_of_week: float
+    tow: float
     """GPS time of week. Unit: s. Valid if `RtkCorrectionsStatusFlags.TOW` of `valid_flags` is set.
     """
     week_number: int
@@ -2219,7 +2204,7 @@ class RtkCorrectionsStatus(Data):
     def _read(cls, raw: bytes, at: int) -> tuple[RtkCorrectionsStatus, int]:
         v = _RTK_CORRECTIONS_STATUS_0.read(raw, at)
         at += 50
-        time_of_week = v[0]
+        tow = v[0]
         week_number = v[1]
         epoch_status = RtkEpochStatus(v[2])
         dongle_status = types.RtkStatusFlags(v[3])
@@ -2230,7 +2215,7 @@ class RtkCorrectionsStatus(Data):
         reserved = v[8:12]
         valid_flags = RtkCorrectionsStatusFlags(v[12])
         return cls(
-            time_of_week,
+            tow,
             week_number,
             epoch_status,
             dongle_status,
@@ -2244,7 +2229,7 @@ class RtkCorrectionsStatus(Data):
 
     def _write(self) -> bytes:
         out = _RTK_CORRECTIONS_STATUS_0.write(
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.epoch_status,
             self.dongle_status,
@@ -2262,7 +2247,7 @@ _GPS_EPHEMERIS_0 = codec.Block(
     "BBdHBBBBdddddddddddddddddddddddddH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "satellite_id",
     "health",
@@ -2319,7 +2304,7 @@ class GpsEphemeris(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
+    tow: float
     """GPS time of week. Unit: s."""
     week_number: int
     """GPS week number. Unit: week."""
@@ -2425,7 +2410,7 @@ class GpsEphemeris(Data):
         at += 218
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         satellite_id = v[4]
         health = v[5]
@@ -2460,7 +2445,7 @@ class GpsEphemeris(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
             health,
@@ -2498,7 +2483,7 @@ class GpsEphemeris(Data):
         out = _GPS_EPHEMERIS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.satellite_id,
             self.health,
@@ -2538,18 +2523,18 @@ _GLONASS_EPHEMERIS_0 = codec.Block(
     "BBdHBbIIBdddddffffffBBBfBBBBBBH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "satellite_id",
-    "freq_number",
+    "frequency_number",
     "tk",
     "tb",
-    "sat_type",
+    "satellite_type",
     "gamma",
     "tau_n",
-    *["x"] * 3,
-    *["v_"] * 3,
-    *["a"] * 3,
+    *["position"] * 3,
+    *["velocity"] * 3,
+    *["accel"] * 3,
     "health",
     "p",
     "nt",
@@ -2587,13 +2572,13 @@ class GlonassEphemeris(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
+    tow: float
     """GPS time of week. Unit: s."""
     week_number: int
     """GPS week number. Unit: week."""
     satellite_id: int
     """Satellite within the constellation."""
-    freq_number: int
+    frequency_number: int
     """GLONASS frequency number. Range: -7 to 24. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
     `valid_flags` is set.
     """
@@ -2605,7 +2590,7 @@ class GlonassEphemeris(Data):
     """Reference time of the ephemeris. Unit: s. Valid if `GlonassEphemerisFlags.EPHEMERIS` of
     `valid_flags` is set.
     """
-    sat_type: GlonassSatelliteType
+    satellite_type: GlonassSatelliteType
     """Generation of the satellite (M). Valid if `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags`
     is set.
     """
@@ -2617,15 +2602,15 @@ class GlonassEphemeris(Data):
     """Correction of the satellite time relative to GLONASS time. Unit: s. Valid if
     `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
-    x: types.Vector3d
+    position: types.Vector3d
     """Position of the satellite in PZ-90. Elements: x, y, z. Unit: m. Valid if
     `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
-    v_: types.Vector3f
+    velocity: types.Vector3f
     """Velocity of the satellite in PZ-90. Elements: x, y, z. Unit: m/s. Valid if
     `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
-    a: types.Vector3f
+    accel: types.Vector3f
     """Acceleration of the satellite by perturbations, in PZ-90. Elements: x, y, z. Unit: m/s^2.
     Valid if `GlonassEphemerisFlags.EPHEMERIS` of `valid_flags` is set.
     """
@@ -2678,18 +2663,18 @@ class GlonassEphemeris(Data):
         at += 102
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         satellite_id = v[4]
-        freq_number = v[5]
+        frequency_number = v[5]
         tk = v[6]
         tb = v[7]
-        sat_type = GlonassSatelliteType(v[8])
+        satellite_type = GlonassSatelliteType(v[8])
         gamma = v[9]
         tau_n = v[10]
-        x = v[11:14]
-        v_ = v[14:17]
-        a = v[17:20]
+        position = v[11:14]
+        velocity = v[14:17]
+        accel = v[17:20]
         health = v[20]
         p = v[21]
         nt = v[22]
@@ -2704,18 +2689,18 @@ class GlonassEphemeris(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
-            freq_number,
+            frequency_number,
             tk,
             tb,
-            sat_type,
+            satellite_type,
             gamma,
             tau_n,
-            x,
-            v_,
-            a,
+            position,
+            velocity,
+            accel,
             health,
             p,
             nt,
@@ -2733,18 +2718,18 @@ class GlonassEphemeris(Data):
         out = _GLONASS_EPHEMERIS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.satellite_id,
-            self.freq_number,
+            self.frequency_number,
             self.tk,
             self.tb,
-            self.sat_type,
+            self.satellite_type,
             self.gamma,
             self.tau_n,
-            *codec.exactly("x", self.x, 3),
-            *codec.exactly("v_", self.v_, 3),
-            *codec.exactly("a", self.a, 3),
+            *codec.exactly("position", self.position, 3),
+            *codec.exactly("velocity", self.velocity, 3),
+            *codec.exactly("accel", self.accel, 3),
             self.health,
             self.p,
             self.nt,
@@ -2764,7 +2749,7 @@ _GALILEO_EPHEMERIS_0 = codec.Block(
     "BBdHBBBBdddddddddddddddddddddddddH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "satellite_id",
     "health",
@@ -2822,7 +2807,7 @@ class GalileoEphemeris(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
+    tow: float
     """GPS time of week. Unit: s."""
     week_number: int
     """GPS week number. Unit: week."""
@@ -2928,7 +2913,7 @@ class GalileoEphemeris(Data):
         at += 218
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         satellite_id = v[4]
         health = v[5]
@@ -2963,7 +2948,7 @@ class GalileoEphemeris(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
             health,
@@ -3001,7 +2986,7 @@ class GalileoEphemeris(Data):
         out = _GALILEO_EPHEMERIS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.satellite_id,
             self.health,
@@ -3041,7 +3026,7 @@ _BEIDOU_EPHEMERIS_0 = codec.Block(
     "BBdHBBBBdddddddddddddddddddddddddH",
     "index",
     "count",
-    "time_of_week",
+    "tow",
     "week_number",
     "satellite_id",
     "health",
@@ -3099,7 +3084,7 @@ class BeidouEphemeris(Data):
     """Number of this field within the epoch."""
     count: int
     """How many of these fields the epoch has."""
-    time_of_week: float
+    tow: float
     """GPS time of week. Unit: s."""
     week_number: int
     """GPS week number. Unit: week."""
@@ -3205,7 +3190,7 @@ class BeidouEphemeris(Data):
         at += 218
         index = v[0]
         count = v[1]
-        time_of_week = v[2]
+        tow = v[2]
         week_number = v[3]
         satellite_id = v[4]
         health = v[5]
@@ -3240,7 +3225,7 @@ class BeidouEphemeris(Data):
         return cls(
             index,
             count,
-            time_of_week,
+            tow,
             week_number,
             satellite_id,
             health,
@@ -3278,7 +3263,7 @@ class BeidouEphemeris(Data):
         out = _BEIDOU_EPHEMERIS_0.write(
             self.index,
             self.count,
-            self.time_of_week,
+            self.tow,
             self.week_number,
             self.satellite_id,
             self.health,
@@ -3514,17 +3499,17 @@ class BeidouIonoCorrection(Data):
 
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
-    0x03: (GnssLlhPosition,),
-    0x04: (GnssEcefPosition,),
+    0x03: (LlhPosition,),
+    0x04: (EcefPosition,),
     0x05: (NedVelocity,),
-    0x06: (GnssEcefVelocity,),
+    0x06: (EcefVelocity,),
     0x07: (Dop,),
     0x08: (UtcTime,),
     0x09: (GpsTime,),
     0x0A: (ClockInfo,),
     0x0B: (FixInfo,),
     0x0C: (SvInfo,),
-    0x0D: (GnssHardwareStatus,),
+    0x0D: (HardwareStatus,),
     0x0E: (DgpsInfo,),
     0x0F: (DgpsChannel,),
     0x10: (ClockInfo2,),

@@ -27,34 +27,34 @@ extern "C" {
  *
  * GNSS position as latitude, longitude and height.
  *
- * Has the layout of mip_gnss_1_gnss_llh_position. Also called `pos_llh`. No device profile lists
- * it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`. No device profile lists it.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_gnss_llh_position mip_gnss_1_gnss_llh_position
-#define mip_gnss_corrections_gnss_llh_position_codec mip_gnss_1_gnss_llh_position_codec
-#define mip_gnss_corrections_gnss_llh_position_decode mip_gnss_1_gnss_llh_position_decode
-#define mip_gnss_corrections_gnss_llh_position_encode mip_gnss_1_gnss_llh_position_encode
-#define MIP_GNSS_CORRECTIONS_GNSS_LLH_POSITION_DESCRIPTOR 0x03
-#define MIP_GNSS_CORRECTIONS_GNSS_LLH_POSITION_NAME "gnss_corrections.gnss_llh_position"
+#define mip_gnss_corrections_llh_position mip_gnss_1_llh_position
+#define mip_gnss_corrections_llh_position_codec mip_gnss_1_llh_position_codec
+#define mip_gnss_corrections_llh_position_decode mip_gnss_1_llh_position_decode
+#define mip_gnss_corrections_llh_position_encode mip_gnss_1_llh_position_encode
+#define MIP_GNSS_CORRECTIONS_LLH_POSITION_DESCRIPTOR 0x03
+#define MIP_GNSS_CORRECTIONS_LLH_POSITION_NAME "gnss_corrections.llh_position"
 
 /**
  * GNSS ECEF position: data (0x93,0x04).
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_position. Also called `pos_ecef`. No device profile lists
- * it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. No device profile lists it.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_gnss_ecef_position mip_gnss_1_gnss_ecef_position
-#define mip_gnss_corrections_gnss_ecef_position_codec mip_gnss_1_gnss_ecef_position_codec
-#define mip_gnss_corrections_gnss_ecef_position_decode mip_gnss_1_gnss_ecef_position_decode
-#define mip_gnss_corrections_gnss_ecef_position_encode mip_gnss_1_gnss_ecef_position_encode
-#define MIP_GNSS_CORRECTIONS_GNSS_ECEF_POSITION_DESCRIPTOR 0x04
-#define MIP_GNSS_CORRECTIONS_GNSS_ECEF_POSITION_NAME "gnss_corrections.gnss_ecef_position"
+#define mip_gnss_corrections_ecef_position mip_gnss_1_ecef_position
+#define mip_gnss_corrections_ecef_position_codec mip_gnss_1_ecef_position_codec
+#define mip_gnss_corrections_ecef_position_decode mip_gnss_1_ecef_position_decode
+#define mip_gnss_corrections_ecef_position_encode mip_gnss_1_ecef_position_encode
+#define MIP_GNSS_CORRECTIONS_ECEF_POSITION_DESCRIPTOR 0x04
+#define MIP_GNSS_CORRECTIONS_ECEF_POSITION_NAME "gnss_corrections.ecef_position"
 
 /**
  * NED velocity: data (0x93,0x05).
@@ -78,17 +78,17 @@ extern "C" {
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_velocity. Also called `vel_ecef`. No device profile lists
- * it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. No device profile lists it.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_gnss_ecef_velocity mip_gnss_1_gnss_ecef_velocity
-#define mip_gnss_corrections_gnss_ecef_velocity_codec mip_gnss_1_gnss_ecef_velocity_codec
-#define mip_gnss_corrections_gnss_ecef_velocity_decode mip_gnss_1_gnss_ecef_velocity_decode
-#define mip_gnss_corrections_gnss_ecef_velocity_encode mip_gnss_1_gnss_ecef_velocity_encode
-#define MIP_GNSS_CORRECTIONS_GNSS_ECEF_VELOCITY_DESCRIPTOR 0x06
-#define MIP_GNSS_CORRECTIONS_GNSS_ECEF_VELOCITY_NAME "gnss_corrections.gnss_ecef_velocity"
+#define mip_gnss_corrections_ecef_velocity mip_gnss_1_ecef_velocity
+#define mip_gnss_corrections_ecef_velocity_codec mip_gnss_1_ecef_velocity_codec
+#define mip_gnss_corrections_ecef_velocity_decode mip_gnss_1_ecef_velocity_decode
+#define mip_gnss_corrections_ecef_velocity_encode mip_gnss_1_ecef_velocity_encode
+#define MIP_GNSS_CORRECTIONS_ECEF_VELOCITY_DESCRIPTOR 0x06
+#define MIP_GNSS_CORRECTIONS_ECEF_VELOCITY_NAME "gnss_corrections.ecef_velocity"
 
 /**
  * DOP: data (0x93,0x07).
@@ -201,17 +201,17 @@ extern "C" {
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_gnss_hardware_status. Also called `hw_status`. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. No device profile lists
+ * it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss3 Data (0x93)
  */
-#define mip_gnss_corrections_gnss_hardware_status mip_gnss_1_gnss_hardware_status
-#define mip_gnss_corrections_gnss_hardware_status_codec mip_gnss_1_gnss_hardware_status_codec
-#define mip_gnss_corrections_gnss_hardware_status_decode mip_gnss_1_gnss_hardware_status_decode
-#define mip_gnss_corrections_gnss_hardware_status_encode mip_gnss_1_gnss_hardware_status_encode
-#define MIP_GNSS_CORRECTIONS_GNSS_HARDWARE_STATUS_DESCRIPTOR 0x0D
-#define MIP_GNSS_CORRECTIONS_GNSS_HARDWARE_STATUS_NAME "gnss_corrections.gnss_hardware_status"
+#define mip_gnss_corrections_hardware_status mip_gnss_1_hardware_status
+#define mip_gnss_corrections_hardware_status_codec mip_gnss_1_hardware_status_codec
+#define mip_gnss_corrections_hardware_status_decode mip_gnss_1_hardware_status_decode
+#define mip_gnss_corrections_hardware_status_encode mip_gnss_1_hardware_status_encode
+#define MIP_GNSS_CORRECTIONS_HARDWARE_STATUS_DESCRIPTOR 0x0D
+#define MIP_GNSS_CORRECTIONS_HARDWARE_STATUS_NAME "gnss_corrections.hardware_status"
 
 /**
  * DGPS info: data (0x93,0x0E).

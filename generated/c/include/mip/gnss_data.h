@@ -27,34 +27,34 @@ extern "C" {
  *
  * GNSS position as latitude, longitude and height.
  *
- * Has the layout of mip_gnss_1_gnss_llh_position. Also called `pos_llh`. No device profile lists
- * it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_llh_position. Also called `pos_llh`. No device profile lists it.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
-#define mip_gnss_data_gnss_llh_position mip_gnss_1_gnss_llh_position
-#define mip_gnss_data_gnss_llh_position_codec mip_gnss_1_gnss_llh_position_codec
-#define mip_gnss_data_gnss_llh_position_decode mip_gnss_1_gnss_llh_position_decode
-#define mip_gnss_data_gnss_llh_position_encode mip_gnss_1_gnss_llh_position_encode
-#define MIP_GNSS_DATA_GNSS_LLH_POSITION_DESCRIPTOR 0x03
-#define MIP_GNSS_DATA_GNSS_LLH_POSITION_NAME "gnss_data.gnss_llh_position"
+#define mip_gnss_data_llh_position mip_gnss_1_llh_position
+#define mip_gnss_data_llh_position_codec mip_gnss_1_llh_position_codec
+#define mip_gnss_data_llh_position_decode mip_gnss_1_llh_position_decode
+#define mip_gnss_data_llh_position_encode mip_gnss_1_llh_position_encode
+#define MIP_GNSS_DATA_LLH_POSITION_DESCRIPTOR 0x03
+#define MIP_GNSS_DATA_LLH_POSITION_NAME "gnss_data.llh_position"
 
 /**
  * GNSS ECEF position: data (0x81,0x04).
  *
  * GNSS position in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_position. Also called `pos_ecef`. No device profile lists
- * it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_ecef_position. Also called `pos_ecef`. No device profile lists it.
+ * Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
-#define mip_gnss_data_gnss_ecef_position mip_gnss_1_gnss_ecef_position
-#define mip_gnss_data_gnss_ecef_position_codec mip_gnss_1_gnss_ecef_position_codec
-#define mip_gnss_data_gnss_ecef_position_decode mip_gnss_1_gnss_ecef_position_decode
-#define mip_gnss_data_gnss_ecef_position_encode mip_gnss_1_gnss_ecef_position_encode
-#define MIP_GNSS_DATA_GNSS_ECEF_POSITION_DESCRIPTOR 0x04
-#define MIP_GNSS_DATA_GNSS_ECEF_POSITION_NAME "gnss_data.gnss_ecef_position"
+#define mip_gnss_data_ecef_position mip_gnss_1_ecef_position
+#define mip_gnss_data_ecef_position_codec mip_gnss_1_ecef_position_codec
+#define mip_gnss_data_ecef_position_decode mip_gnss_1_ecef_position_decode
+#define mip_gnss_data_ecef_position_encode mip_gnss_1_ecef_position_encode
+#define MIP_GNSS_DATA_ECEF_POSITION_DESCRIPTOR 0x04
+#define MIP_GNSS_DATA_ECEF_POSITION_NAME "gnss_data.ecef_position"
 
 /**
  * NED velocity: data (0x81,0x05).
@@ -78,17 +78,16 @@ extern "C" {
  *
  * GNSS velocity in Earth-fixed coordinates.
  *
- * Has the layout of mip_gnss_1_gnss_ecef_velocity. Also called `vel_ecef`. No device profile lists
- * it.
+ * Has the layout of mip_gnss_1_ecef_velocity. Also called `vel_ecef`. No device profile lists it.
  *
  * - 3dm-gx5-35: 5.2.4 ECEF Velocity (0x81, 0x06)
  */
-#define mip_gnss_data_gnss_ecef_velocity mip_gnss_1_gnss_ecef_velocity
-#define mip_gnss_data_gnss_ecef_velocity_codec mip_gnss_1_gnss_ecef_velocity_codec
-#define mip_gnss_data_gnss_ecef_velocity_decode mip_gnss_1_gnss_ecef_velocity_decode
-#define mip_gnss_data_gnss_ecef_velocity_encode mip_gnss_1_gnss_ecef_velocity_encode
-#define MIP_GNSS_DATA_GNSS_ECEF_VELOCITY_DESCRIPTOR 0x06
-#define MIP_GNSS_DATA_GNSS_ECEF_VELOCITY_NAME "gnss_data.gnss_ecef_velocity"
+#define mip_gnss_data_ecef_velocity mip_gnss_1_ecef_velocity
+#define mip_gnss_data_ecef_velocity_codec mip_gnss_1_ecef_velocity_codec
+#define mip_gnss_data_ecef_velocity_decode mip_gnss_1_ecef_velocity_decode
+#define mip_gnss_data_ecef_velocity_encode mip_gnss_1_ecef_velocity_encode
+#define MIP_GNSS_DATA_ECEF_VELOCITY_DESCRIPTOR 0x06
+#define MIP_GNSS_DATA_ECEF_VELOCITY_NAME "gnss_data.ecef_velocity"
 
 /**
  * DOP: data (0x81,0x07).
@@ -201,17 +200,17 @@ extern "C" {
  *
  * State of the receiver and of its antenna.
  *
- * Has the layout of mip_gnss_1_gnss_hardware_status. Also called `hw_status`. No device profile
- * lists it. Known from the MicroStrain MIP SDK only.
+ * Has the layout of mip_gnss_1_hardware_status. Also called `hw_status`. No device profile lists
+ * it. Known from the MicroStrain MIP SDK only.
  *
  * - mip-sdk-4: Gnss Data (0x81)
  */
-#define mip_gnss_data_gnss_hardware_status mip_gnss_1_gnss_hardware_status
-#define mip_gnss_data_gnss_hardware_status_codec mip_gnss_1_gnss_hardware_status_codec
-#define mip_gnss_data_gnss_hardware_status_decode mip_gnss_1_gnss_hardware_status_decode
-#define mip_gnss_data_gnss_hardware_status_encode mip_gnss_1_gnss_hardware_status_encode
-#define MIP_GNSS_DATA_GNSS_HARDWARE_STATUS_DESCRIPTOR 0x0D
-#define MIP_GNSS_DATA_GNSS_HARDWARE_STATUS_NAME "gnss_data.gnss_hardware_status"
+#define mip_gnss_data_hardware_status mip_gnss_1_hardware_status
+#define mip_gnss_data_hardware_status_codec mip_gnss_1_hardware_status_codec
+#define mip_gnss_data_hardware_status_decode mip_gnss_1_hardware_status_decode
+#define mip_gnss_data_hardware_status_encode mip_gnss_1_hardware_status_encode
+#define MIP_GNSS_DATA_HARDWARE_STATUS_DESCRIPTOR 0x0D
+#define MIP_GNSS_DATA_HARDWARE_STATUS_NAME "gnss_data.hardware_status"
 
 /**
  * DGPS info: data (0x81,0x0E).

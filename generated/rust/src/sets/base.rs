@@ -151,8 +151,8 @@ record! {
     ///
     /// Answered by [`GetDeviceDescriptorsResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
-    /// - When the list contains [(0x01,0x07)](GetExtendedDescriptors), more descriptors come from
-    ///   the extended command.
+    /// - If the list contains the descriptor of [`GetExtendedDescriptors`], that command gives
+    ///   more.
     ///
     /// Source: 3dm-gx5-15: 4.1.4 Get Device Descriptor Sets (0x01, 0x04); 3dm-cv7-gnss-ins: Get
     /// device descriptors (0x01,0x04).
@@ -182,7 +182,8 @@ record! {
     /// Runs the self test of the device and gets its result.
     ///
     /// Answered by [`BuiltInTestResponse`]. The device may take 10 s to answer. Supported by
-    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15.
+    /// 3DM-CV7-GNSS/INS and 3DM-GX5-15. Uncertain: How long the test takes at most. The manual of
+    /// the 3DM-CV7 says several seconds; 10 s leaves room for that.
     ///
     /// - The test interrupts normal operation for up to several seconds; no data is available
     ///   meanwhile.
@@ -190,7 +191,7 @@ record! {
     /// - The continuous built-in test, where there is one, tells more about a failure.
     ///
     /// Source: 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05); 3dm-cv7-gnss-ins: Built in test
-    /// (0x01,0x05).
+    /// (0x01,0x05); 3dm-cv7-gnss-ins: Commanded Built-in Test.
     #[derive(Default)]
     pub struct BuiltInTest;
 }
@@ -249,7 +250,7 @@ record! {
     /// Answered by [`GetExtendedDescriptorsResponse`]. Supported by 3DM-CV7-GNSS/INS and
     /// 3DM-GX5-15.
     ///
-    /// - Only supported if get device descriptors lists [(0x01,0x07)](GetExtendedDescriptors).
+    /// - Only supported if [`GetDeviceDescriptors`] lists it.
     ///
     /// Source: 3dm-gx5-15: 4.1.7 Get Extended Device Descriptor Sets (0x01, 0x07);
     /// 3dm-cv7-gnss-ins: Get device descriptors (extended) (0x01,0x07).
@@ -389,7 +390,7 @@ record! {
         pub function: types::FunctionSelector,
         /// What the value is.
         pub field_id: Option<GpsTimeField>,
-        /// What field_id says.
+        /// What `field_id` says.
         ///
         /// Required for write and apply. If `field_id` is [`GpsTimeField::WEEK_NUMBER`]: unit week.
         /// GPS week number since 6 January 1980. If `field_id` is [`GpsTimeField::TOW`]: unit s.
@@ -508,7 +509,7 @@ record! {
     /// Answers [`BuiltInTest`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 4.1.5 Device Built-In Test (0x01, 0x05); 3dm-cv7-gnss-ins: Built in test
-    /// (0x01,0x05).
+    /// (0x01,0x05); 3dm-cv7-gnss-ins: Commanded Built-in Test.
     #[derive(Default)]
     pub struct BuiltInTestResponse {
         /// Failure flags, defined by each device. Zero means that every test passed.

@@ -12,8 +12,8 @@ open_enum! {
     /// Kind of vehicle that the filter is tuned for.
     ///
     /// Uncertain: The SDK names the modes only; the descriptions follow from the names. Uncertain:
-    /// The filter status [(0x82,0x10)](crate::filter_data::Status) reports a mode too, but is known
-    /// to have the values 1 to 3 only.
+    /// [`filter_data::Status`](crate::filter_data::Status) reports a mode too, but is known to have
+    /// the values 1 to 3 only.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
     DynamicsMode: u8 {
@@ -406,7 +406,7 @@ record! {
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
     /// - The filter waits in its initialization state if `wait_for_run_command` of
-    ///   `initialization_config` is set.
+    ///   [`InitializationConfig`] is set.
     ///
     /// Source: 3dm-cv7-gnss-ins: Run Navigation Filter (0x0D,0x05).
     #[derive(Default)]
@@ -434,6 +434,7 @@ record! {
     /// Kind of vehicle that the filter is tuned for.
     ///
     /// Functions: write, read, save, load and default. Answered by [`VehicleDynamicsModeResponse`].
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
     pub struct VehicleDynamicsMode {
@@ -555,13 +556,12 @@ record! {
     /// Origin of the vehicle frame, as seen from the sensor.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`SensorToVehicleOffsetResponse`]. Uncertain: The direction, from the sensor to the origin
-    /// of the vehicle frame, is inferred from the name.
+    /// [`SensorToVehicleOffsetResponse`]. No device profile lists it. Known from the MicroStrain
+    /// MIP SDK only. Uncertain: The direction, from the sensor to the origin of the vehicle frame,
+    /// is inferred from the name.
     ///
-    /// - It shifts the estimated position [(0x82,0x01)](crate::filter_data::LlhPosition) and
-    ///   nothing else.
+    /// - It shifts [`filter_data::LlhPosition`](crate::filter_data::LlhPosition) and nothing else.
     /// - The shift is constant. It does not follow the attitude, as a lever arm would.
-    /// - The magnitude of the vector is limited to 10 m.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
     pub struct SensorToVehicleOffset {
@@ -569,7 +569,8 @@ record! {
         pub function: types::FunctionSelector,
         /// From the sensor to the origin of the vehicle frame.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: sensor. Range: -10 to 10. Required for write.
+        /// Elements: x, y, z. Unit: m. Frame: sensor. Range: magnitude at most 10. Required for
+        /// write.
         pub offset: Option<types::Vector3f>,
     }
     wire 13 {
@@ -614,7 +615,6 @@ record! {
     /// Functions: write, read, save, load and default. Answered by [`AntennaOffsetResponse`].
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
-    /// - The magnitude of the vector is limited to 10.
     /// - 7-series devices expect the vehicle frame, 5-series devices the sensor frame.
     /// - On the 3DM-CV7 it is for GNSS data that come as NMEA; data that come by the aiding
     ///   commands use [`aiding::FrameConfig`](crate::aiding::FrameConfig).
@@ -625,7 +625,8 @@ record! {
         pub function: types::FunctionSelector,
         /// From the sensor origin to the centre of the antenna.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10. Required for write.
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for
+        /// write.
         pub offset: Option<types::Vector3f>,
     }
     wire 13 {
@@ -772,7 +773,9 @@ record! {
     ///
     /// Gives the filter one position and velocity of a GNSS receiver that the user provides.
     ///
-    /// - Refused unless the GNSS aiding source [(0x0D,0x15)](GnssSource) is the external one.
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    ///
+    /// - Refused unless [`GnssSource`] selects the external source.
     /// - The highest rate depends on the device.
     ///
     /// Source: mip-sdk-4: External Gnss Update (0x0D,0x16).
@@ -844,8 +847,8 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
-    /// - Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5
-    ///   and by `aiding_measurement_enable` on the 3DM-CV7.
+    /// - Refused unless external heading updates are enabled, by [`HeadingSource`] on the 3DM-GX5
+    ///   and by [`AidingMeasurementEnable`] on the 3DM-CV7.
     /// - The 3DM-GX5-15 takes at most 20 updates per second.
     /// - If the declination source is not valid, -25 models refuse true headings and -45 models
     ///   magnetic ones.
@@ -1221,11 +1224,11 @@ record! {
     ///
     /// Lets the filter take the device as standing still while its GNSS speed is small.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`AutoZuptResponse`].
+    /// Functions: write, read, save, load and default. Answered by [`AutoZuptResponse`]. No device
+    /// profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - The update applies while the magnitude of the GNSS velocity vector is at or below the
     ///   threshold.
-    /// - The device refuses a negative threshold.
     ///
     /// Source: mip-sdk-4: Auto Zupt (0x0D,0x1E).
     pub struct AutoZupt {
@@ -1282,10 +1285,10 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
-    /// - Better than `external_heading_update` where the heading changes quickly; the time must be
+    /// - Better than [`ExternalHeadingUpdate`] where the heading changes quickly; the time must be
     ///   accurate.
-    /// - Refused unless external heading updates are enabled, by `heading_source` on the 3DM-GX5
-    ///   and by `aiding_measurement_enable` on the 3DM-CV7.
+    /// - Refused unless external heading updates are enabled, by [`HeadingSource`] on the 3DM-GX5
+    ///   and by [`AidingMeasurementEnable`] on the 3DM-CV7.
     /// - The 3DM-GX5-15 takes at most 20 updates per second.
     /// - If the declination source is not valid, -25 models refuse true headings and -45 models
     ///   magnetic ones.
@@ -1462,6 +1465,8 @@ record! {
     ///
     /// Tells the filter once that the device stands still.
     ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    ///
     /// - The highest rate depends on the device.
     ///
     /// Source: mip-sdk-4: Commanded Zupt (0x0D,0x22).
@@ -1589,11 +1594,12 @@ record! {
     ///
     /// Makes the automatic magnetometer calibration part of the fixed one.
     ///
-    /// Also called `mag_capture_auto_cal`. Functions: write and save.
+    /// Also called `mag_capture_auto_cal`. Functions: write and save. No device profile lists it.
+    /// Known from the MicroStrain MIP SDK only.
     ///
-    /// - A write combines the automatic calibration with the hard iron offset
-    ///   [(0x0C,0x3A)](crate::mip_3dm::MagHardIronOffset) and the soft iron matrix
-    ///   [(0x0C,0x3B)](crate::mip_3dm::MagSoftIronMatrix), and resets it.
+    /// - A write combines the automatic calibration with
+    ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset) and
+    ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix), and resets it.
     /// - A save does the same as the save of both of these commands.
     ///
     /// Source: mip-sdk-4: Mag Capture Auto Cal (0x0D,0x27).
@@ -1681,7 +1687,8 @@ record! {
     /// Standard deviation of the noise of the pressure altitude model that the filter assumes.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`PressureAltitudeNoiseResponse`].
+    /// [`PressureAltitudeNoiseResponse`]. No device profile lists it. Known from the MicroStrain
+    /// MIP SDK only.
     ///
     /// - A small value follows the pressure faster, and takes weather and draughts for changes of
     ///   height.
@@ -1735,6 +1742,7 @@ record! {
     /// Standard deviation of the noise of the estimated hard iron offset (process noise).
     ///
     /// Functions: write, read, save, load and default. Answered by [`HardIronOffsetNoiseResponse`].
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
     pub struct HardIronOffsetNoise {
@@ -1785,6 +1793,7 @@ record! {
     /// Standard deviation of the noise of the estimated soft iron matrix (process noise).
     ///
     /// Functions: write, read, save, load and default. Answered by [`SoftIronMatrixNoiseResponse`].
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
     pub struct SoftIronMatrixNoise {
@@ -1886,8 +1895,9 @@ record! {
     ///
     /// Standard deviation of the magnetometer noise that the filter assumes.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`MagNoiseResponse`]. Uncertain:
-    /// The SDK calls it process noise, although the noise is that of a measurement.
+    /// Functions: write, read, save, load and default. Answered by [`MagNoiseResponse`]. No device
+    /// profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK calls it
+    /// process noise, although the noise is that of a measurement.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
     pub struct MagNoise {
@@ -2094,9 +2104,9 @@ record! {
     /// How far the filter trusts a magnetic field whose magnitude is not as expected.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`MagMagnitudeErrorAdaptiveMeasurementResponse`]. Uncertain: Whether the parameters behind
-    /// the selector may be left out on write, as those of
-    /// [(0x0D,0x44)](AccelMagnitudeErrorAdaptiveMeasurement) may.
+    /// [`MagMagnitudeErrorAdaptiveMeasurementResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only. Uncertain: Whether the parameters behind the selector may be left
+    /// out on write, as those of [`AccelMagnitudeErrorAdaptiveMeasurement`] may.
     ///
     /// - The limits and the low-pass filter take effect only with `fixed`; with `auto` the device
     ///   finds limits.
@@ -2195,10 +2205,11 @@ record! {
     /// How far the filter trusts a magnetic field whose dip angle is not as expected.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`MagDipAngleErrorAdaptiveMeasurementResponse`].
+    /// [`MagDipAngleErrorAdaptiveMeasurementResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
-    /// - It has no effect while [(0x0D,0x44)](AccelMagnitudeErrorAdaptiveMeasurement) or
-    ///   [(0x0D,0x45)](MagMagnitudeErrorAdaptiveMeasurement) is set to `auto`.
+    /// - It has no effect while [`AccelMagnitudeErrorAdaptiveMeasurement`] or
+    ///   [`MagMagnitudeErrorAdaptiveMeasurement`] is set to `auto`.
     /// - High limits suit high dynamics but let disturbances of the field through; low limits can
     ///   spoil the heading.
     ///
@@ -2279,7 +2290,8 @@ record! {
     ///
     /// What aids the altitude beside GNSS.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`AltitudeAidingResponse`].
+    /// Functions: write, read, save, load and default. Answered by [`AltitudeAidingResponse`]. No
+    /// device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - GNSS stays the main source of altitude; the aid improves it and bridges outages.
     /// - Weather and place shift the pressure altitude, at times by more than 40 m.
@@ -2384,7 +2396,8 @@ record! {
     /// Source of the local inclination (dip angle) of the magnetic field.
     ///
     /// Also called `inclination_source`. Functions: write, read, save, load and default. Answered
-    /// by [`MagneticInclinationSourceResponse`].
+    /// by [`MagneticInclinationSourceResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// - Without a good inclination source, keep automatic magnetometer calibration off.
     ///
@@ -2443,11 +2456,11 @@ record! {
     /// Source of the local magnitude of the magnetic field.
     ///
     /// Also called `mag_field_magnitude_source`. Functions: write, read, save, load and default.
-    /// Answered by [`MagneticMagnitudeSourceResponse`].
+    /// Answered by [`MagneticMagnitudeSourceResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// - Without a good magnitude source, keep automatic magnetometer calibration off.
-    /// - The adaptive measurement [(0x0D,0x45)](MagMagnitudeErrorAdaptiveMeasurement) relies on it
-    ///   too.
+    /// - [`MagMagnitudeErrorAdaptiveMeasurement`] relies on it too.
     ///
     /// Source: mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D).
     pub struct MagneticMagnitudeSource {
@@ -2504,10 +2517,12 @@ record! {
     /// Rotation from the sensor frame to the vehicle frame as a direction cosine matrix.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`SensorToVehicleRotationDcmResponse`].
+    /// [`SensorToVehicleRotationDcmResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// - It is the inverse of the matrix that
-    ///   [(0x0C,0x33)](crate::mip_3dm::SensorToVehicleTransformDcm) takes.
+    ///   [`mip_3dm::SensorToVehicleTransformDcm`](crate::mip_3dm::SensorToVehicleTransformDcm)
+    ///   takes.
     /// - It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
     ///   velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
     ///   filter.
@@ -2564,14 +2579,15 @@ record! {
     /// Rotation from the sensor frame to the vehicle frame as a quaternion.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`SensorToVehicleRotationQuaternionResponse`].
+    /// [`SensorToVehicleRotationQuaternionResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// - It is the inverse of the quaternion that
-    ///   [(0x0C,0x32)](crate::mip_3dm::SensorToVehicleTransformQuaternion) takes.
+    ///   [`mip_3dm::SensorToVehicleTransformQuaternion`](crate::mip_3dm::SensorToVehicleTransformQuaternion)
+    ///   takes.
     /// - It turns the scaled acceleration, angular rate and magnetic field, delta theta and delta
     ///   velocity, and the orientation, linear acceleration, angular rate and gravity vector of the
     ///   filter.
-    /// - The device refuses a quaternion whose length is not 1 to 0.001.
     /// - The device normalizes it, so the elements read back may differ a little from those
     ///   written.
     ///
@@ -2581,7 +2597,7 @@ record! {
         pub function: types::FunctionSelector,
         /// Unit quaternion, scalar part first.
         ///
-        /// Elements: w, x, y, z. Unit: 1. Required for write.
+        /// Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to 1.001. Required for write.
         pub q: Option<types::Quatf>,
     }
     wire 17 {
@@ -2678,8 +2694,8 @@ record! {
     /// Assumptions about the motion that the filter uses as measurements.
     ///
     /// Functions: write, read, save, load and default. Answered by [`KinematicConstraintResponse`].
-    /// Uncertain: Whether there are further values. The SDK has plain numbers and gives the values
-    /// in remarks.
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether
+    /// there are further values. The SDK has plain numbers and gives the values in remarks.
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     pub struct KinematicConstraint {
@@ -2755,7 +2771,7 @@ record! {
     pub struct InitializationConfig {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
-        /// 1: the filter starts only after `run`; 0: as soon as it can.
+        /// 1: the filter starts only after [`Run`]; 0: as soon as it can.
         ///
         /// Range: 0 to 1. Required for write.
         pub wait_for_run_command: Option<u8>,
@@ -2912,8 +2928,6 @@ record! {
     /// Functions: write, read, save, load and default. Answered by [`MultiAntennaOffsetResponse`].
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
-    /// - The magnitude of the vector is limited to 10.
-    ///
     /// Source: 3dm-cv7-gnss-ins: GNSS Multi-Antenna Offset Control (0x0D,0x54).
     pub struct MultiAntennaOffset {
         /// What to do with the setting.
@@ -2924,7 +2938,8 @@ record! {
         pub receiver_id: Option<u8>,
         /// From the sensor to the antenna.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10. Required for write.
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for
+        /// write.
         pub antenna_offset: Option<types::Vector3f>,
     }
     wire 14 {
@@ -3037,10 +3052,12 @@ record! {
     /// Also called `ref_point_lever_arm`. Functions: write, read, save, load and default. Answered
     /// by [`ReferencePointLeverArmResponse`]. Supported by 3DM-CV7-GNSS/INS.
     ///
-    /// - It shifts `llh_position`, `ned_velocity`, `ecef_position`, `ecef_velocity` and
-    ///   `ned_relative_position` of set `filter_data`, depending on the attitude and, for
-    ///   velocities, on the angular rate.
-    /// - The magnitude of the vector is limited to 10.
+    /// - It shifts [`filter_data::LlhPosition`](crate::filter_data::LlhPosition),
+    ///   [`filter_data::NedVelocity`](crate::filter_data::NedVelocity),
+    ///   [`filter_data::EcefPosition`](crate::filter_data::EcefPosition),
+    ///   [`filter_data::EcefVelocity`](crate::filter_data::EcefVelocity) and
+    ///   [`filter_data::NedRelativePosition`](crate::filter_data::NedRelativePosition), depending
+    ///   on the attitude and, for velocities, on the angular rate.
     ///
     /// Source: 3dm-cv7-gnss-ins: Reference point lever arm (0x0D,0x56).
     pub struct ReferencePointLeverArm {
@@ -3052,7 +3069,8 @@ record! {
         pub reference_point: Option<ReferencePoint>,
         /// From the sensor to the point.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10. Required for write.
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10. Required for
+        /// write.
         pub lever_arm_offset: Option<types::Vector3f>,
     }
     wire 14 {
@@ -3095,7 +3113,8 @@ record! {
     ///
     /// Gives the filter one measurement of the forward speed of the vehicle (along its x axis).
     ///
-    /// Uncertain: The SDK names a response (0x0D,0xE0) but has no layout of it.
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK
+    /// names a response, `filter.speed_measurement_response`, but has no layout of it.
     ///
     /// - It must not be used together with the odometer of the device.
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
@@ -3214,7 +3233,8 @@ record! {
     /// Lets the filter hold pitch and roll by the accelerometers while there is no GNSS.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`VerticalGyroConstraintControlResponse`].
+    /// [`VerticalGyroConstraintControlResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// - It takes the linear acceleration as zero.
     ///
@@ -3375,7 +3395,7 @@ command! {
 record! {
     /// Vehicle dynamics mode response (0x0D,0x80).
     ///
-    /// Answers [`VehicleDynamicsMode`].
+    /// Answers [`VehicleDynamicsMode`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Vehicle Dynamics Mode (0x0D,0x10).
     #[derive(Default)]
@@ -3419,14 +3439,14 @@ field! {
 record! {
     /// Sensor to vehicle offset response (0x0D,0x82).
     ///
-    /// Answers [`SensorToVehicleOffset`].
+    /// Answers [`SensorToVehicleOffset`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Offset (0x0D,0x12).
     #[derive(Default)]
     pub struct SensorToVehicleOffsetResponse {
         /// From the sensor to the origin of the vehicle frame.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: sensor. Range: -10 to 10.
+        /// Elements: x, y, z. Unit: m. Frame: sensor. Range: magnitude at most 10.
         pub offset: types::Vector3f,
     }
 }
@@ -3445,7 +3465,7 @@ record! {
     pub struct AntennaOffsetResponse {
         /// From the sensor origin to the centre of the antenna.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
         pub offset: types::Vector3f,
     }
 }
@@ -3615,7 +3635,7 @@ field! {
 record! {
     /// Automatic zero velocity update response (0x0D,0x8D).
     ///
-    /// Answers [`AutoZupt`].
+    /// Answers [`AutoZupt`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Auto Zupt (0x0D,0x1E).
     #[derive(Default)]
@@ -3713,7 +3733,7 @@ field! {
 record! {
     /// Pressure altitude noise response (0x0D,0x94).
     ///
-    /// Answers [`PressureAltitudeNoise`].
+    /// Answers [`PressureAltitudeNoise`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Pressure Altitude Noise (0x0D,0x29).
     #[derive(Default)]
@@ -3732,7 +3752,7 @@ field! {
 record! {
     /// Hard iron offset noise response (0x0D,0x96).
     ///
-    /// Answers [`HardIronOffsetNoise`].
+    /// Answers [`HardIronOffsetNoise`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Hard Iron Offset Noise (0x0D,0x2B).
     #[derive(Default)]
@@ -3751,7 +3771,7 @@ field! {
 record! {
     /// Soft iron matrix noise response (0x0D,0x97).
     ///
-    /// Answers [`SoftIronMatrixNoise`].
+    /// Answers [`SoftIronMatrixNoise`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Soft Iron Matrix Noise (0x0D,0x2C).
     #[derive(Default)]
@@ -3807,7 +3827,7 @@ field! {
 record! {
     /// Magnetometer noise response (0x0D,0xB1).
     ///
-    /// Answers [`MagNoise`].
+    /// Answers [`MagNoise`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Noise (0x0D,0x42).
     #[derive(Default)]
@@ -3888,7 +3908,7 @@ field! {
 record! {
     /// Magnetometer magnitude error adaptive measurement response (0x0D,0xB4).
     ///
-    /// Answers [`MagMagnitudeErrorAdaptiveMeasurement`].
+    /// Answers [`MagMagnitudeErrorAdaptiveMeasurement`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Magnitude Error Adaptive Measurement (0x0D,0x45).
     #[derive(Default)]
@@ -3934,7 +3954,7 @@ field! {
 record! {
     /// Magnetometer dip angle error adaptive measurement response (0x0D,0xB5).
     ///
-    /// Answers [`MagDipAngleErrorAdaptiveMeasurement`].
+    /// Answers [`MagDipAngleErrorAdaptiveMeasurement`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Dip Angle Error Adaptive Measurement (0x0D,0x46).
     #[derive(Default)]
@@ -3967,7 +3987,7 @@ field! {
 record! {
     /// Altitude aiding response (0x0D,0xB7).
     ///
-    /// Answers [`AltitudeAiding`].
+    /// Answers [`AltitudeAiding`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Altitude Aiding (0x0D,0x47).
     #[derive(Default)]
@@ -4001,7 +4021,8 @@ field! {
 record! {
     /// Magnetic inclination source response (0x0D,0xBC).
     ///
-    /// Also called `inclination_source_response`. Answers [`MagneticInclinationSource`].
+    /// Also called `inclination_source_response`. Answers [`MagneticInclinationSource`]. Known from
+    /// the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Inclination Source (0x0D,0x4C).
     #[derive(Default)]
@@ -4024,6 +4045,7 @@ record! {
     /// Magnetic field magnitude source response (0x0D,0xBD).
     ///
     /// Also called `mag_field_magnitude_source_response`. Answers [`MagneticMagnitudeSource`].
+    /// Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Field Magnitude Source (0x0D,0x4D).
     #[derive(Default)]
@@ -4045,7 +4067,7 @@ field! {
 record! {
     /// Sensor to vehicle rotation, matrix response (0x0D,0xBE).
     ///
-    /// Answers [`SensorToVehicleRotationDcm`].
+    /// Answers [`SensorToVehicleRotationDcm`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Dcm (0x0D,0x4E).
     #[derive(Default)]
@@ -4064,14 +4086,14 @@ field! {
 record! {
     /// Sensor to vehicle rotation, quaternion response (0x0D,0xBF).
     ///
-    /// Answers [`SensorToVehicleRotationQuaternion`].
+    /// Answers [`SensorToVehicleRotationQuaternion`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Sensor To Vehicle Rotation Quaternion (0x0D,0x4F).
     #[derive(Default)]
     pub struct SensorToVehicleRotationQuaternionResponse {
         /// Unit quaternion, scalar part first.
         ///
-        /// Elements: w, x, y, z. Unit: 1.
+        /// Elements: w, x, y, z. Unit: 1. Range: magnitude 0.999 to 1.001.
         pub q: types::Quatf,
     }
 }
@@ -4102,7 +4124,7 @@ field! {
 record! {
     /// Kinematic constraint response (0x0D,0xD1).
     ///
-    /// Answers [`KinematicConstraint`].
+    /// Answers [`KinematicConstraint`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Kinematic Constraint (0x0D,0x51).
     #[derive(Default)]
@@ -4135,7 +4157,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Navigation Filter Initialization (0x0D,0x52).
     #[derive(Default)]
     pub struct InitializationConfigResponse {
-        /// 1: the filter starts only after `run`; 0: as soon as it can.
+        /// 1: the filter starts only after [`Run`]; 0: as soon as it can.
         ///
         /// Range: 0 to 1.
         pub wait_for_run_command: u8,
@@ -4212,7 +4234,7 @@ record! {
         pub receiver_id: u8,
         /// From the sensor to the antenna.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
         pub antenna_offset: types::Vector3f,
     }
 }
@@ -4260,7 +4282,7 @@ record! {
         pub reference_point: ReferencePoint,
         /// From the sensor to the point.
         ///
-        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: -10 to 10.
+        /// Elements: x, y, z. Unit: m. Frame: vehicle. Range: magnitude at most 10.
         pub lever_arm_offset: types::Vector3f,
     }
 }
@@ -4302,7 +4324,7 @@ field! {
 record! {
     /// Vertical gyro constraint response (0x0D,0xE2).
     ///
-    /// Answers [`VerticalGyroConstraintControl`].
+    /// Answers [`VerticalGyroConstraintControl`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Vertical Gyro Constraint Control (0x0D,0x62).
     #[derive(Default)]

@@ -419,7 +419,7 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
-    /// - V_vehicle = q^-1 \* v_ned \* q. The 3DM-GX5-15 manual prints the inverse rotation.
+    /// - `v_vehicle = q^-1 * v_ned * q`. The 3DM-GX5-15 manual prints the inverse rotation.
     ///
     /// Source: 3dm-cv7-gnss-ins: Attitude Quaternion (0x82,0x03); 3dm-gx5-15: 5.2.3 Orientation,
     /// Quaternion (0x82, 0x03).
@@ -446,7 +446,7 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
-    /// - The matrix turns NED vectors into vehicle vectors: v_vehicle = dcm \* v_ned.
+    /// - The matrix turns NED vectors into vehicle vectors: `v_vehicle = dcm * v_ned`.
     ///
     /// Source: 3dm-cv7-gnss-ins: Attitude DCM (0x82,0x04); 3dm-gx5-15: 5.2.7 Orientation, Matrix
     /// (0x82, 0x04).
@@ -1017,6 +1017,8 @@ record! {
     ///
     /// Estimated scale factor of the gyroscope.
     ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    ///
     /// Source: mip-sdk-4: Gyro Scale Factor (0x82,0x16).
     #[derive(Default)]
     pub struct GyroScaleFactor {
@@ -1038,6 +1040,8 @@ record! {
     /// Accelerometer scale factor (0x82,0x17).
     ///
     /// Estimated scale factor of the accelerometer.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Accel Scale Factor (0x82,0x17).
     #[derive(Default)]
@@ -1061,6 +1065,8 @@ record! {
     ///
     /// Standard deviation of the estimated scale factor of the gyroscope.
     ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    ///
     /// Source: mip-sdk-4: Gyro Scale Factor Uncertainty (0x82,0x18).
     #[derive(Default)]
     pub struct GyroScaleFactorUncertainty {
@@ -1082,6 +1088,8 @@ record! {
     /// Accelerometer scale factor uncertainty (0x82,0x19).
     ///
     /// Standard deviation of the estimated scale factor of the accelerometer.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Accel Scale Factor Uncertainty (0x82,0x19).
     #[derive(Default)]
@@ -1105,6 +1113,8 @@ record! {
     ///
     /// Estimated bias of the magnetometer.
     ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    ///
     /// Source: mip-sdk-4: Mag Bias (0x82,0x1A).
     #[derive(Default)]
     pub struct MagBias {
@@ -1126,6 +1136,8 @@ record! {
     /// Magnetometer bias uncertainty (0x82,0x1B).
     ///
     /// Standard deviation of the estimated bias of the magnetometer.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Mag Bias Uncertainty (0x82,0x1B).
     #[derive(Default)]
@@ -1173,6 +1185,8 @@ record! {
     /// Standard atmosphere (0x82,0x20).
     ///
     /// US Standard Atmosphere of 1976 at the altitude of the device.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - It is valid only with a valid GNSS position.
     ///
@@ -1240,7 +1254,8 @@ record! {
     ///
     /// Altitude at which the standard atmosphere has the density of the air around the device.
     ///
-    /// Uncertain: The SDK gives the name only; the description is the usual meaning of the term.
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: The SDK
+    /// gives the name only; the description is the usual meaning of the term.
     ///
     /// Source: mip-sdk-4: Density Altitude (0x82,0x22).
     #[derive(Default)]
@@ -1263,10 +1278,11 @@ record! {
     ///
     /// Estimated hard iron offset of the magnetometer.
     ///
-    /// Also called `magnetometer_offset`.
+    /// Also called `magnetometer_offset`. No device profile lists it. Known from the MicroStrain
+    /// MIP SDK only.
     ///
-    /// - The filter adds it to the stored hard iron offset
-    ///   [(0x0C,0x3A)](crate::mip_3dm::MagHardIronOffset).
+    /// - The filter adds it to the stored offset of
+    ///   [`mip_3dm::MagHardIronOffset`](crate::mip_3dm::MagHardIronOffset).
     ///
     /// Source: mip-sdk-4: Magnetometer Offset (0x82,0x25).
     #[derive(Default)]
@@ -1290,10 +1306,11 @@ record! {
     ///
     /// Estimated soft iron matrix of the magnetometer.
     ///
-    /// Also called `magnetometer_matrix`.
+    /// Also called `magnetometer_matrix`. No device profile lists it. Known from the MicroStrain
+    /// MIP SDK only.
     ///
-    /// - The filter multiplies the stored soft iron matrix
-    ///   [(0x0C,0x3B)](crate::mip_3dm::MagSoftIronMatrix) by it, from the right.
+    /// - The filter multiplies the stored matrix of
+    ///   [`mip_3dm::MagSoftIronMatrix`](crate::mip_3dm::MagSoftIronMatrix) by it, from the right.
     ///
     /// Source: mip-sdk-4: Magnetometer Matrix (0x82,0x26).
     #[derive(Default)]
@@ -1317,7 +1334,8 @@ record! {
     ///
     /// Standard deviation of the estimated hard iron offset.
     ///
-    /// Also called `magnetometer_offset_uncertainty`.
+    /// Also called `magnetometer_offset_uncertainty`. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Magnetometer Offset Uncertainty (0x82,0x28).
     #[derive(Default)]
@@ -1341,7 +1359,8 @@ record! {
     ///
     /// Standard deviation of the estimated soft iron matrix.
     ///
-    /// Also called `magnetometer_matrix_uncertainty`.
+    /// Also called `magnetometer_matrix_uncertainty`. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Magnetometer Matrix Uncertainty (0x82,0x29).
     #[derive(Default)]
@@ -1365,7 +1384,8 @@ record! {
     ///
     /// Covariance of the magnetometer measurement.
     ///
-    /// Also called `magnetometer_covariance_matrix`.
+    /// Also called `magnetometer_covariance_matrix`. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Magnetometer Covariance Matrix (0x82,0x2A).
     #[derive(Default)]
@@ -1390,7 +1410,8 @@ record! {
     ///
     /// Residual of the magnetometer measurement.
     ///
-    /// Also called `magnetometer_residual_vector`.
+    /// Also called `magnetometer_residual_vector`. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Magnetometer Residual Vector (0x82,0x2C).
     #[derive(Default)]
@@ -1414,7 +1435,10 @@ record! {
     ///
     /// Estimated error of the offset of the GNSS antenna.
     ///
-    /// - The filter adds it to the stored offset [(0x0D,0x13)](crate::filter::AntennaOffset).
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    ///
+    /// - The filter adds it to the stored offset of
+    ///   [`filter::AntennaOffset`](crate::filter::AntennaOffset).
     ///
     /// Source: mip-sdk-4: Antenna Offset Correction (0x82,0x30).
     #[derive(Default)]
@@ -1438,6 +1462,8 @@ record! {
     ///
     /// Standard deviation of the estimated error of the offset of the GNSS antenna.
     ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    ///
     /// Source: mip-sdk-4: Antenna Offset Correction Uncertainty (0x82,0x31).
     #[derive(Default)]
     pub struct AntennaOffsetCorrectionUncertainty {
@@ -1459,6 +1485,8 @@ record! {
     /// Clock correction (0x82,0x32).
     ///
     /// Estimated clock error of one GNSS receiver.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Clock Correction (0x82,0x32).
     #[derive(Default)]
@@ -1488,6 +1516,8 @@ record! {
     /// Clock correction uncertainty (0x82,0x33).
     ///
     /// Standard deviation of the estimated clock error of one GNSS receiver.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Clock Correction Uncertainty (0x82,0x33).
     #[derive(Default)]
@@ -1722,7 +1752,8 @@ record! {
     ///
     /// How the filter uses the attitude that two GNSS antennas give.
     ///
-    /// Also called `gnss_att_aid_status`.
+    /// Also called `gnss_att_aid_status`. No device profile lists it. Known from the MicroStrain
+    /// MIP SDK only.
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///
@@ -1751,7 +1782,8 @@ record! {
     ///
     /// The heading measurement that the filter used last.
     ///
-    /// Also called `head_aid_status`.
+    /// Also called `head_aid_status`. No device profile lists it. Known from the MicroStrain MIP
+    /// SDK only.
     ///
     /// - Single precision resolves the time of week to 0.0625 s at the end of the week.
     ///

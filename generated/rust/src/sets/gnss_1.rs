@@ -745,7 +745,7 @@ bitfield! {
         /// The data of the modernized navigation message are included. Bit 1.
         MODERN_DATA: bool = 1,
             modern_data, set_modern_data, with_modern_data;
-        /// isc_l2c is the correction for L5, not for L2. Bit 2.
+        /// `isc_l2c` is the correction for L5, not for L2. Bit 2.
         ISC_L5: bool = 2,
             isc_l5, set_isc_l5, with_isc_l5;
         /// All of them. Bits 0 to 2. Overlaps other bits.
@@ -1127,6 +1127,8 @@ record! {
     ///
     /// Bias and drift of the receiver clock.
     ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    ///
     /// - Clock info 2 replaces it and tells more.
     ///
     /// Source: mip-sdk-4: Clock Info (0x81,0x0A).
@@ -1190,7 +1192,8 @@ record! {
     ///
     /// One satellite that is tracked.
     ///
-    /// Uncertain: Whether a packet holds one of these fields or several.
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only. Uncertain: Whether a
+    /// packet holds one of these fields or several.
     ///
     /// - The satellites come as one field each, in packets apart from other GNSS data.
     ///
@@ -1267,10 +1270,11 @@ record! {
     ///
     /// State of the differential corrections.
     ///
-    /// Uncertain: The layout is that of a manual of the 3DM-GX5-35 and of MSCL, another library of
-    /// the vendor. It agrees with the valid flags. Uncertain: The SDK has another one, u8, three
-    /// floats and u16, which is that of dgps_channel and does not agree with its own valid flags
-    /// (age, base station id, base station status, number of channels).
+    /// No device profile lists it. Uncertain: The layout is that of a manual of the 3DM-GX5-35 and
+    /// of MSCL, another library of the vendor. It agrees with the valid flags. Uncertain: The SDK
+    /// has another one, u8, three floats and u16, which is that of [`DgpsChannel`] and does not
+    /// agree with its own valid flags (age, base station id, base station status, number of
+    /// channels).
     ///
     /// Source: 3dm-gx5-35: 5.2.12 DGNSS Information (0x81, 0x0E); mip-sdk-4: Dgps Info (0x81,0x0E).
     #[derive(Default)]
@@ -1278,7 +1282,7 @@ record! {
         /// Age of the corrections.
         ///
         /// Unit: s. Valid if [`valid_flags.age`](DgpsInfoFlags::age) is set. Uncertain: The unit,
-        /// which follows from dgps_channel.
+        /// which follows from [`DgpsChannel`].
         pub age: f32,
         /// Number of the base station.
         ///
@@ -1306,6 +1310,8 @@ record! {
     /// DGPS channel (0x91,0x0F).
     ///
     /// Differential correction for one satellite.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - The active satellites come as one field each, all in one packet.
     ///
@@ -1449,6 +1455,8 @@ record! {
     ///
     /// SBAS correction for one satellite.
     ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    ///
     /// - An epoch is sent as one field for each satellite; index and count number the fields.
     /// - Udrei 0 to 13 are these variances in m^2: 0.0520, 0.0924, 0.1444, 0.2830, 0.4678, 0.8315,
     ///   1.2992, 1.8709, 2.5465, 3.3260, 5.1968, 20.7870, 230.9661, 2078.695.
@@ -1501,6 +1509,8 @@ record! {
     /// RF error detection (0x91,0x14).
     ///
     /// Jamming and spoofing as the receiver detects them in one band.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Rf Error Detection (0x81,0x14).
     #[derive(Default)]
@@ -1679,6 +1689,8 @@ record! {
     ///
     /// The base station of the corrections, from an RTCM message 1005 or 1006.
     ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    ///
     /// Source: mip-sdk-4: Base Station Info (0x81,0x30).
     #[derive(Default)]
     pub struct BaseStationInfo {
@@ -1723,6 +1735,8 @@ record! {
     ///
     /// Which corrections come, and how old they are.
     ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    ///
     /// Source: mip-sdk-4: Rtk Corrections Status (0x81,0x31).
     #[derive(Default)]
     pub struct RtkCorrectionsStatus {
@@ -1743,8 +1757,8 @@ record! {
         ///
         /// Valid if [`valid_flags.dongle_status`](RtkCorrectionsStatusFlags::dongle_status) is set.
         ///
-        /// - The same word as that of get status flags [(0x0F,0x01)](crate::rtk::GetStatusFlags),
-        ///   in one of its two forms.
+        /// - The same word as that of [`rtk::GetStatusFlags`](crate::rtk::GetStatusFlags), in one
+        ///   of its two forms.
         pub dongle_status: types::RtkStatusFlags,
         /// Latency of the last GPS correction.
         ///
@@ -1784,7 +1798,7 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS.
     ///
-    /// - Iodc changes with the clock data; the manual has it roll over at 4.
+    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
     ///
     /// Source: 3dm-cv7-gnss-ins: GPS Ephemeris (0x91,0x61).
     #[derive(Default)]
@@ -1839,7 +1853,7 @@ record! {
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub isc_l1ca: f64,
-        /// Inter-signal correction for L2, or for L5 if isc_l5 is set.
+        /// Inter-signal correction for L2, or for L5 if `isc_l5` is set.
         ///
         /// Unit: s. Valid if [`valid_flags.ephemeris`](EphemerisFlags::ephemeris) is set.
         pub isc_l2c: f64,
@@ -2050,7 +2064,7 @@ record! {
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     ///   corrections hold here.
-    /// - Iodc changes with the clock data; the manual has it roll over at 4.
+    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
     ///
     /// Source: 3dm-cv7-gnss-ins: Galileo Ephemeris (0x91,0x63).
     #[derive(Default)]
@@ -2199,7 +2213,7 @@ record! {
     ///
     /// - The layout is that of the GPS ephemeris. The manual does not say what the two inter-signal
     ///   corrections hold here.
-    /// - Iodc changes with the clock data; the manual has it roll over at 4.
+    /// - `iodc` changes with the clock data; the manual has it roll over at 4.
     ///
     /// Source: 3dm-cv7-gnss-ins: BeiDou Ephemeris (0x91,0x64).
     #[derive(Default)]
@@ -2344,7 +2358,8 @@ record! {
     ///
     /// Model of the ionosphere that GPS broadcasts.
     ///
-    /// Also called `gps_iono_corr`.
+    /// Also called `gps_iono_corr`. No device profile lists it. Known from the MicroStrain MIP SDK
+    /// only.
     ///
     /// Source: mip-sdk-4: Gps Iono Corr (0x81,0x71).
     #[derive(Default)]
@@ -2382,7 +2397,8 @@ record! {
     ///
     /// Model of the ionosphere that Galileo broadcasts.
     ///
-    /// Also called `galileo_iono_corr`.
+    /// Also called `galileo_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
+    /// SDK only.
     ///
     /// Source: mip-sdk-4: Galileo Iono Corr (0x81,0x73).
     #[derive(Default)]
@@ -2421,7 +2437,8 @@ record! {
     ///
     /// Model of the ionosphere that BeiDou broadcasts.
     ///
-    /// Also called `beidou_iono_corr`.
+    /// Also called `beidou_iono_corr`. No device profile lists it. Known from the MicroStrain MIP
+    /// SDK only.
     ///
     /// Source: mip-sdk-4: Beidou Iono Corr (0x81,0x74).
     #[derive(Default)]

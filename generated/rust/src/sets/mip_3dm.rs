@@ -45,8 +45,8 @@ open_enum! {
 }
 
 open_enum! {
-    /// Constellation in the settings of a receiver. The values are not those of gnss_constellation,
-    /// which GNSS data use.
+    /// Constellation in the settings of a receiver. The values are not those of
+    /// `gnss_constellation`, which GNSS data use.
     ///
     /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21).
     ConstellationId: u8 {
@@ -179,7 +179,7 @@ record! {
     /// Source: 3dm-cv7-gnss-ins: Info.
     #[derive(Default)]
     pub struct EventSupportInfo {
-        /// A value of event_trigger_type if triggers were asked about, else of event_action_type.
+        /// Type of triggers, or of actions.
         pub type_: u8,
         /// Instances of this type at most.
         ///
@@ -256,19 +256,19 @@ open_enum! {
 }
 
 open_enum! {
-    /// A sensor whose range can be set, which also decides the unit of the range.
+    /// A sensor whose range can be set.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor Range (0x0C,0x52).
     SensorRangeType: u8 {
         /// All sensors; for save, load and default only.
         ALL = 0, "all";
-        /// Accelerometer; standard gravities.
+        /// Accelerometer.
         ACCEL = 1, "accel";
-        /// Gyroscope; degrees per second.
+        /// Gyroscope.
         GYRO = 2, "gyro";
-        /// Magnetometer; gauss.
+        /// Magnetometer.
         MAG = 3, "mag";
-        /// Pressure sensor; hectopascals, that is millibars.
+        /// Pressure sensor.
         PRESSURE = 4, "pressure";
     }
 }
@@ -281,7 +281,7 @@ record! {
     pub struct SensorRangeEntry {
         /// Value for the sensor range command.
         pub setting: u8,
-        /// Largest measurable value; sensor_range_type gives the unit.
+        /// Largest measurable value.
         pub range: f32,
     }
 }
@@ -372,13 +372,14 @@ record! {
     ///
     /// Asks for one GNSS data packet with the fields listed, in their order.
     ///
-    /// Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true.
+    /// Also called `poll_gnss_message`. Not acknowledged if `suppress_ack` is true. No device
+    /// profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
     /// `descriptors`. Range: 0 to 83.
     ///
-    /// - An empty list polls the stored GNSS message format [(0x0C,0x09)](GnssMessageFormat);
-    ///   without one the device refuses.
+    /// - An empty list polls what [`GnssMessageFormat`] has stored; without that the device
+    ///   refuses.
     /// - Descriptors that the device does not know are left out.
     /// - The data comes in a packet of its own behind the reply.
     ///
@@ -543,7 +544,8 @@ record! {
     ///
     /// Asks for the rate that the decimations of the GNSS message format divide.
     ///
-    /// Also called `gnss_get_base_rate`. Answered by [`GetGnssBaseRateResponse`].
+    /// Also called `gnss_get_base_rate`. Answered by [`GetGnssBaseRateResponse`]. No device profile
+    /// lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
     #[derive(Default)]
@@ -635,6 +637,7 @@ record! {
     /// Fields of the GNSS data packets, in order, with their decimations.
     ///
     /// Functions: write, read, save, load and default. Answered by [`GnssMessageFormatResponse`].
+    /// No device profile lists it.
     ///
     /// On the wire there is also `num_descriptors`: Number of fields. The number of elements of
     /// `descriptors`. Range: 0 to 82. Required for write.
@@ -1037,8 +1040,8 @@ record! {
     /// Also called `datastream_control`. Functions: write, read, save, load and default. Answered
     /// by [`DataStreamControlResponse`]. Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
-    /// - 5-series devices name the stream by a number of their own (legacy_data_stream), others by
-    ///   its descriptor set.
+    /// - 5-series devices name the stream by a number of their own ([`LegacyDataStream`]), others
+    ///   by its descriptor set.
     ///
     /// Source: 3dm-gx5-15: 4.2.7 Enable/Disable Continuous Data Stream (0x0C, 0x11);
     /// 3dm-cv7-gnss-ins: Data Stream Control (0x0C,0x11).
@@ -1106,8 +1109,9 @@ record! {
     /// Constellations that the GNSS receiver tracks, and how its tracking channels are shared.
     ///
     /// Functions: write, read, save, load and default. Answered by
-    /// [`ConstellationSettingsResponse`]. Uncertain: The factory default, as the SDK gives it,
-    /// names GPS and GLONASS alone as enabled but has channels for SBAS and QZSS too.
+    /// [`ConstellationSettingsResponse`]. No device profile lists it. Uncertain: The factory
+    /// default, as the SDK gives it, names GPS and GLONASS alone as enabled but has channels for
+    /// SBAS and QZSS too.
     ///
     /// On the wire there is also `config_count`: Number of entries. The number of elements of
     /// `settings`. Range: 0 to 41. Required for write.
@@ -1251,11 +1255,12 @@ record! {
     ///
     /// Whether the GNSS receiver keeps the data of its last fix to start from at the next power-up.
     ///
-    /// Functions: write, read, save, load and default. Answered by [`GnssAssistedFixResponse`].
+    /// Functions: write, read, save, load and default. Answered by [`GnssAssistedFixResponse`]. No
+    /// device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - The last fix is kept in the flash memory and the FRAM of the receiver.
-    /// - With the time of GNSS time assistance [(0x0C,0x24)](GnssTimeAssistance) right after
-    ///   power-up, the first fix takes 1 s at best.
+    /// - With the time of [`GnssTimeAssistance`] right after power-up, the first fix takes 1 s at
+    ///   best.
     /// - A change from enabled to none erases the flash memory of the receiver, which stands 100
     ///   000 erasures.
     /// - It takes slightly more power.
@@ -1311,10 +1316,10 @@ record! {
     ///
     /// Tells the GNSS receiver the present GPS time.
     ///
-    /// Functions: write and read. Answered by [`GnssTimeAssistanceResponse`].
+    /// Functions: write and read. Answered by [`GnssTimeAssistanceResponse`]. No device profile
+    /// lists it. Known from the MicroStrain MIP SDK only.
     ///
-    /// - It is needed right after power-up if the assisted fix [(0x0C,0x23)](GnssAssistedFix) was
-    ///   on at power-off.
+    /// - It is needed right after power-up if [`GnssAssistedFix`] was on at power-off.
     ///
     /// Source: mip-sdk-4: Gnss Time Assistance (0x0C,0x24).
     pub struct GnssTimeAssistance {
@@ -1811,8 +1816,7 @@ record! {
     ///   back may be another form of it.
     /// - The mounting is reached from the vehicle frame by turning about the sensor's own z, y and
     ///   x axes by yaw, pitch and roll.
-    /// - A vector in the vehicle frame is Rz(yaw) Ry(pitch) Rx(roll) times the vector in the sensor
-    ///   frame.
+    /// - `v_vehicle = Rz(yaw) * Ry(pitch) * Rx(roll) * v_sensor`
     /// - It applies to the sensor data, the complementary filter and the attitude, acceleration,
     ///   rate and gravity of the filter.
     /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
@@ -1886,6 +1890,10 @@ record! {
     ///
     /// - The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read
     ///   back may be another form of it.
+    /// - `p_vehicle = q^-1 * p_sensor * q`, where the vectors are quaternions with the scalar part
+    ///   0. This is the inverse of the quaternion that
+    ///   [`filter::SensorToVehicleRotationQuaternion`](crate::filter::SensorToVehicleRotationQuaternion)
+    ///   takes.
     /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Quaternion (0x0C,0x32).
@@ -1941,7 +1949,8 @@ record! {
     ///
     /// - The three transformation commands (0x31, 0x32, 0x33) set the same thing; the value read
     ///   back may be another form of it.
-    /// - A vector in the vehicle frame is this matrix times the vector in the sensor frame.
+    /// - `v_vehicle = dcm * v_sensor`. This is the inverse of the matrix that
+    ///   [`filter::SensorToVehicleRotationDcm`](crate::filter::SensorToVehicleRotationDcm) takes.
     /// - A change resets the low-pass filters, the complementary filter and the estimation filter.
     ///
     /// Source: 3dm-cv7-gnss-ins: Sensor-to-Vehicle Frame Transformation Direction Cosine Matrix
@@ -2509,7 +2518,8 @@ record! {
     ///
     /// - What is read is the level of the pin itself.
     /// - Writing shows only on a pin that is configured as an output.
-    /// - An event action of mode active_high or active_low on the pin overrides what is written.
+    /// - An event action of mode `active_high` or `active_low` on the pin overrides what is
+    ///   written.
     /// - Reading is sure to work only with the gpio feature.
     /// - The state at power-up is a matter of the GPIO configuration command.
     ///
@@ -2633,7 +2643,7 @@ record! {
     ///
     /// Source: 3dm-gx5-15: 4.2.14 Advanced Low-Pass Filter Settings (0x0C, 0x50); 3dm-cv7-gnss-ins:
     /// Advanced Low-Pass Filter Settings (0x0C,0x50).
-    #[deprecated(note = "use 3dm.low_pass_filter where the device has it")]
+    #[deprecated(note = "use `3dm.low_pass_filter` where the device has it")]
     pub struct ImuLowPassFilter {
         /// What to do with the setting.
         pub function: types::FunctionSelector,
@@ -3094,7 +3104,8 @@ field! {
 record! {
     /// Get GNSS Data Base Rate response (0x0C,0x84).
     ///
-    /// Also called `gnss_get_base_rate_response`. Answers [`GetGnssBaseRate`].
+    /// Also called `gnss_get_base_rate_response`. Answers [`GetGnssBaseRate`]. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Get Base Rate (0x0C,0x07).
     #[derive(Default)]
@@ -3616,7 +3627,7 @@ field! {
 record! {
     /// GNSS Assisted Fix response (0x0C,0xA2).
     ///
-    /// Answers [`GnssAssistedFix`].
+    /// Answers [`GnssAssistedFix`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Assisted Fix (0x0C,0x23).
     pub struct GnssAssistedFixResponse {
@@ -3646,7 +3657,7 @@ field! {
 record! {
     /// GNSS Time Assistance response (0x0C,0xA3).
     ///
-    /// Answers [`GnssTimeAssistance`].
+    /// Answers [`GnssTimeAssistance`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Gnss Time Assistance (0x0C,0x24).
     #[derive(Default)]
@@ -3777,6 +3788,10 @@ record! {
         /// Unit: 1.
         pub max_instances: u8,
         /// The types.
+        ///
+        /// If `query` is [`EventSupportQuery::TRIGGER_TYPES`]: `type_` has values of
+        /// [`types::EventTriggerType`]. If `query` is [`EventSupportQuery::ACTION_TYPES`]: `type_`
+        /// has values of [`types::EventActionType`].
         pub entries: crate::List<EventSupportInfo, 125>,
     }
     wire 253 {
@@ -4096,6 +4111,11 @@ record! {
         /// Sensor of the command.
         pub sensor: SensorRangeType,
         /// The ranges.
+        ///
+        /// If `sensor` is [`SensorRangeType::ACCEL`]: `range` has unit g. If `sensor` is
+        /// [`SensorRangeType::GYRO`]: `range` has unit deg/s. If `sensor` is
+        /// [`SensorRangeType::MAG`]: `range` has unit gauss. If `sensor` is
+        /// [`SensorRangeType::PRESSURE`]: `range` has unit mbar.
         pub ranges: crate::List<SensorRangeEntry, 50>,
     }
     wire 252 {

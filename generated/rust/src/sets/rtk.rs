@@ -65,9 +65,11 @@ record! {
     ///
     /// Asks for the state of the modem and of the corrections.
     ///
-    /// Answered by [`GetStatusFlagsResponse`].
+    /// Answered by [`GetStatusFlagsResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
-    /// - The word of the response has two forms, rtk_status_flags and rtk_status_flags_legacy.
+    /// - The word of the response has two forms, [`types::RtkStatusFlags`] and
+    ///   [`types::RtkStatusFlagsLegacy`].
     ///
     /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
     #[derive(Default)]
@@ -95,7 +97,8 @@ record! {
     ///
     /// Asks for the identity of the modem.
     ///
-    /// Answered by [`GetImeiResponse`].
+    /// Answered by [`GetImeiResponse`]. No device profile lists it. Known from the MicroStrain MIP
+    /// SDK only.
     ///
     /// Source: mip-sdk-4: Get Imei (0x0F,0x02).
     #[derive(Default)]
@@ -123,7 +126,8 @@ record! {
     ///
     /// Asks for the identity of the subscriber.
     ///
-    /// Answered by [`GetImsiResponse`].
+    /// Answered by [`GetImsiResponse`]. No device profile lists it. Known from the MicroStrain MIP
+    /// SDK only.
     ///
     /// Source: mip-sdk-4: Get Imsi (0x0F,0x03).
     #[derive(Default)]
@@ -151,7 +155,8 @@ record! {
     ///
     /// Asks for the number of the SIM card.
     ///
-    /// Answered by [`GetIccidResponse`].
+    /// Answered by [`GetIccidResponse`]. No device profile lists it. Known from the MicroStrain MIP
+    /// SDK only.
     ///
     /// Source: mip-sdk-4: Get Iccid (0x0F,0x04).
     #[derive(Default)]
@@ -179,7 +184,8 @@ record! {
     ///
     /// Asks for the strength of the cellular signal.
     ///
-    /// Answered by [`GetRssiResponse`].
+    /// Answered by [`GetRssiResponse`]. No device profile lists it. Known from the MicroStrain MIP
+    /// SDK only.
     ///
     /// Source: mip-sdk-4: Get Rssi (0x0F,0x05).
     #[derive(Default)]
@@ -208,6 +214,7 @@ record! {
     /// The device that the modem serves.
     ///
     /// Functions: write, read, save, load and default. Answered by [`ConnectedDeviceTypeResponse`].
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Connected Device Type (0x0F,0x06).
     pub struct ConnectedDeviceType {
@@ -257,7 +264,8 @@ record! {
     ///
     /// Asks for the activation code.
     ///
-    /// Also called `get_act_code`. Answered by [`GetActivationCodeResponse`].
+    /// Also called `get_act_code`. Answered by [`GetActivationCodeResponse`]. No device profile
+    /// lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
     #[derive(Default)]
@@ -285,7 +293,8 @@ record! {
     ///
     /// Asks for the firmware version of the cellular modem.
     ///
-    /// Answered by [`GetModemFirmwareVersionResponse`].
+    /// Answered by [`GetModemFirmwareVersionResponse`]. No device profile lists it. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Modem Firmware Version (0x0F,0x08).
     #[derive(Default)]
@@ -313,7 +322,8 @@ record! {
     ///
     /// Asks a correction server about the connection, and so keeps it open.
     ///
-    /// Answered by [`ServiceStatusResponse`]. The device sends it, and the host answers.
+    /// Answered by [`ServiceStatusResponse`]. The device sends it, and the host answers. No device
+    /// profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - The modem sends it as a host would, and the server answers as a device would.
     ///
@@ -348,7 +358,8 @@ record! {
     ///
     /// Erases a storage medium down to its raw state.
     ///
-    /// For advanced use. Also called `prod_erase_storage`.
+    /// For advanced use. Also called `prod_erase_storage`. No device profile lists it. Known from
+    /// the MicroStrain MIP SDK only.
     ///
     /// - All that is stored is lost. The command is for production.
     /// - Accepted in calibration mode only.
@@ -381,7 +392,7 @@ record! {
     ///
     /// Colours and pattern of the LED.
     ///
-    /// For advanced use.
+    /// For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - Accepted in calibration mode and production test mode only.
     ///
@@ -430,7 +441,7 @@ record! {
     ///
     /// Clears the flash memory of the modem.
     ///
-    /// For advanced use.
+    /// For advanced use. No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// - It wears the flash memory out; use it rarely.
     /// - Accepted in calibration mode only.
@@ -458,7 +469,7 @@ command! {
 record! {
     /// Get status flags response (0x0F,0x81).
     ///
-    /// Answers [`GetStatusFlags`].
+    /// Answers [`GetStatusFlags`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Status Flags (0x0F,0x01).
     #[derive(Default)]
@@ -475,7 +486,7 @@ field! {
 record! {
     /// Get IMEI response (0x0F,0x82).
     ///
-    /// Answers [`GetImei`].
+    /// Answers [`GetImei`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Imei (0x0F,0x02).
     #[derive(Default)]
@@ -492,7 +503,7 @@ field! {
 record! {
     /// Get IMSI response (0x0F,0x83).
     ///
-    /// Answers [`GetImsi`].
+    /// Answers [`GetImsi`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Imsi (0x0F,0x03).
     #[derive(Default)]
@@ -509,7 +520,7 @@ field! {
 record! {
     /// Get ICCID response (0x0F,0x84).
     ///
-    /// Answers [`GetIccid`].
+    /// Answers [`GetIccid`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Iccid (0x0F,0x04).
     #[derive(Default)]
@@ -526,7 +537,8 @@ field! {
 record! {
     /// Get RSSI response (0x0F,0x85).
     ///
-    /// Answers [`GetRssi`]. Uncertain: That `valid` vouches for the other values is inferred.
+    /// Answers [`GetRssi`]. Known from the MicroStrain MIP SDK only. Uncertain: That `valid`
+    /// vouches for the other values is inferred.
     ///
     /// Source: mip-sdk-4: Get Rssi (0x0F,0x05).
     #[derive(Default)]
@@ -551,7 +563,7 @@ field! {
 record! {
     /// Connected device type response (0x0F,0x86).
     ///
-    /// Answers [`ConnectedDeviceType`].
+    /// Answers [`ConnectedDeviceType`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Connected Device Type (0x0F,0x06).
     #[derive(Default)]
@@ -568,7 +580,8 @@ field! {
 record! {
     /// Get activation code response (0x0F,0x87).
     ///
-    /// Also called `get_act_code_response`. Answers [`GetActivationCode`].
+    /// Also called `get_act_code_response`. Answers [`GetActivationCode`]. Known from the
+    /// MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Act Code (0x0F,0x07).
     #[derive(Default)]
@@ -585,7 +598,7 @@ field! {
 record! {
     /// Get modem firmware version response (0x0F,0x88).
     ///
-    /// Answers [`GetModemFirmwareVersion`].
+    /// Answers [`GetModemFirmwareVersion`]. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Get Modem Firmware Version (0x0F,0x08).
     #[derive(Default)]
@@ -604,7 +617,8 @@ record! {
     ///
     /// What the server knows of the connection.
     ///
-    /// Answers [`ServiceStatus`]. Uncertain: What exactly the counters count.
+    /// Answers [`ServiceStatus`]. Known from the MicroStrain MIP SDK only. Uncertain: What exactly
+    /// the counters count.
     ///
     /// Source: mip-sdk-4: Service Status (0x0F,0x0A).
     #[derive(Default)]

@@ -59,6 +59,8 @@ record! {
     ///
     /// Raw acceleration in counts of the sensor, temperature compensated.
     ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    ///
     /// Source: mip-sdk-4: Raw Accel (0x80,0x01).
     #[derive(Default)]
     pub struct RawAccel {
@@ -78,6 +80,8 @@ record! {
     ///
     /// Raw angular rate in counts of the sensor, temperature compensated.
     ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
+    ///
     /// Source: mip-sdk-4: Raw Gyro (0x80,0x02).
     #[derive(Default)]
     pub struct RawGyro {
@@ -96,6 +100,8 @@ record! {
     /// Raw mag (0x80,0x03).
     ///
     /// Raw magnetic field in counts of the sensor, temperature compensated.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Raw Mag (0x80,0x03).
     #[derive(Default)]
@@ -231,7 +237,8 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
-    /// - V_vehicle = M \* v_ned; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+    /// - `v_vehicle = m * v_ned`; the sensor frame takes the place of the vehicle frame on the
+    ///   3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 5.1.6 CF Orientation Matrix (0x80, 0x09); 3dm-cv7-gnss-ins:
     /// Complementary Filter Orientation Matrix (0x80,0x09).
@@ -256,7 +263,8 @@ record! {
     ///
     /// Supported by 3DM-CV7-GNSS/INS and 3DM-GX5-15.
     ///
-    /// - V_vehicle = q^-1 \* v_ned \* q; v_sensor in place of v_vehicle on the 3DM-GX5-15.
+    /// - `v_vehicle = q^-1 * v_ned * q`; the sensor frame takes the place of the vehicle frame on
+    ///   the 3DM-GX5-15.
     ///
     /// Source: 3dm-gx5-15: 5.1.7 CF Quaternion (0x80, 0x0A); 3dm-cv7-gnss-ins: Complementary Filter
     /// Quaternion (0x80,0x0A).
@@ -278,8 +286,9 @@ record! {
     ///
     /// Change of the attitude by the complementary filter as a matrix.
     ///
-    /// Deprecated: the SDK marks it so and names no replacement. Uncertain: The interval of the
-    /// change and the frames. The SDK gives the name only.
+    /// Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known
+    /// from the MicroStrain MIP SDK only. Uncertain: The interval of the change and the frames. The
+    /// SDK gives the name only.
     ///
     /// Source: mip-sdk-4: Comp Orientation Update Matrix (0x80,0x0B).
     #[derive(Default)]
@@ -334,7 +343,7 @@ record! {
     /// Raw readings of four temperature sensors.
     ///
     /// Deprecated: the SDK marks it so and names no replacement. Also called
-    /// `orientation_raw_temp`.
+    /// `orientation_raw_temp`. No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Orientation Raw Temp (0x80,0x0D).
     #[derive(Default)]
@@ -356,7 +365,8 @@ record! {
     ///
     /// Free-running counter of the device.
     ///
-    /// Deprecated: the SDK marks it so and names no replacement.
+    /// Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known
+    /// from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Internal Timestamp (0x80,0x0E).
     #[derive(Default)]
@@ -378,7 +388,8 @@ record! {
     ///
     /// Time that is counted with the pulse per second.
     ///
-    /// Deprecated: the SDK marks it so and names no replacement. Uncertain: The epoch.
+    /// Deprecated: the SDK marks it so and names no replacement. No device profile lists it. Known
+    /// from the MicroStrain MIP SDK only. Uncertain: The epoch.
     ///
     /// Source: mip-sdk-4: Pps Timestamp (0x80,0x0F).
     #[derive(Default)]
@@ -456,8 +467,8 @@ record! {
     /// - Without a PPS the time runs on the internal clock and jumps when the PPS comes back.
     /// - The fraction of the time of week is the time since the last pulse.
     /// - Without external synchronization it is the internal system time.
-    /// - Where the device has it, use the shared GPS timestamp
-    ///   [(0xFF,0xD3)](crate::shared::GpsTimestamp) instead; this field may be deprecated.
+    /// - Where the device has it, use [`shared::GpsTimestamp`](crate::shared::GpsTimestamp)
+    ///   instead; this field may be deprecated.
     ///
     /// Source: 3dm-gx5-15: 5.1.11 GPS Correlation Timestamp (0x80, 0x12); 3dm-cv7-gnss-ins: GPS
     /// Timestamp (0x80,0x12).
@@ -531,6 +542,8 @@ record! {
     /// Raw pressure (0x80,0x16).
     ///
     /// Raw ambient pressure in counts of the sensor, temperature compensated.
+    ///
+    /// No device profile lists it. Known from the MicroStrain MIP SDK only.
     ///
     /// Source: mip-sdk-4: Raw Pressure (0x80,0x16).
     #[derive(Default)]

@@ -51,6 +51,10 @@ registry! {
     ToolsHello(crate::tools::Hello),
         Command 0x01, 0x0C, in 0x01..=0x01, of 1,
         "tools.hello", "Hello", ["tools.hello_response"];
+    /// Readings (0x01,0x0D).
+    ToolsReadings(crate::tools::Readings),
+        Command 0x01, 0x0D, in 0x01..=0x01, of 1,
+        "tools.readings", "Readings", ["tools.readings_response"];
     /// Settings response (0x01,0x82).
     ToolsSettingsResponse(crate::tools::SettingsResponse),
         Response 0x01, 0x82, in 0x01..=0x01, of 1,
@@ -83,6 +87,10 @@ registry! {
     ToolsHelloResponse(crate::tools::HelloResponse),
         Response 0x01, 0x8C, in 0x01..=0x01, of 1,
         "tools.hello_response", "Hello response", ["tools.hello"];
+    /// Readings response (0x01,0x8D).
+    ToolsReadingsResponse(crate::tools::ReadingsResponse),
+        Response 0x01, 0x8D, in 0x01..=0x01, of 1,
+        "tools.readings_response", "Readings response", ["tools.readings"];
     /// Status response (0x01,0x90).
     ToolsStatusShort(crate::tools::StatusShort),
         Response 0x01, 0x90, in 0x01..=0x01, of 2,
@@ -131,6 +139,14 @@ registry! {
     MeasurementsCloud(crate::measurements::Cloud),
         Data 0x80, 0x08, in 0x80..=0x80, of 1,
         "measurements.cloud", "Cloud", [];
+    /// Gust (0x80,0x09).
+    MeasurementsGust(crate::measurements::Gust),
+        Data 0x80, 0x09, in 0x80..=0x80, of 1,
+        "measurements.gust", "Gust", [];
+    /// Breeze (0x80,0x0A).
+    MeasurementsBreeze(crate::measurements::Breeze),
+        Data 0x80, 0x0A, in 0x80..=0x80, of 1,
+        "measurements.breeze", "Breeze", [];
     /// Second acceleration (0x81,0x01).
     MoreAccel(crate::more::Accel),
         Data 0x81, 0x01, in 0x81..=0x81, of 1,
@@ -175,6 +191,14 @@ registry! {
     CopyCloud(crate::copy::Cloud),
         Data 0x92, 0x08, in 0x92..=0x92, of 1,
         "copy.cloud", "Cloud", [];
+    /// Gust (0x92,0x09).
+    CopyGust(crate::copy::Gust),
+        Data 0x92, 0x09, in 0x92..=0x92, of 1,
+        "copy.gust", "Gust", [];
+    /// Breeze (0x92,0x0A).
+    CopyBreeze(crate::copy::Breeze),
+        Data 0x92, 0x0A, in 0x92..=0x92, of 1,
+        "copy.breeze", "Breeze", [];
     /// Timestamp (0xFF,0xD3).
     SharedTimestamp(crate::shared::Timestamp),
         Data 0xFF, 0xD3, in 0x80..=0xFF, of 1,

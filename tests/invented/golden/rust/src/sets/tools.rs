@@ -160,6 +160,24 @@ open_enum! {
     }
 }
 
+record! {
+    /// One of a list; what it is depends on what was asked for.
+    #[derive(Default)]
+    pub struct Reading {
+        /// Of the reading.
+        pub kind: u8,
+        /// Of the reading.
+        pub value: f32,
+    }
+}
+
+constructors! {
+    Reading
+
+    /// Puts the values together.
+    fn new(kind: u8, value: f32);
+}
+
 bitfield! {
     /// Of the model A.
     ModelAFaults: u32 {
@@ -779,7 +797,7 @@ record! {
     /// The device asks and a host answers.
     ///
     /// Also called `keep_alive`. Answered by [`HelloResponse`]. The device sends it, and the host
-    /// answers.
+    /// answers. No device profile lists it. Known from the Kit of names only.
     ///
     /// Source: sheet: Hello.
     pub struct Hello {
@@ -824,6 +842,37 @@ field! {
 command! {
     Hello -> HelloResponse;
     responds HelloResponse;
+}
+
+record! {
+    /// Readings (0x01,0x0D).
+    ///
+    /// A parameter outside of a structure says how its members are read.
+    ///
+    /// Answered by [`ReadingsResponse`]. Supported by Model A.
+    ///
+    /// Source: guide: Readings.
+    #[derive(Default)]
+    pub struct Readings {
+        /// What is asked for.
+        pub drive: Drive,
+    }
+}
+
+constructors! {
+    Readings
+
+    /// The command with its parameters.
+    fn new(drive: Drive);
+}
+
+field! {
+    Readings: 0x01, 0x0D, "tools.readings"
+}
+
+command! {
+    Readings -> ReadingsResponse;
+    responds ReadingsResponse;
 }
 
 record! {
@@ -1028,8 +1077,8 @@ field! {
 record! {
     /// Hello response (0x01,0x8C).
     ///
-    /// Also called `keep_alive_response` and `welcome`. Answers [`Hello`]. Uncertain: When it
-    /// comes.
+    /// Also called `keep_alive_response` and `welcome`. Answers [`Hello`]. Known from the Kit of
+    /// names only. Uncertain: When it comes.
     ///
     /// Source: sheet: Hello.
     #[derive(Default)]
@@ -1043,6 +1092,41 @@ record! {
 
 field! {
     HelloResponse: 0x01, 0x8C, "tools.hello_response", answers Hello
+}
+
+record! {
+    /// Readings response (0x01,0x8D).
+    ///
+    /// Answers [`Readings`]. Supported by Model A.
+    ///
+    /// On the wire there is also `count`: Number of readings. The number of elements of `readings`.
+    ///
+    /// Source: guide: Readings.
+    #[derive(Default)]
+    pub struct ReadingsResponse {
+        /// What was asked for.
+        pub drive: Drive,
+        /// The readings.
+        ///
+        /// If `drive` is [`Drive::PULSE`]: `kind` has values of [`PulseUse`]. Seldom 2. If `drive`
+        /// is [`Drive::SERIAL`]: `kind` has values of [`SerialUse`].
+        pub readings: crate::List<Reading, 49>,
+        /// The last one.
+        ///
+        /// If `drive` is [`Drive::PULSE`]: `value` has unit s; range 0 to 1. If `drive` is
+        /// [`Drive::SERIAL`]: `value`: Nothing.
+        pub last: Reading,
+    }
+    wire 252 {
+        [drive]
+        [count: u8 counts readings]
+        [readings by count]
+        [last]
+    }
+}
+
+field! {
+    ReadingsResponse: 0x01, 0x8D, "tools.readings_response", answers Readings
 }
 
 record! {
