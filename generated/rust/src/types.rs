@@ -905,7 +905,7 @@ constructors! {
 
 bitfield! {
     /// State of the modem and of the corrections. Models of another kind send
-    /// `rtk_status_flags_legacy`.
+    /// [`RtkStatusFlagsLegacy`].
     ///
     /// Uncertain: Which model sends which of the two forms. The SDK says only that the model number
     /// decides it. Uncertain: Other software of the vendor looks at `version`: 0 is the legacy

@@ -29,7 +29,7 @@ pub static ALL: &[&Device] = &[&CV7_GNSS_INS, &GX5_15];
 ///
 /// # Anti-aliasing low-pass filter
 ///
-/// Data that `3dm.low_pass_filter` can filter.
+/// Data that [`mip_3dm::LowPassFilter`](crate::mip_3dm::LowPassFilter) can filter.
 ///
 /// | Set | Descriptor | Data |
 /// | --- | --- | --- |
@@ -76,9 +76,9 @@ pub static ALL: &[&Device] = &[&CV7_GNSS_INS, &GX5_15];
 ///
 /// # NMEA output
 ///
-/// Sentences of `3dm.nmea_message_format`. The talkers are GN (GNSS), GP (GPS), GA (Galileo) and GL
-/// (GLONASS). A sentence is sent only while its data are valid. A GNSS source has a base rate of 5
-/// Hz, so its decimation must be 3 or more.
+/// Sentences of [`mip_3dm::NmeaMessageFormat`](crate::mip_3dm::NmeaMessageFormat). The talkers are
+/// GN (GNSS), GP (GPS), GA (Galileo) and GL (GLONASS). A sentence is sent only while its data are
+/// valid. A GNSS source has a base rate of 5 Hz, so its decimation must be 3 or more.
 ///
 /// | Sentence | Contents | Talkers | Sources |
 /// | --- | --- | --- | --- |
@@ -117,7 +117,7 @@ pub static ALL: &[&Device] = &[&CV7_GNSS_INS, &GX5_15];
 /// # GNSS signals
 ///
 /// GPS or Galileo must be enabled, and GPS L1 with BeiDou L1 alone is refused. Signals that can be
-/// enabled together by `gnss.signal_config`.
+/// enabled together by [`gnss::SignalConfig`](crate::gnss::SignalConfig).
 ///
 /// | Constellation | Choices |
 /// | --- | --- |
@@ -128,8 +128,9 @@ pub static ALL: &[&Device] = &[&CV7_GNSS_INS, &GX5_15];
 ///
 /// # Sensor ranges
 ///
-/// Settings of `3dm.sensor_range`. The manual prints them for sister models and cuts the gyroscope
-/// column off; ask the device by `3dm.get_calibrated_sensor_ranges`.
+/// Settings of [`mip_3dm::SensorRange`](crate::mip_3dm::SensorRange). The manual prints them for
+/// sister models and cuts the gyroscope column off; ask the device by
+/// [`mip_3dm::GetCalibratedSensorRanges`](crate::mip_3dm::GetCalibratedSensorRanges).
 ///
 /// | Sensor | Setting | Range |
 /// | --- | --- | --- |
@@ -584,14 +585,14 @@ pub static CV7_GNSS_INS: Device = Device {
 ///
 /// # Frame of the sensor data
 ///
-/// `filter.sensor_to_vehicle_rotation_euler` turns scaled acceleration and angular rate, delta
-/// theta and delta velocity, as well as the outputs of the estimation filter other than the
-/// gyroscope bias. Until it is set, they are in the sensor frame. It does not turn the outputs of
-/// the complementary filter.
+/// [`filter::SensorToVehicleRotationEuler`](crate::filter::SensorToVehicleRotationEuler) turns
+/// scaled acceleration and angular rate, delta theta and delta velocity, as well as the outputs of
+/// the estimation filter other than the gyroscope bias. Until it is set, they are in the sensor
+/// frame. It does not turn the outputs of the complementary filter.
 ///
 /// # Low-pass filter
 ///
-/// Data that `3dm.imu_low_pass_filter` can select.
+/// Data that [`mip_3dm::ImuLowPassFilter`](crate::mip_3dm::ImuLowPassFilter) can select.
 ///
 /// | Set | Descriptor | Data |
 /// | --- | --- | --- |
@@ -605,13 +606,15 @@ pub static CV7_GNSS_INS: Device = Device {
 ///
 /// # Time synchronization
 ///
-/// The pulse per second goes to pin 7 of the connector. Send `base.gps_time_update` once per
-/// second. The filter timestamp and the sensor timestamp follow it.
+/// The pulse per second goes to pin 7 of the connector. Send
+/// [`base::GpsTimeUpdate`](crate::base::GpsTimeUpdate) once per second. The filter timestamp and
+/// the sensor timestamp follow it.
 ///
 /// # Direct mode
 ///
-/// `system.comm_mode` connects the port to the inertial sensor inside. Only that command and
-/// `3dm.device_status` stay available meanwhile.
+/// [`system::CommMode`](crate::system::CommMode) connects the port to the inertial sensor inside.
+/// Only that command and [`mip_3dm::DeviceStatus`](crate::mip_3dm::DeviceStatus) stay available
+/// meanwhile.
 #[rustfmt::skip]
 pub static GX5_15: Device = Device {
     id: "3dm-gx5-15",

@@ -1,5 +1,8 @@
 //! GNSS receiver 2 data (0x92): Measurements and status of the second internal GNSS receiver.
 //!
+//! Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all
+//! GNSS data sets the same fields.
+//!
 //! Source: 3dm-cv7-gnss-ins: GNSS Recv 2 (0x92).
 
 #[allow(unused_imports)] // some sets name a type in comments only, or none

@@ -1,6 +1,9 @@
 //! GNSS corrections data (0x93): What the device receives of RTK corrections. Data are sent as they
 //! are received.
 //!
+//! Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all
+//! GNSS data sets the same fields.
+//!
 //! Source: 3dm-cv7-gnss-ins: GNSS Corrections (0x93).
 
 #[allow(unused_imports)] // some sets name a type in comments only, or none

@@ -1,5 +1,8 @@
 //! GNSS data (0x81): Measurements and status of the GNSS receiver of 4-series and 5-series devices.
 //!
+//! Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all
+//! GNSS data sets the same fields.
+//!
 //! Source: mip-sdk-4: Gnss Data (0x81).
 
 #[allow(unused_imports)] // some sets name a type in comments only, or none

@@ -2,6 +2,9 @@
 //! field may need several sentences; a value that NMEA does not give is not valid. Times are those
 //! of the sentences.
 //!
+//! Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all
+//! GNSS data sets the same fields.
+//!
 //! Source: 3dm-cv7-gnss-ins: GNSS External (0x94); 3dm-cv7-gnss-ins: NMEA Input.
 
 #[allow(unused_imports)] // some sets name a type in comments only, or none

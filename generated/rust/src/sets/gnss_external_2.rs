@@ -1,5 +1,9 @@
 //! External GNSS data 2 (0x95): What a second external GNSS receiver tells the device.
 //!
+//! Uncertain: Which devices send the fields that no manual lists for this set. The SDK gives all
+//! GNSS data sets the same fields. Uncertain: The name. It is that of a page on the 3DM-CV7-INS
+//! that the vendor put up for trial; the SDK calls the set GNSS 5.
+//!
 //! Source: mip-sdk-4: Gnss5 Data (0x95).
 
 #[allow(unused_imports)] // some sets name a type in comments only, or none

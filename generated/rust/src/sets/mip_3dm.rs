@@ -46,7 +46,7 @@ open_enum! {
 
 open_enum! {
     /// Constellation in the settings of a receiver. The values are not those of
-    /// `gnss_constellation`, which GNSS data use.
+    /// [`types::GnssConstellation`], which GNSS data use.
     ///
     /// Source: mip-sdk-4: Constellation Settings (0x0C,0x21).
     ConstellationId: u8 {

@@ -1,5 +1,8 @@
 //! RTK commands (0x0F): Commands of a corrections modem (RTK dongle), such as the 3DM-RTK.
 //!
+//! Uncertain: The SDK describes hardly anything of this set; most descriptions follow from the
+//! names. Uncertain: How the strings are padded or ended.
+//!
 //! Source: mip-sdk-4: Rtk Commands (0x0F).
 
 #[allow(unused_imports)] // some sets name a type in comments only, or none

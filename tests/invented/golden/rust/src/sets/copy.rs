@@ -1,4 +1,6 @@
 //! Copied measurements (0x92): All the fields of another set.
+//!
+//! Uncertain: Which device sends it.
 
 #[allow(unused_imports)] // some sets name a type in comments only, or none
 use crate::types;
