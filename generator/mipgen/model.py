@@ -227,6 +227,7 @@ class Variant:
     by: str  # "device", or the name of a parameter of the same record
     key: str  # a device id, or a value name of that parameter's enumeration
     value: int | None = None  # the number of that value; None if it is by device
+    member: str = ""  # of a structure: the member that differs, in place of the whole
     type: Enum | Bitfield | None = None  # names the values or bits of a plain number
     units: tuple[str, ...] = ()
     frame: str | None = None
@@ -260,6 +261,7 @@ class Parameter:
     maximum: float | int | None = None
     above: float | int | None = None  # open bounds: the value is greater than `above`, less than `below`
     below: float | int | None = None
+    magnitude: tuple[float | int | None, float | int | None] = (None, None)  # least and most length of a vector
     default: object = None
     valid: tuple[
         str, ...
@@ -286,8 +288,8 @@ class Parameter:
 
     @property
     def readings(self) -> tuple[Variant, ...]:
-        """The variants that name its values or bits."""
-        return tuple(v for v in self.variants if v.type is not None)
+        """The variants that name its values or bits; those that name the ones of a member are not among them."""
+        return tuple(v for v in self.variants if v.type is not None and not v.member)
 
 
 # --------------------------------------------------------------------------- operations
@@ -702,6 +704,7 @@ class Manual:
     document: str
     lengths: Literal["wire", "scalars", "none"]  # how it counts the field lengths that it prints
     sections: tuple[str, ...] = ()  # its headings that may be cited; none: any
+    kind: Literal["manual", "sdk"] = "manual"  # sdk: source code of the vendor, not a text for readers
 
 
 @dataclass(frozen=True, slots=True)
@@ -711,6 +714,15 @@ class Word:
     symbol: str
     title: str
     description: str
+
+
+@dataclass(frozen=True, slots=True)
+class Chapter:
+    """What a programmer must know of the protocol beside its fields."""
+
+    title: str
+    text: tuple[str, ...]  # sentences that belong together, each
+    sources: tuple[Source, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -735,6 +747,7 @@ class Protocol:
     units: tuple[Word, ...]
     frames: tuple[Word, ...]
     manuals: tuple[Manual, ...]
+    notes: tuple[Chapter, ...] = ()
     vocabulary: tuple[Usage, ...] = ()
 
 
@@ -769,6 +782,10 @@ class Model:
 
     def field(self, full_name: str) -> Field | None:
         return self._fields.get(full_name)
+
+    def type(self, name: str) -> Type | None:
+        """A type by its full name: "set.type", or the name alone for one of spec/types."""
+        return self._types.get(name)
 
     def candidates(self, set_number: int, descriptor: int) -> tuple[Field, ...]:
         """The layouts that a descriptor may have inside a packet of that set."""
@@ -827,6 +844,11 @@ class Model:
     @cached_property
     def _fields(self) -> dict[str, Field]:
         return {f.full_name: f for f in (*self.fields, self.protocol.acknowledge)}
+
+    @cached_property
+    def _types(self) -> dict[str, Type]:
+        own = {f"{s.name}.{t.name}": t for s in self.sets for t in s.types}
+        return {**own, **{t.name: t for t in self.types}}
 
     @cached_property
     def _descriptors(self) -> dict[tuple[int, int], tuple[Field, ...]]:

@@ -26,7 +26,8 @@ class Docs:
 
     def set(self, s: m.Set) -> list[Block]:
         description = self._prose(s.description, module(s.name))
-        return [f"{prose(s.title)} (0x{s.number:02X}): {description}", sources(s)]
+        unsure, _ = self._facts(describe.uncertain(s, self.model), module(s.name))
+        return [f"{prose(s.title)} (0x{s.number:02X}): {description}", unsure, sources(s)]
 
     def field(self, f: m.Field) -> list[Block]:
         said, notes = self._facts(describe.field(f, self.model), home(f))
@@ -155,8 +156,7 @@ def reference(r: describe.Ref, here: str) -> str:
     """A link to an item, or a word where the crate has no such item."""
     match r.thing, r.within:
         case m.Field() as f, _:
-            shown = r.words if r.words.startswith("(") else ""
-            return link(path(f, here), shown)
+            return link(path(f, here))
         case (m.Enum() | m.Bitfield() | m.Struct()) as t, _:
             return link(path(t, here))
         case m.EnumValue() as v, m.Enum() as t:

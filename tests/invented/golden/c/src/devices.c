@@ -17,6 +17,7 @@ static const struct mip_device_field model_a_fields[] = {
     {0x01, 0x09, "WRS"},    /* tools.list */
     {0x01, 0x0A, ""},       /* tools.inventory */
     {0x01, 0x0B, "WR"},     /* tools.pin */
+    {0x01, 0x0D, ""},       /* tools.readings */
     {0x0C, 0x10, ""},       /* 3d.default */
     {0x80, 0x01, ""},       /* measurements.accel */
     {0x80, 0x02, ""},       /* measurements.numbers */
@@ -25,6 +26,7 @@ static const struct mip_device_field model_a_fields[] = {
     {0x80, 0x05, ""},       /* measurements.arrays */
     {0x80, 0x06, ""},       /* measurements.growing */
     {0x80, 0x08, ""},       /* measurements.cloud */
+    {0x80, 0x0A, ""},       /* measurements.breeze */
     {0x81, 0x01, ""},       /* more.accel */
     {0x81, 0x03, ""},       /* more.strings */
     {0x81, 0x07, ""},       /* more.own */
@@ -71,7 +73,7 @@ const struct mip_device mip_device_model_a = {
     "guide",
     "Supports nearly everything.",
     4711, /* model number */
-    23,   /* fields */
+    25,   /* fields */
     2,    /* base rates */
     2,    /* ports */
     2,    /* limits */

@@ -1,6 +1,6 @@
 """Measurements (0x80).
 
-Data of every type.
+Data of every type; `tools` has what they are set up with.
 """
 
 from __future__ import annotations
@@ -376,8 +376,9 @@ class Radio(Data):
 
     A bool vouches for values; one source has no layout that agrees with it.
 
-    Also called `modem` and `rf`. Uncertain: The leaflet gives the strength two bytes. Uncertain:
-    Inferred: the strength is never positive.
+    Also called `modem` and `rf`. No device profile lists it. Known from the Kit of names only.
+    Uncertain: The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is never
+    positive.
 
     - sheet: Radio
     """
@@ -467,6 +468,111 @@ class Cloud(Data):
         return codec.finished(out)
 
 
+_GUST_0 = codec.Block("B", "station")
+_GUST_1 = codec.Block("ffffB", "height", *["speed"] * 3, "gap")
+_GUST_2 = codec.Block("H", "valid_flags")
+
+
+@dataclass(slots=True)
+class Gust(Data):
+    """Gust (0x80,0x09).
+
+    One valid flag for all values but one; `Breeze` has the same place.
+
+    No device profile lists it.
+
+    `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see `types.Mode` and
+    `tools.Shape`.
+
+    - guide: Gust
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x09
+    NAME = "measurements.gust"
+    ROLE = "data"
+
+    station: int
+    """Which one."""
+    place: types.Point
+    """Where it was measured. Valid if `types.StateFlags.READY` of `valid_flags` is set."""
+    height: float
+    """Above the plane. Unit: m. Valid if `types.StateFlags.READY` of `valid_flags` is set."""
+    speed: types.Vector3f
+    """Of the wind. Elements: x, y, z. Unit: m. Range: magnitude at most 40. Valid if
+    `types.StateFlags.READY` of `valid_flags` is set.
+    """
+    # On the wire: gap. Always the same. Always 7.
+    valid_flags: types.StateFlags
+    """What is valid."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Gust, int]:
+        v = _GUST_0.read(raw, at)
+        at += 1
+        station = v[0]
+        place, at = types.Point._read(raw, at)
+        v = _GUST_1.read(raw, at)
+        at += 17
+        height = v[0]
+        speed = v[1:4]
+        codec.constant(v[4], 7)
+        v = _GUST_2.read(raw, at)
+        at += 2
+        valid_flags = types.StateFlags(v[0])
+        return cls(station, place, height, speed, valid_flags), at
+
+    def _write(self) -> bytes:
+        out = _GUST_0.write(self.station)
+        out += codec.structure("place", self.place, types.Point)
+        out += _GUST_1.write(self.height, *codec.exactly("speed", self.speed, 3), 7)
+        out += _GUST_2.write(self.valid_flags)
+        return codec.finished(out)
+
+
+_BREEZE_0 = codec.Block("fffff", "height", *["turn"] * 4)
+
+
+@dataclass(slots=True)
+class Breeze(Data):
+    """Breeze (0x80,0x0A).
+
+    Its place is told as in `Gust`.
+
+    Supported by Model A.
+
+    - guide: Breeze
+    """
+
+    SET = 0x80
+    DESCRIPTOR = 0x0A
+    NAME = "measurements.breeze"
+    ROLE = "data"
+
+    place: types.Point
+    """Where it was measured."""
+    height: float
+    """Above the plane. Unit: m."""
+    turn: types.Quatf
+    """Of the vane. Elements: w, x, y, z. Unit: 1. Range: -1 to 1, magnitude 0.5 to 1.5. Default: 1,
+    0, 0, 0.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Breeze, int]:
+        place, at = types.Point._read(raw, at)
+        v = _BREEZE_0.read(raw, at)
+        at += 20
+        height = v[0]
+        turn = v[1:5]
+        return cls(place, height, turn), at
+
+    def _write(self) -> bytes:
+        out = codec.structure("place", self.place, types.Point)
+        out += _BREEZE_0.write(self.height, *codec.exactly("turn", self.turn, 4))
+        return codec.finished(out)
+
+
 #: The types of each descriptor; several where constants in the data tell layouts apart.
 FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x01: (Accel,),
@@ -477,4 +583,6 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x06: (Growing,),
     0x07: (Radio,),
     0x08: (Cloud,),
+    0x09: (Gust,),
+    0x0A: (Breeze,),
 }

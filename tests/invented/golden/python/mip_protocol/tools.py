@@ -161,6 +161,31 @@ class SerialUse(codec.OpenEnum):
     TRANSMIT = 33
 
 
+_READING_0 = codec.Block("Bf", "kind", "value")
+
+
+@dataclass(slots=True)
+class Reading(Structure):
+    """One of a list; what it is depends on what was asked for."""
+
+    kind: int
+    """Of the reading."""
+    value: float
+    """Of the reading."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Reading, int]:
+        v = _READING_0.read(raw, at)
+        at += 5
+        kind = v[0]
+        value = v[1]
+        return cls(kind, value), at
+
+    def _write(self) -> bytes:
+        out = _READING_0.write(self.kind, self.value)
+        return out
+
+
 @codec.open_flag(32)
 class ModelAFaults(IntFlag):
     """Of the model A."""
@@ -489,7 +514,8 @@ _HELLO_RESPONSE_0 = codec.Block("I", "seen")
 class HelloResponse(Response):
     """Hello response (0x01,0x8C).
 
-    Also called `keep_alive_response` and `welcome`. Answers `Hello`. Uncertain: When it comes.
+    Also called `keep_alive_response` and `welcome`. Answers `Hello`. Known from the Kit of names
+    only. Uncertain: When it comes.
 
     - sheet: Hello
     """
@@ -511,6 +537,59 @@ class HelloResponse(Response):
 
     def _write(self) -> bytes:
         out = _HELLO_RESPONSE_0.write(self.seen)
+        return codec.finished(out)
+
+
+_READINGS_RESPONSE_0 = codec.Block("BB", "drive", "count")
+
+
+@dataclass(slots=True)
+class ReadingsResponse(Response):
+    """Readings response (0x01,0x8D).
+
+    Answers `Readings`. Supported by Model A.
+
+    - guide: Readings
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x8D
+    NAME = "tools.readings_response"
+    ROLE = "response"
+
+    drive: Drive
+    """What was asked for."""
+    # On the wire: count. Number of readings. The number of elements of `readings`.
+    readings: tuple[Reading, ...]
+    """The readings.
+
+    - If `drive` is `Drive.PULSE`: `kind` has values of `PulseUse`. Seldom 2.
+    - If `drive` is `Drive.SERIAL`: `kind` has values of `SerialUse`.
+    """
+    last: Reading
+    """The last one.
+
+    - If `drive` is `Drive.PULSE`: `value` has unit s; range 0 to 1.
+    - If `drive` is `Drive.SERIAL`: `value`: Nothing.
+    """
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[ReadingsResponse, int]:
+        v = _READINGS_RESPONSE_0.read(raw, at)
+        at += 2
+        drive = Drive(v[0])
+        count = v[1]
+        n = codec.counted(raw, at, count, 5, 49)
+        readings, at = codec.read_structures(Reading, raw, at, n)
+        last, at = Reading._read(raw, at)
+        return cls(drive, readings, last), at
+
+    def _write(self) -> bytes:
+        out = _READINGS_RESPONSE_0.write(self.drive, codec.count("readings", self.readings, 49))
+        out += codec.write_structures(
+            "readings", codec.at_most("readings", self.readings, 49), Reading
+        )
+        out += codec.structure("last", self.last, Reading)
         return codec.finished(out)
 
 
@@ -1518,7 +1597,7 @@ class Hello(Command):
     The device asks and a host answers.
 
     Also called `keep_alive`. Answered by `HelloResponse`. The device sends it, and the host
-    answers.
+    answers. No device profile lists it. Known from the Kit of names only.
 
     - sheet: Hello
     """
@@ -1564,6 +1643,41 @@ class Hello(Command):
         return codec.finished(out)
 
 
+_READINGS_0 = codec.Block("B", "drive")
+
+
+@dataclass(slots=True)
+class Readings(Command):
+    """Readings (0x01,0x0D).
+
+    A parameter outside of a structure says how its members are read.
+
+    Answered by `ReadingsResponse`. Supported by Model A.
+
+    - guide: Readings
+    """
+
+    SET = 0x01
+    DESCRIPTOR = 0x0D
+    NAME = "tools.readings"
+    ROLE = "command"
+    RESPONSES = (ReadingsResponse,)
+
+    drive: Drive
+    """What is asked for."""
+
+    @classmethod
+    def _read(cls, raw: bytes, at: int) -> tuple[Readings, int]:
+        v = _READINGS_0.read(raw, at)
+        at += 1
+        drive = Drive(v[0])
+        return cls(drive), at
+
+    def _write(self) -> bytes:
+        out = _READINGS_0.write(self.drive)
+        return codec.finished(out)
+
+
 SettingsResponse.COMMANDS = (Settings,)
 SetTimeFastResponse.COMMANDS = (SetTime,)
 SetTimeSlowResponse.COMMANDS = (SetTime,)
@@ -1572,6 +1686,7 @@ ListResponse.COMMANDS = (List,)
 InventoryResponse.COMMANDS = (Inventory,)
 PinResponse.COMMANDS = (Pin,)
 HelloResponse.COMMANDS = (Hello,)
+ReadingsResponse.COMMANDS = (Readings,)
 StatusShort.COMMANDS = (Status,)
 StatusLong.COMMANDS = (Status,)
 BiasVector.COMMANDS = (Bias, CaptureBias)
@@ -1590,6 +1705,7 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x0A: (Inventory,),
     0x0B: (Pin,),
     0x0C: (Hello,),
+    0x0D: (Readings,),
     0x82: (SettingsResponse,),
     0x83: (SetTimeFastResponse,),
     0x84: (SetTimeSlowResponse,),
@@ -1598,6 +1714,7 @@ FIELDS: dict[int, tuple[type[Field], ...]] = {
     0x8A: (InventoryResponse,),
     0x8B: (PinResponse,),
     0x8C: (HelloResponse,),
+    0x8D: (ReadingsResponse,),
     0x90: (StatusShort, StatusLong),
     0x9B: (BiasVector,),
 }

@@ -1,7 +1,7 @@
 /**
  * @file
  *
- * Measurements (0x80). Data of every type.
+ * Measurements (0x80). Data of every type; `tools` has what they are set up with.
  */
 #ifndef MIP_MEASUREMENTS_H
 #define MIP_MEASUREMENTS_H
@@ -222,8 +222,9 @@ mip_error mip_measurements_growing_encode(const struct mip_measurements_growing 
  *
  * A bool vouches for values; one source has no layout that agrees with it.
  *
- * Also called `modem` and `rf`. Uncertain: The leaflet gives the strength two bytes. Uncertain:
- * Inferred: the strength is never positive.
+ * Also called `modem` and `rf`. No device profile lists it. Known from the Kit of names only.
+ * Uncertain: The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is never
+ * positive.
  *
  * - sheet: Radio
  */
@@ -275,6 +276,76 @@ mip_error mip_measurements_cloud_decode(struct mip_measurements_cloud *value,
                                         const struct mip_field *field);
 mip_error mip_measurements_cloud_encode(const struct mip_measurements_cloud *value,
                                         struct mip_builder *builder);
+
+/**
+ * Gust: data (0x80,0x09).
+ *
+ * One valid flag for all values but one; mip_measurements_breeze has the same place.
+ *
+ * No device profile lists it.
+ *
+ * `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see mip_mode and
+ * mip_tools_shape.
+ *
+ * On the wire only, without a member:
+ * - gap: Always the same. Always 7.
+ *
+ * - guide: Gust
+ */
+struct mip_measurements_gust {
+    /** Which one. */
+    uint8_t station;
+    /** Where it was measured. Valid if MIP_STATE_FLAGS_READY in valid_flags is set. */
+    struct mip_point place;
+    /** Above the plane. Unit: m. Valid if MIP_STATE_FLAGS_READY in valid_flags is set. */
+    float height;
+    /**
+     * Of the wind. Elements: x, y, z. Unit: m. Range: magnitude at most 40. Valid if
+     * MIP_STATE_FLAGS_READY in valid_flags is set.
+     */
+    float speed[3];
+    /** What is valid. */
+    mip_state_flags valid_flags;
+};
+
+#define MIP_MEASUREMENTS_GUST_DESCRIPTOR 0x09
+#define MIP_MEASUREMENTS_GUST_NAME "measurements.gust"
+
+extern const struct mip_codec mip_measurements_gust_codec;
+mip_error mip_measurements_gust_decode(struct mip_measurements_gust *value,
+                                       const struct mip_field *field);
+mip_error mip_measurements_gust_encode(const struct mip_measurements_gust *value,
+                                       struct mip_builder *builder);
+
+/**
+ * Breeze: data (0x80,0x0A).
+ *
+ * Its place is told as in mip_measurements_gust.
+ *
+ * Supported by Model A.
+ *
+ * - guide: Breeze
+ */
+struct mip_measurements_breeze {
+    /** Where it was measured. */
+    struct mip_point place;
+    /** Above the plane. Unit: m. */
+    float height;
+    /**
+     * Of the vane. Elements: w, x, y, z. Unit: 1. Range: -1 to 1, magnitude 0.5 to 1.5. Default: 1,
+     * 0, 0, 0.
+     */
+    float turn[4];
+};
+
+#define MIP_MEASUREMENTS_BREEZE_DESCRIPTOR 0x0A
+#define MIP_MEASUREMENTS_BREEZE_NAME "measurements.breeze"
+
+extern const struct mip_codec mip_measurements_breeze_codec;
+mip_error mip_measurements_breeze_decode(struct mip_measurements_breeze *value,
+                                         const struct mip_field *field);
+mip_error mip_measurements_breeze_encode(const struct mip_measurements_breeze *value,
+                                         struct mip_builder *builder);
 
 #ifdef __cplusplus
 }

@@ -94,6 +94,17 @@ typedef uint8_t mip_tools_serial_use;
 #define MIP_TOOLS_SERIAL_USE_RECEIVE 1
 #define MIP_TOOLS_SERIAL_USE_TRANSMIT 33
 
+/** One of a list; what it is depends on what was asked for. */
+struct mip_tools_reading {
+    /** Of the reading. */
+    uint8_t kind;
+    /** Of the reading. */
+    float value;
+};
+
+void mip_tools_reading_read(struct mip_reader *r, struct mip_tools_reading *v);
+void mip_tools_reading_write(struct mip_writer *w, const struct mip_tools_reading *v);
+
 /** Of the model A. */
 typedef uint32_t mip_tools_model_a_faults;
 /** Bit 0. */
@@ -759,7 +770,7 @@ mip_error mip_tools_pin_response_encode(const struct mip_tools_pin_response *val
  * The device asks and a host answers.
  *
  * Also called `keep_alive`. Answered by mip_tools_hello_response. The device sends it, and the host
- * answers.
+ * answers. No device profile lists it. Known from the Kit of names only.
  *
  * - sheet: Hello
  */
@@ -784,8 +795,8 @@ mip_error mip_tools_hello_encode(const struct mip_tools_hello *value, struct mip
 /**
  * Hello response: response (0x01,0x8C).
  *
- * Also called `keep_alive_response` and `welcome`. Answers mip_tools_hello. Uncertain: When it
- * comes.
+ * Also called `keep_alive_response` and `welcome`. Answers mip_tools_hello. Known from the Kit of
+ * names only. Uncertain: When it comes.
  *
  * - sheet: Hello
  */
@@ -802,6 +813,64 @@ mip_error mip_tools_hello_response_decode(struct mip_tools_hello_response *value
                                           const struct mip_field *field);
 mip_error mip_tools_hello_response_encode(const struct mip_tools_hello_response *value,
                                           struct mip_builder *builder);
+
+/**
+ * Readings: command (0x01,0x0D).
+ *
+ * A parameter outside of a structure says how its members are read.
+ *
+ * Answered by mip_tools_readings_response. Supported by Model A.
+ *
+ * - guide: Readings
+ */
+struct mip_tools_readings {
+    /** What is asked for. */
+    mip_tools_drive drive;
+};
+
+#define MIP_TOOLS_READINGS_DESCRIPTOR 0x0D
+#define MIP_TOOLS_READINGS_NAME "tools.readings"
+
+extern const struct mip_codec mip_tools_readings_codec;
+mip_error mip_tools_readings_decode(struct mip_tools_readings *value,
+                                    const struct mip_field *field);
+mip_error mip_tools_readings_encode(const struct mip_tools_readings *value,
+                                    struct mip_builder *builder);
+/** Readings. */
+struct mip_tools_readings mip_tools_readings_make(mip_tools_drive drive);
+
+/**
+ * Readings response: response (0x01,0x8D).
+ *
+ * Answers mip_tools_readings. Supported by Model A.
+ *
+ * - guide: Readings
+ */
+struct mip_tools_readings_response {
+    /** What was asked for. */
+    mip_tools_drive drive;
+    /** Number of readings. The number of elements of readings. */
+    uint8_t count;
+    /**
+     * The readings. If drive is MIP_TOOLS_DRIVE_PULSE: kind has values of mip_tools_pulse_use.
+     * Seldom 2. If drive is MIP_TOOLS_DRIVE_SERIAL: kind has values of mip_tools_serial_use.
+     */
+    struct mip_tools_reading readings[49];
+    /**
+     * The last one. If drive is MIP_TOOLS_DRIVE_PULSE: value has unit s; range 0 to 1. If drive is
+     * MIP_TOOLS_DRIVE_SERIAL: value: Nothing.
+     */
+    struct mip_tools_reading last;
+};
+
+#define MIP_TOOLS_READINGS_RESPONSE_DESCRIPTOR 0x8D
+#define MIP_TOOLS_READINGS_RESPONSE_NAME "tools.readings_response"
+
+extern const struct mip_codec mip_tools_readings_response_codec;
+mip_error mip_tools_readings_response_decode(struct mip_tools_readings_response *value,
+                                             const struct mip_field *field);
+mip_error mip_tools_readings_response_encode(const struct mip_tools_readings_response *value,
+                                             struct mip_builder *builder);
 
 #ifdef __cplusplus
 }

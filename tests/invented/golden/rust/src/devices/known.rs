@@ -5,7 +5,10 @@ use crate::protocol::AckCode;
 
 /// All devices.
 #[rustfmt::skip]
-pub static ALL: &[&Device] = &[&MODEL_A, &MODEL_B];
+pub static ALL: &[&Device] = &[
+    &MODEL_A,
+    &MODEL_B,
+];
 
 /// Model A
 ///
@@ -37,6 +40,7 @@ pub static MODEL_A: Device = Device {
         0x01 0x09 "tools.list" [WRITE READ SAVE];
         0x01 0x0A "tools.inventory" [];
         0x01 0x0B "tools.pin" [WRITE READ];
+        0x01 0x0D "tools.readings" [];
         0x0C 0x10 "3d.default" [];
         0x80 0x01 "measurements.accel" [];
         0x80 0x02 "measurements.numbers" [];
@@ -45,6 +49,7 @@ pub static MODEL_A: Device = Device {
         0x80 0x05 "measurements.arrays" [];
         0x80 0x06 "measurements.growing" [];
         0x80 0x08 "measurements.cloud" [];
+        0x80 0x0A "measurements.breeze" [];
         0x81 0x01 "more.accel" [];
         0x81 0x03 "more.strings" [];
         0x81 0x07 "more.own" [];

@@ -1,4 +1,4 @@
-//! Measurements (0x80): Data of every type.
+//! Measurements (0x80): Data of every type; `tools` has what they are set up with.
 
 #[allow(unused_imports)] // some sets name a type in comments only, or none
 use crate::types;
@@ -30,7 +30,8 @@ record! {
 }
 
 field! {
-    Accel: 0x80, 0x01, "measurements.accel", in 0x80 | 0x81 | 0x92
+    Accel: 0x80, 0x01, "measurements.accel";
+    in [0x80 | 0x81 | 0x92];
 }
 
 record! {
@@ -75,7 +76,8 @@ record! {
 }
 
 field! {
-    Numbers: 0x80, 0x02, "measurements.numbers", in 0x80 | 0x92
+    Numbers: 0x80, 0x02, "measurements.numbers";
+    in [0x80 | 0x92];
 }
 
 record! {
@@ -106,7 +108,8 @@ record! {
 }
 
 field! {
-    Strings: 0x80, 0x03, "measurements.strings", in 0x80 | 0x81 | 0x92
+    Strings: 0x80, 0x03, "measurements.strings";
+    in [0x80 | 0x81 | 0x92];
 }
 
 record! {
@@ -118,7 +121,7 @@ record! {
     ///
     /// Source: guide: Health.
     #[derive(Default)]
-    #[deprecated(note = "use measurements.numbers instead")]
+    #[deprecated(note = "use `measurements.numbers` instead")]
     pub struct Health {
         /// The bits.
         pub result: types::Health,
@@ -128,7 +131,8 @@ record! {
 }
 
 field! {
-    Health: 0x80, 0x04, "measurements.health", in 0x80 | 0x92
+    Health: 0x80, 0x04, "measurements.health";
+    in [0x80 | 0x92];
 }
 
 record! {
@@ -161,7 +165,8 @@ record! {
 }
 
 field! {
-    Arrays: 0x80, 0x05, "measurements.arrays", in 0x80 | 0x92
+    Arrays: 0x80, 0x05, "measurements.arrays";
+    in [0x80 | 0x92];
 }
 
 record! {
@@ -193,7 +198,8 @@ record! {
 }
 
 field! {
-    Growing: 0x80, 0x06, "measurements.growing", in 0x80 | 0x92
+    Growing: 0x80, 0x06, "measurements.growing";
+    in [0x80 | 0x92];
 }
 
 record! {
@@ -201,8 +207,9 @@ record! {
     ///
     /// A bool vouches for values; one source has no layout that agrees with it.
     ///
-    /// Also called `modem` and `rf`. Uncertain: The leaflet gives the strength two bytes.
-    /// Uncertain: Inferred: the strength is never positive.
+    /// Also called `modem` and `rf`. No device profile lists it. Known from the Kit of names only.
+    /// Uncertain: The leaflet gives the strength two bytes. Uncertain: Inferred: the strength is
+    /// never positive.
     ///
     /// Source: sheet: Radio.
     #[derive(Default)]
@@ -227,7 +234,8 @@ record! {
 }
 
 field! {
-    Radio: 0x80, 0x07, "measurements.radio", in 0x80 | 0x92
+    Radio: 0x80, 0x07, "measurements.radio";
+    in [0x80 | 0x92];
 }
 
 record! {
@@ -256,5 +264,83 @@ record! {
 }
 
 field! {
-    Cloud: 0x80, 0x08, "measurements.cloud", in 0x80 | 0x92
+    Cloud: 0x80, 0x08, "measurements.cloud";
+    in [0x80 | 0x92];
+}
+
+record! {
+    /// Gust (0x80,0x09).
+    ///
+    /// One valid flag for all values but one; [`Breeze`] has the same place.
+    ///
+    /// No device profile lists it.
+    ///
+    /// On the wire there is also `gap`: Always the same. Always 7.
+    ///
+    /// - `speed * 3.6` is in km/h, and `valid_flags` tells whether `speed` counts; see
+    ///   [`types::Mode`] and [`tools::Shape`](crate::tools::Shape).
+    ///
+    /// Source: guide: Gust.
+    #[derive(Default)]
+    pub struct Gust {
+        /// Which one.
+        pub station: u8,
+        /// Where it was measured.
+        ///
+        /// Valid if [`valid_flags.ready`](types::StateFlags::ready) is set.
+        pub place: types::Point,
+        /// Above the plane.
+        ///
+        /// Unit: m. Valid if [`valid_flags.ready`](types::StateFlags::ready) is set.
+        pub height: f32,
+        /// Of the wind.
+        ///
+        /// Elements: x, y, z. Unit: m. Range: magnitude at most 40. Valid if
+        /// [`valid_flags.ready`](types::StateFlags::ready) is set.
+        pub speed: types::Vector3f,
+        /// What is valid.
+        pub valid_flags: types::StateFlags,
+    }
+    wire 24 {
+        [station]
+        [place]
+        [height]
+        [speed]
+        [gap: u8 = 7]
+        [valid_flags]
+    }
+}
+
+field! {
+    Gust: 0x80, 0x09, "measurements.gust";
+    in [0x80 | 0x92];
+}
+
+record! {
+    /// Breeze (0x80,0x0A).
+    ///
+    /// Its place is told as in [`Gust`].
+    ///
+    /// Supported by Model A.
+    ///
+    /// Source: guide: Breeze.
+    #[derive(Default)]
+    pub struct Breeze {
+        /// Where it was measured.
+        pub place: types::Point,
+        /// Above the plane.
+        ///
+        /// Unit: m.
+        pub height: f32,
+        /// Of the vane.
+        ///
+        /// Elements: w, x, y, z. Unit: 1. Range: -1 to 1, magnitude 0.5 to 1.5. Default: 1, 0, 0,
+        /// 0.
+        pub turn: types::Quatf,
+    }
+}
+
+field! {
+    Breeze: 0x80, 0x0A, "measurements.breeze";
+    in [0x80 | 0x92];
 }

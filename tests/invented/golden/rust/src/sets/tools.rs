@@ -160,6 +160,24 @@ open_enum! {
     }
 }
 
+record! {
+    /// One of a list; what it is depends on what was asked for.
+    #[derive(Default)]
+    pub struct Reading {
+        /// Of the reading.
+        pub kind: u8,
+        /// Of the reading.
+        pub value: f32,
+    }
+}
+
+constructors! {
+    Reading
+
+    /// Puts the values together.
+    fn new(kind: u8, value: f32);
+}
+
 bitfield! {
     /// Of the model A.
     ModelAFaults: u32 {
@@ -210,7 +228,7 @@ constructors! {
 }
 
 field! {
-    Ping: 0x01, 0x01, "tools.ping"
+    Ping: 0x01, 0x01, "tools.ping";
 }
 
 command! {
@@ -260,7 +278,7 @@ record! {
 }
 
 constructors! {
-    Settings { function, port, mode, baud, limit, reserved }
+    Settings
 
     /// Apply the new setting.
     fn write(
@@ -290,14 +308,13 @@ constructors! {
 }
 
 setters! {
-    Settings {
-        fn with_limit(limit: u16);
-        fn with_reserved(reserved: u8);
-    }
+    Settings
+    fn with_limit(limit: u16);
+    fn with_reserved(reserved: u8);
 }
 
 field! {
-    Settings: 0x01, 0x02, "tools.settings"
+    Settings: 0x01, 0x02, "tools.settings";
 }
 
 command! {
@@ -335,7 +352,7 @@ record! {
 }
 
 constructors! {
-    SetTime { function, part, value }
+    SetTime
 
     /// Apply the new setting.
     fn write(part: types::Mode, value: u32) = WRITE;
@@ -348,7 +365,7 @@ constructors! {
 }
 
 field! {
-    SetTime: 0x01, 0x03, "tools.set_time"
+    SetTime: 0x01, 0x03, "tools.set_time";
 }
 
 command! {
@@ -400,7 +417,8 @@ constructors! {
 }
 
 field! {
-    Status: 0x01, 0x04, "tools.status", constants [0: 18 103]
+    Status: 0x01, 0x04, "tools.status";
+    constants [0: 18 103];
 }
 
 command! {
@@ -444,7 +462,7 @@ record! {
 }
 
 constructors! {
-    Bias { function, bias }
+    Bias
 
     /// Apply the new setting.
     fn write(bias: impl Into<types::Vector3f>) = WRITE;
@@ -463,7 +481,7 @@ constructors! {
 }
 
 field! {
-    Bias: 0x01, 0x05, "tools.bias"
+    Bias: 0x01, 0x05, "tools.bias";
 }
 
 command! {
@@ -496,7 +514,7 @@ constructors! {
 }
 
 field! {
-    CaptureBias: 0x01, 0x06, "tools.capture_bias"
+    CaptureBias: 0x01, 0x06, "tools.capture_bias";
 }
 
 command! {
@@ -544,7 +562,7 @@ constructors! {
 }
 
 field! {
-    Formats: 0x01, 0x07, "tools.formats"
+    Formats: 0x01, 0x07, "tools.formats";
 }
 
 command! {
@@ -610,7 +628,7 @@ union! {
 }
 
 constructors! {
-    Choice { function, instance, shape, parameters }
+    Choice
 
     /// Apply the new setting.
     fn write(instance: u8, parameters: ChoiceParameters) = WRITE, shape: parameters.tag();
@@ -620,7 +638,7 @@ constructors! {
 }
 
 field! {
-    Choice: 0x01, 0x08, "tools.choice"
+    Choice: 0x01, 0x08, "tools.choice";
 }
 
 command! {
@@ -650,7 +668,6 @@ record! {
     wire 252 {
         [function selects]
         [(items) for WRITE {
-
             [count: u8 counts items]
             [items by count]
         }]
@@ -658,7 +675,7 @@ record! {
 }
 
 constructors! {
-    List { function, items }
+    List
 
     /// Apply the new setting.
     fn write(items: impl Into<crate::List<u16, 125>>) = WRITE;
@@ -671,7 +688,7 @@ constructors! {
 }
 
 field! {
-    List: 0x01, 0x09, "tools.list"
+    List: 0x01, 0x09, "tools.list";
 }
 
 command! {
@@ -699,7 +716,7 @@ constructors! {
 }
 
 field! {
-    Inventory: 0x01, 0x0A, "tools.inventory"
+    Inventory: 0x01, 0x0A, "tools.inventory";
 }
 
 command! {
@@ -734,7 +751,7 @@ record! {
 }
 
 constructors! {
-    Pin { function, drive, use_ }
+    Pin
 
     /// Apply the new setting.
     fn write(drive: Drive, use_: u8) = WRITE;
@@ -765,7 +782,7 @@ impl Pin {
 }
 
 field! {
-    Pin: 0x01, 0x0B, "tools.pin"
+    Pin: 0x01, 0x0B, "tools.pin";
 }
 
 command! {
@@ -779,7 +796,7 @@ record! {
     /// The device asks and a host answers.
     ///
     /// Also called `keep_alive`. Answered by [`HelloResponse`]. The device sends it, and the host
-    /// answers.
+    /// answers. No device profile lists it. Known from the Kit of names only.
     ///
     /// Source: sheet: Hello.
     pub struct Hello {
@@ -812,18 +829,48 @@ constructors! {
 }
 
 setters! {
-    Hello {
-        fn with_later(later: [f64; 2]);
-    }
+    Hello
+    fn with_later(later: [f64; 2]);
 }
 
 field! {
-    Hello: 0x01, 0x0C, "tools.hello"
+    Hello: 0x01, 0x0C, "tools.hello";
 }
 
 command! {
     Hello -> HelloResponse;
     responds HelloResponse;
+}
+
+record! {
+    /// Readings (0x01,0x0D).
+    ///
+    /// A parameter outside of a structure says how its members are read.
+    ///
+    /// Answered by [`ReadingsResponse`]. Supported by Model A.
+    ///
+    /// Source: guide: Readings.
+    #[derive(Default)]
+    pub struct Readings {
+        /// What is asked for.
+        pub drive: Drive,
+    }
+}
+
+constructors! {
+    Readings
+
+    /// The command with its parameters.
+    fn new(drive: Drive);
+}
+
+field! {
+    Readings: 0x01, 0x0D, "tools.readings";
+}
+
+command! {
+    Readings -> ReadingsResponse;
+    responds ReadingsResponse;
 }
 
 record! {
@@ -869,7 +916,8 @@ impl core::default::Default for SettingsResponse {
 }
 
 field! {
-    SettingsResponse: 0x01, 0x82, "tools.settings_response", answers Settings
+    SettingsResponse: 0x01, 0x82, "tools.settings_response";
+    answers Settings;
 }
 
 record! {
@@ -888,7 +936,8 @@ record! {
 }
 
 field! {
-    SetTimeFastResponse: 0x01, 0x83, "tools.set_time_fast_response", answers SetTime
+    SetTimeFastResponse: 0x01, 0x83, "tools.set_time_fast_response";
+    answers SetTime;
 }
 
 record! {
@@ -907,7 +956,8 @@ record! {
 }
 
 field! {
-    SetTimeSlowResponse: 0x01, 0x84, "tools.set_time_slow_response", answers SetTime
+    SetTimeSlowResponse: 0x01, 0x84, "tools.set_time_slow_response";
+    answers SetTime;
 }
 
 record! {
@@ -935,7 +985,8 @@ record! {
 }
 
 field! {
-    ChoiceResponse: 0x01, 0x88, "tools.choice_response", answers Choice
+    ChoiceResponse: 0x01, 0x88, "tools.choice_response";
+    answers Choice;
 }
 
 record! {
@@ -958,7 +1009,8 @@ record! {
 }
 
 field! {
-    ListResponse: 0x01, 0x89, "tools.list_response", answers List
+    ListResponse: 0x01, 0x89, "tools.list_response";
+    answers List;
 }
 
 record! {
@@ -975,7 +1027,8 @@ record! {
 }
 
 field! {
-    InventoryResponse: 0x01, 0x8A, "tools.inventory_response", answers Inventory
+    InventoryResponse: 0x01, 0x8A, "tools.inventory_response";
+    answers Inventory;
 }
 
 record! {
@@ -1008,7 +1061,7 @@ impl PinResponse {
     #[must_use]
     pub fn use_as_pulse_use(&self) -> Option<PulseUse> {
         let named = matches!(self.drive, Drive::PULSE);
-        Some(self.use_).filter(|_| named).map(Into::into)
+        named.then(|| self.use_.into())
     }
 
     /// Reads `use_` as [`SerialUse`].
@@ -1017,19 +1070,20 @@ impl PinResponse {
     #[must_use]
     pub fn use_as_serial_use(&self) -> Option<SerialUse> {
         let named = matches!(self.drive, Drive::SERIAL);
-        Some(self.use_).filter(|_| named).map(Into::into)
+        named.then(|| self.use_.into())
     }
 }
 
 field! {
-    PinResponse: 0x01, 0x8B, "tools.pin_response", answers Pin
+    PinResponse: 0x01, 0x8B, "tools.pin_response";
+    answers Pin;
 }
 
 record! {
     /// Hello response (0x01,0x8C).
     ///
-    /// Also called `keep_alive_response` and `welcome`. Answers [`Hello`]. Uncertain: When it
-    /// comes.
+    /// Also called `keep_alive_response` and `welcome`. Answers [`Hello`]. Known from the Kit of
+    /// names only. Uncertain: When it comes.
     ///
     /// Source: sheet: Hello.
     #[derive(Default)]
@@ -1042,7 +1096,44 @@ record! {
 }
 
 field! {
-    HelloResponse: 0x01, 0x8C, "tools.hello_response", answers Hello
+    HelloResponse: 0x01, 0x8C, "tools.hello_response";
+    answers Hello;
+}
+
+record! {
+    /// Readings response (0x01,0x8D).
+    ///
+    /// Answers [`Readings`]. Supported by Model A.
+    ///
+    /// On the wire there is also `count`: Number of readings. The number of elements of `readings`.
+    ///
+    /// Source: guide: Readings.
+    #[derive(Default)]
+    pub struct ReadingsResponse {
+        /// What was asked for.
+        pub drive: Drive,
+        /// The readings.
+        ///
+        /// If `drive` is [`Drive::PULSE`]: `kind` has values of [`PulseUse`]. Seldom 2. If `drive`
+        /// is [`Drive::SERIAL`]: `kind` has values of [`SerialUse`].
+        pub readings: crate::List<Reading, 49>,
+        /// The last one.
+        ///
+        /// If `drive` is [`Drive::PULSE`]: `value` has unit s; range 0 to 1. If `drive` is
+        /// [`Drive::SERIAL`]: `value`: Nothing.
+        pub last: Reading,
+    }
+    wire 252 {
+        [drive]
+        [count: u8 counts readings]
+        [readings by count]
+        [last]
+    }
+}
+
+field! {
+    ReadingsResponse: 0x01, 0x8D, "tools.readings_response";
+    answers Readings;
 }
 
 record! {
@@ -1089,7 +1180,9 @@ impl StatusShort {
 }
 
 field! {
-    StatusShort: 0x01, 0x90, "tools.status_short", constants [0: 18 103] [2: 1], answers Status
+    StatusShort: 0x01, 0x90, "tools.status_short";
+    constants [0: 18 103] [2: 1];
+    answers Status;
 }
 
 record! {
@@ -1141,7 +1234,9 @@ impl StatusLong {
 }
 
 field! {
-    StatusLong: 0x01, 0x90, "tools.status_long", constants [0: 18 103] [2: 2], answers Status
+    StatusLong: 0x01, 0x90, "tools.status_long";
+    constants [0: 18 103] [2: 2];
+    answers Status;
 }
 
 record! {
@@ -1160,5 +1255,6 @@ record! {
 }
 
 field! {
-    BiasVector: 0x01, 0x9B, "tools.bias_vector", answers Bias CaptureBias
+    BiasVector: 0x01, 0x9B, "tools.bias_vector";
+    answers Bias CaptureBias;
 }
