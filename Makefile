@@ -69,6 +69,10 @@ test: tools $(VENV)/development.stamp ## run all tests, in every language
 quick: $(VENV)/development.stamp ## run the tests of the generator alone
 	@$(RUN) -m pytest -n $(JOBS) tests/generator tests/bad_specs
 
+.PHONY: mutate
+mutate: $(VENV)/development.stamp ## change the project at random and report what no test sees: make mutate COUNT=5 PART=c SEED=2
+	@$(RUN) tests/mutate.py $(addprefix --count ,$(COUNT)) $(addprefix --part ,$(PART)) $(addprefix --seed ,$(SEED)) $(addprefix --path ,$(FILE))
+
 .PHONY: check
 check: tools $(VENV)/development.stamp ## validate, compare generated/ with the specification, run formatters and linters
 	@$(MIPGEN) check --spec $(SPEC) --out $(OUT)
